@@ -12,9 +12,19 @@ export default defineConfig({
   reporter: [['list']],
   // The demo makes itself while the first ones run.
   projects: [
-    { name: 'job', testMatch: ['main-job.spec.ts', 'contract.spec.ts', 'mend.spec.ts', 'resume.spec.ts'] },
+    {
+      name: 'job',
+      testMatch: [
+        'main-job.spec.ts',
+        'contract.spec.ts',
+        'fix.spec.ts',
+        'resume.spec.ts',
+        'tray.spec.ts',
+        'live.spec.ts',
+      ],
+    },
     { name: 'parts', testMatch: 'parts.spec.ts' },
-    { name: 'demo', testMatch: ['pages.spec.ts', 'demo.spec.ts', 'docs.spec.ts'] },
+    { name: 'demo', testMatch: ['pages.spec.ts', 'demo.spec.ts', 'docs.spec.ts', 'speed.spec.ts'] },
   ],
   use: {
     actionTimeout: 15_000,

@@ -102,7 +102,7 @@ async function journey(server: Server, browser: Browser): Promise<void> {
       await page.goto(address)
       const form = page.getByRole('form', { name: 'Accept' })
       await form.getByLabel('Your full name').fill('Full Name')
-      await form.getByRole('button', { name: /^Accept version/ }).click()
+      await form.getByRole('button', { name: /^Sign version/ }).click()
       await expect(form).toBeHidden()
     }
   })
@@ -119,11 +119,11 @@ async function journey(server: Server, browser: Browser): Promise<void> {
   }
   const askChange = async (take: string) => {
     await producer.ask('POST', `/takes/${take}/verdict`, { kind: 'request_change', note: 'Later thrust.' })
-    await producer.ask('POST', `/projects/${project}/sendings`, { note: '' })
+    await producer.ask('POST', `/projects/${project}/feedback`, { note: '' })
   }
   const money = (page: Page) => page.getByRole('region', { name: 'Money in EUR' })
 
-  await test.step('an acceptance, a cut in work and a round too many', async () => {
+  await test.step('an acceptance, a cut in progress and a round too many', async () => {
     await producer.ask('POST', `/takes/${await deliver('radar_ping', 440)}/verdict`, { kind: 'approve', note: '' })
     await askChange(await deliver('mine_arm', 520))
     await producer.ask('POST', `/cues/${cues.mine_arm}/cut`, { reason: 'Mines left the game' })
@@ -141,7 +141,7 @@ async function journey(server: Server, browser: Browser): Promise<void> {
     await designer.page.getByRole('button', { name: 'Issue invoice 1' }).click()
     await expect(designer.page.getByRole('link', { name: 'Invoice 1' })).toBeVisible()
     await producer.page.reload()
-    await producer.page.getByRole('button', { name: 'Record a payment on invoice 1' }).click()
+    await producer.page.getByRole('button', { name: 'Record payment on invoice 1' }).click()
     const form = producer.page.getByRole('form', { name: 'Payment on invoice 1' })
     await form.getByLabel('Reference').fill('T-1')
     await form.getByRole('button', { name: 'Record payment' }).click()
@@ -150,7 +150,7 @@ async function journey(server: Server, browser: Browser): Promise<void> {
     await expect(money(producer.page)).toContainText('Due 0.00')
   })
 
-  await test.step('both read the same record, and it is whole', async () => {
+  await test.step('both read the same audit trail, and it is whole', async () => {
     const read = (party: Party) =>
       party.ask<{ faults: string[]; sha256: string }>('GET', `/contracts/${contract}/record`)
     const [theirs, ours] = [await read(designer), await read(producer)]

@@ -28,7 +28,7 @@ test('the first screen is one sound to hear by Space and to decide by one key, a
   await page.keyboard.press('a')
   await expect(page.getByRole('status').filter({ hasText: 'shield_hit A approved.' })).toBeVisible()
   await expect(first(page)).toBeHidden()
-  await expect(page.getByText('First, because it has waited longest')).toBeVisible()
+  await expect(page.getByText('First because it has waited longest')).toBeVisible()
   await page.keyboard.press('u')
   await expect(first(page)).toBeVisible()
 })
@@ -38,14 +38,14 @@ test('the menu switches between approver, producer, designer and build', async (
   await expect(page.getByRole('button', { name: /^Approve A/ })).toBeVisible()
 
   await playAs(page, 'Producer')
-  await expect(page.getByText('The approver decides. You advise.')).toBeVisible()
+  await expect(page.getByText('The approver decides. You can comment.')).toBeVisible()
   await expect(page.getByRole('button', { name: /^Approve/ })).toBeHidden()
 
   await playAs(page, 'Sound designer')
   await expect(page.getByRole('heading', { level: 1, name: 'Your desk' })).toBeVisible()
-  const back = page.getByRole('region', { name: /Came back/ })
+  const back = page.getByRole('region', { name: /Needs your fix/ })
   await expect(back.getByRole('heading', { name: 'airlock_cycle' })).toBeVisible()
-  await expect(back.getByRole('list', { name: 'What the check found' })).toContainText(/peak/i)
+  await expect(back.getByRole('list', { name: 'Check results' })).toContainText(/peak/i)
   const tray = page.getByRole('region', { name: 'Unmatched files' })
   await expect(tray.getByRole('button', { name: /^victory_sting/ })).toBeVisible()
 
@@ -70,7 +70,7 @@ test('the game’s CI gets spec and list by the demo’s token', async ({ demo, 
   }
 })
 
-test('j and k keep the cue in the hand in sight where the queue is longer than its panel', async ({ demo, page }) => {
+test('j and k keep the selected cue in sight where the queue is longer than its panel', async ({ demo, page }) => {
   await page.setViewportSize({ width: 1440, height: 420 })
   await page.goto(demo.url)
   await page.getByRole('link', { name: /^Review/ }).click()

@@ -26,7 +26,7 @@ test('the API’s documentation works from our own server alone, within its cont
   expect(answer?.headers()['content-security-policy']).toContain("script-src 'self'")
   await expect(page.getByRole('heading', { name: /^Soundlist/ })).toBeVisible()
 
-  // A read of the server itself, sent from the page.
+  // A read of the server, sent from the page.
   await page.locator('#operations-tag-accounts').click()
   const session = page.locator('#operations-accounts-read_session')
   await session.getByRole('button').first().click()

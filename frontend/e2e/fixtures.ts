@@ -9,6 +9,7 @@ import { type Demo, demoReady, freePort, Server } from './server'
 interface Fixtures {
   server: Server
   onPostgres: Server
+  severalWeb: Server
   behindLine: { line: Line; server: Server }
   withBucket: { bucket: Bucket; server: Server }
 }
@@ -24,6 +25,15 @@ export const test = base.extend<Fixtures, { demo: Demo }>({
   onPostgres: async ({}, use) => {
     const database = await Database.start()
     const server = await Server.start({ more: { SOUNDLIST_DATABASE_URL: database.url } })
+    await use(server)
+    await server.stop()
+    await database.stop()
+  },
+  /** Such a server on PostgreSQL, answered by two web processes. */
+  severalWeb: async ({}, use) => {
+    const database = await Database.start()
+    const more = { SOUNDLIST_DATABASE_URL: database.url, SOUNDLIST_WEB_PROCESSES: '2' }
+    const server = await Server.start({ more })
     await use(server)
     await server.stop()
     await database.stop()

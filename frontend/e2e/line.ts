@@ -36,7 +36,7 @@ export class Line {
     for (const socket of this.#sockets) socket.destroy()
   }
 
-  mend(): void {
+  fix(): void {
     this.#dead = false
   }
 

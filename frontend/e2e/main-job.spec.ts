@@ -18,7 +18,7 @@ const SHEET = [
   'victory_sting\tmusic\tFleet wins the sector\t1.0\t1\tThree rising chords',
 ].join('\n')
 
-/** What comes through the check, by the name that it is delivered under. */
+/** What passes the check, by the name that it is delivered under. */
 const GOOD: Record<string, Buffer> = {
   'shield_hit.wav': wav({ seconds: 0.8, pitchHz: 620 }),
   'shield_hit_altB.wav': wav({ seconds: 0.8, pitchHz: 410, rateHz: 96_000 }),
@@ -74,7 +74,7 @@ const toast = (page: Page, text: string) => expect(page.getByRole('status').filt
 const projectOf = (page: Page) => /\/projects\/[0-9a-f-]{36}/.exec(page.url())?.[0] ?? ''
 const card = (page: Page, name: string | RegExp) => page.getByRole('region', { name })
 const line = (page: Page, file: string) =>
-  page.getByRole('list', { name: 'Files of this delivery' }).getByRole('listitem').filter({ hasText: file })
+  page.getByRole('list', { name: 'Files in this delivery' }).getByRole('listitem').filter({ hasText: file })
 
 /** Where the playhead stands in the sound on the stage, in seconds. */
 const playhead = (page: Page) =>
@@ -102,21 +102,22 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
 
   await test.step('the producer opens a studio and a project', async () => {
     await producer.goto('/')
-    await producer.getByRole('link', { name: 'Open a studio' }).click()
-    await producer.getByLabel('Name of the studio').fill('Lantern Games')
+    await producer.getByRole('link', { name: 'Create a studio' }).click()
+    await producer.getByLabel('Studio name').fill('Lantern Games')
     await producer.getByLabel('Your name').fill('Producer')
-    await producer.getByLabel('Mail address').fill('producer@lantern.example')
+    await producer.getByLabel('Email').fill('producer@lantern.example')
     await producer.getByLabel('Password', { exact: true }).fill(PASSWORD)
     await producer.keyboard.press('Enter')
     await expect(producer.getByRole('heading', { name: 'New project' })).toBeVisible()
-    await producer.getByLabel('Name of the game').fill('Deep Field')
-    await producer.getByLabel('What game is it').fill('Salvage in deep space, on headphones.')
-    await producer.getByRole('button', { name: 'Open the project' }).click()
-    await expect(producer.getByText('The sound list is empty.')).toBeVisible()
+    await producer.getByLabel('Game title').fill('Deep Field')
+    await producer.getByLabel('Description (optional)').fill('Salvage in deep space, on headphones.')
+    await producer.getByRole('radio', { name: 'CD rate: 44.1 kHz / 16 bit' }).check()
+    await producer.getByRole('button', { name: 'Create project' }).click()
+    await expect(producer.getByText('The sound list is empty')).toBeVisible()
     project = projectOf(producer)
   })
 
-  await test.step('imports the list: a dry run names the faulty row, and nothing is imported until it is mended', async () => {
+  await test.step('imports the list: a dry run names the faulty row, and nothing is imported until it is fixed', async () => {
     await producer.keyboard.press('i')
     await producer.getByLabel('Pasted rows').fill(SHEET)
     const faulty = producer.getByRole('row').filter({ hasText: 'found "short"' })
@@ -127,17 +128,17 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
     await expect(producer.getByText('4 cues to add, 0 to change, 0 the same')).toBeVisible()
     await producer.getByRole('button', { name: 'Import 4 cues' }).click()
     await toast(producer, '4 cues added')
-    await expect(producer.getByRole('row').filter({ hasText: 'victory_sting' })).toContainText('To make')
+    await expect(producer.getByRole('row').filter({ hasText: 'victory_sting' })).toContainText('To do')
   })
 
-  await test.step('the audio director joins by the link from the outbox and has the last word', async () => {
+  await test.step('the audio director joins by the link from the outbox and is the approver now', async () => {
     await producer.goto('/studio')
-    const invite = card(producer, 'Invite to the studio')
-    await invite.getByLabel('Mail address').fill('director@lantern.example')
-    await invite.getByRole('checkbox', { name: /Liaison/ }).check()
+    const invite = card(producer, 'Invite a team member')
+    await invite.getByLabel('Email').fill('director@lantern.example')
+    await invite.getByRole('checkbox', { name: /Audio lead/ }).check()
     await invite.getByRole('button', { name: 'Invite', exact: true }).click()
     await producer.getByRole('button', { name: /Copy link of .+ to director@lantern\.example/ }).click()
-    await toast(producer, 'The link is copied.')
+    await toast(producer, 'Link copied.')
     await approver.goto(await copied(producer))
     await approver.getByLabel('Your name').fill('Audio director')
     await approver.getByLabel('Password', { exact: true }).fill(PASSWORD)
@@ -145,31 +146,31 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
     await expect(approver.getByRole('navigation', { name: 'Screens' })).toBeVisible()
 
     await producer.goto(`${project}/people`)
-    await producer.getByRole('button', { name: /^Make liaison.*Audio director/ }).click()
-    await toast(producer, 'Audio director speaks for the team.')
-    await producer.getByRole('button', { name: 'Name another' }).click()
-    await expect(producer.getByLabel('Who decides from now on').first()).toHaveValue('Audio director')
-    await producer.getByLabel('Why; it is kept').fill('Knows the palette best')
-    await producer.getByRole('button', { name: 'Give the last word' }).click()
-    await toast(producer, 'Audio director has the last word.')
+    await producer.getByRole('button', { name: /^Make audio lead.*Audio director/ }).click()
+    await toast(producer, 'Audio director is an audio lead now.')
+    await producer.getByRole('button', { name: 'Change approver' }).click()
+    await expect(producer.getByLabel('New approver').first()).toHaveValue('Audio director')
+    await producer.getByLabel('Reason (logged)').fill('Knows the palette best')
+    await producer.getByRole('button', { name: 'Make approver' }).click()
+    await toast(producer, 'Audio director is the approver now.')
   })
 
   await test.step('the designer sees the list by the link alone, and makes an account to deliver', async () => {
     const invite = producer.getByRole('form', { name: 'Invite a designer' })
-    await invite.getByLabel('Mail address').fill('designer@tones.example')
-    await invite.getByLabel(/^Note/).fill('Start with the shield.')
-    await invite.getByRole('button', { name: 'Send the invitation' }).click()
+    await invite.getByLabel('Email').fill('designer@tones.example')
+    await invite.getByLabel(/^Message/).fill('Start with the shield.')
+    await invite.getByRole('button', { name: 'Send invitation' }).click()
     await producer.getByRole('button', { name: /^Copy link.*designer@tones.example/ }).click()
-    await toast(producer, 'The link is copied.')
+    await toast(producer, 'Link copied.')
     await designer.goto(await copied(producer))
     await expect(designer.getByText('Start with the shield.')).toBeVisible()
     await expect(designer.getByRole('row').filter({ hasText: 'shield_hit' })).toContainText('Must read over laser fire')
     await designer.getByRole('button', { name: 'Start delivering' }).click()
     await designer.getByLabel('Your name').fill('Sound designer')
     await designer.getByLabel('New password', { exact: true }).fill(PASSWORD)
-    await designer.getByRole('button', { name: 'Make the account and go to the desk' }).click()
+    await designer.getByRole('button', { name: 'Create account and go to your desk' }).click()
     await expect(designer.getByRole('heading', { name: 'Your desk' })).toBeVisible()
-    await expect(card(designer, 'To make')).toContainText('laser_fire')
+    await expect(card(designer, 'To do')).toContainText('laser_fire')
   })
 
   await test.step('drops good and bad files, sees them on their way and what came of each', async () => {
@@ -182,16 +183,16 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
       designer,
       Object.keys(files).map((name) => join(folder, name)),
     )
-    await expect(line(designer, 'shield_hit_altB.wav')).toContainText('Sending')
+    await expect(line(designer, 'shield_hit_altB.wav')).toContainText('Uploading')
     await expect(line(designer, 'shield_hit_altB.wav').getByRole('img', { name: /\d+ % here/ })).toBeVisible()
     await brake(designer, 0)
-    await expect(line(designer, 'ui_confirm.wav')).toContainText('Not sent')
+    await expect(line(designer, 'ui_confirm.wav')).toContainText('Not uploaded')
     await expect(line(designer, 'ui_confirm.wav')).toContainText('This is an MP3 named .wav.')
 
-    const back = card(designer, /Came back/)
+    const back = card(designer, /Needs your fix/)
     await expect(back.getByRole('heading', { name: 'laser_fire' })).toBeVisible()
-    await expect(back.getByRole('list', { name: 'What the check found' })).toContainText(/Sample peak −?0\.0+ dBFS/)
-    await expect(back.getByRole('list', { name: 'What the check found' })).toContainText('−0.1')
+    await expect(back.getByRole('list', { name: 'Check results' })).toContainText(/Sample peak −?0\.0+ dBFS/)
+    await expect(back.getByRole('list', { name: 'Check results' })).toContainText('−0.1')
     await expect(back.getByRole('slider', { name: /laser_fire/ })).toBeVisible()
     await expect(back.getByRole('link', { name: /^sample-peak/ })).toHaveAttribute('href', '/checks/sample-peak')
 
@@ -201,20 +202,20 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
     await designer.keyboard.press('1')
     await toast(designer, 'final_FINAL_sting2.wav is for victory_sting and will be named for it.')
     await expect(tray).toBeHidden()
-    await expect(card(designer, /Delivery 1/)).toContainText('6 files through the check')
+    await expect(card(designer, /Delivery 1/)).toContainText('6 files checked')
   })
 
   await test.step('sends a version that is not too loud', async () => {
     await chooseBy('s', designer, 'laser_fire.wav', wav({ peak: 0.8, pitchHz: 1_400 }))
-    await expect(card(designer, /Came back/)).toContainText('Nothing came back.')
-    await expect(card(designer, 'With the approver')).toContainText('4 cues, 6 files')
+    await expect(card(designer, /Needs your fix/)).toContainText('Nothing to fix.')
+    await expect(card(designer, 'In review')).toContainText('4 cues, 6 files')
   })
 
   await test.step('the approver hears two alternates and picks the second, by keys alone', async () => {
     await openQueue(approver, project, 4)
     await approver.getByRole('link', { name: /shield_hit/ }).click()
     await expect(approver.getByRole('heading', { level: 1, name: 'shield_hit' })).toBeVisible()
-    await expect(approver.getByText('You decide. No round yet.')).toBeVisible()
+    await expect(approver.getByText('Your call. No revision round yet.')).toBeVisible()
     await approver.keyboard.press('l')
     await approver.keyboard.press('Space')
     await expect(approver.getByRole('button', { name: 'Pause' })).toBeVisible()
@@ -235,22 +236,22 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
     await approver.keyboard.type('Third chord higher')
     await expect(approver.getByRole('button', { name: /^At 0\.\d{3} s$/, pressed: true })).toBeVisible()
     await approver.keyboard.press('Enter')
-    const noted = approver.getByRole('list', { name: 'Changes that are not sent' })
+    const noted = approver.getByRole('list', { name: 'Draft change requests' })
     await expect(noted).toContainText('Third chord higher')
     await approver.keyboard.press('s')
-    await expect(approver.getByText('It counts one round for victory_sting.')).toBeVisible()
+    await expect(approver.getByText('This counts as one round for victory_sting.')).toBeVisible()
     await approver.getByRole('button', { name: 'Send 1 change to the designer' }).click()
     await toast(approver, '1 change sent.')
   })
 
   await test.step('the designer reads it and sends the next version', async () => {
     await designer.reload()
-    const back = card(designer, /Came back/)
+    const back = card(designer, /Needs your fix/)
     await expect(back.getByRole('heading', { name: 'victory_sting' })).toBeVisible()
-    await expect(back.getByRole('list', { name: 'What is to change' })).toContainText('Third chord higher')
+    await expect(back.getByRole('list', { name: 'Requested changes' })).toContainText('Third chord higher')
     await expect(back.getByRole('button', { name: /^0\.\d{3} s$/ })).toBeVisible()
     await chooseBy('s', designer, 'sting with third chord.wav', wav({ seconds: 1, pitchHz: 660, channels: 2 }))
-    await expect(back).toContainText('Nothing came back.')
+    await expect(back).toContainText('Nothing to fix.')
   })
 
   await test.step('the approver approves what is left', async () => {
@@ -265,7 +266,7 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
       await approver.keyboard.press('a')
       await toast(approver, done)
     }
-    await expect(approver.getByRole('heading', { name: 'Nothing waits for a verdict.' })).toBeVisible()
+    await expect(approver.getByRole('heading', { name: 'Nothing to review' })).toBeVisible()
   })
 
   let pack = new Map<string, Buffer>()
@@ -299,8 +300,8 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
   await test.step('the game’s CI checks the pack by the lines shown, and its report stands on the project page', async () => {
     const builds = card(producer, 'Builds')
     await expect(builds.getByText('audio-checks check')).toBeVisible()
-    await builds.getByRole('button', { name: 'Make a token' }).click()
-    await builds.getByRole('button', { name: 'Make the token' }).click()
+    await builds.getByRole('button', { name: 'Create token' }).click()
+    await builds.getByRole('button', { name: 'Create token' }).click()
     const token = await builds.getByText(/^slt_/).textContent()
 
     const folder = testInfo.outputPath('game')
@@ -330,6 +331,6 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
     expect(posted.status).toBe(201)
     await producer.reload()
     await expect(card(producer, 'Builds')).toContainText(/Passed/)
-    await expect(card(producer, 'Builds')).toContainText('5 files judged')
+    await expect(card(producer, 'Builds')).toContainText('5 files checked')
   })
 })

@@ -8,14 +8,14 @@ import type { Demo } from './server'
 interface Place {
   name: string
   path: string
-  /** What stands there once the page has what it needs. */
+  /** What the page shows once it has what it needs. */
   shows: string | RegExp
 }
 
 const SIZES = { wide: { width: 1440, height: 900 }, narrow: { width: 390, height: 844 } }
 const SCHEMES = ['light', 'dark'] as const
 
-type Part = 'producer' | 'decider' | 'designer' | 'guest'
+type Part = 'producer' | 'approver' | 'designer' | 'guest'
 
 async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: string): Promise<Place[]> {
   const { url, projectId } = demo
@@ -39,10 +39,10 @@ async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: s
     { name: 'account', path: '/account', shows: 'Password' },
   ]
   const team: Place[] = [
-    { name: 'today', path: `${project}/today`, shows: 'With others' },
+    { name: 'today', path: `${project}/today`, shows: 'Waiting on others' },
     { name: 'review', path: `${project}/review/${cue('shield_hit')}`, shows: 'Match level' },
-    { name: 'review-set', path: `${project}/review/${cue('thruster_burst')}`, shows: 'As game' },
-    { name: 'people', path: `${project}/people`, shows: 'has the last word on every sound' },
+    { name: 'review-set', path: `${project}/review/${cue('thruster_burst')}`, shows: 'Randomise' },
+    { name: 'people', path: `${project}/people`, shows: 'approves or returns every sound' },
     { name: 'builds', path: `${project}/builds`, shows: /^audio-checks check/m },
     { name: 'projects', path: '/projects', shows: 'Shield Wing' },
     { name: 'studio', path: '/studio', shows: 'Shield Wing studio' },
@@ -52,24 +52,24 @@ async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: s
     case 'producer':
       return [
         ...team,
-        { name: 'import', path: `${project}/sound-list/import`, shows: 'The sheet' },
+        { name: 'import', path: `${project}/sound-list/import`, shows: 'Spreadsheet' },
         { name: 'spec', path: `${project}/spec`, shows: /TOML/ },
-        { name: 'new-project', path: '/projects/new', shows: '48 kHz game' },
+        { name: 'new-project', path: '/projects/new', shows: 'Game standard: 48 kHz / 24 bit' },
         { name: 'operations', path: '/operations', shows: 'Jobs and storage' },
-        { name: 'nowhere', path: '/no/such/page', shows: 'Nothing stands at this address.' },
+        { name: 'nowhere', path: '/no/such/page', shows: 'Page not found' },
       ]
-    case 'decider':
+    case 'approver':
       return team
     case 'designer':
       return [{ name: 'desk', path: `${project}/desk`, shows: 'final_FINAL_sting2.wav' }, ...list]
     case 'guest':
       return [
-        { name: 'sign-in', path: '/sign-in', shows: 'Forgotten password' },
-        { name: 'sign-up', path: '/sign-up', shows: 'Open a studio' },
-        { name: 'forgotten-password', path: '/forgotten-password', shows: 'Mail address' },
+        { name: 'sign-in', path: '/sign-in', shows: 'Forgot password?' },
+        { name: 'sign-up', path: '/sign-up', shows: 'Create a studio' },
+        { name: 'forgotten-password', path: '/forgotten-password', shows: 'Email' },
         { name: 'new-password', path: '/new-password/none', shows: 'New password' },
         { name: 'join', path: await joinPath(context, demo, size), shows: 'Join Shield Wing studio' },
-        { name: 'invitation', path: await invitationPath(context, demo, size), shows: 'How files must come' },
+        { name: 'invitation', path: await invitationPath(context, demo, size), shows: 'File requirements' },
         { name: 'check', path: '/checks/true-peak', shows: 'true-peak' },
       ]
   }
@@ -114,12 +114,12 @@ function troubles(page: Page): string[] {
     if (message.type() === 'error') found.push(message.text())
   })
   page.on('request', (request) => {
-    if (!/^(http:\/\/127\.0\.0\.1:|blob:|data:)/.test(request.url())) found.push(`asked for ${request.url()}`)
+    if (!/^(http:\/\/127\.0\.0\.1:|blob:|data:)/.test(request.url())) found.push(`queued ${request.url()}`)
   })
   return found
 }
 
-for (const part of ['producer', 'decider', 'designer', 'guest'] as const) {
+for (const part of ['producer', 'approver', 'designer', 'guest'] as const) {
   for (const size of ['wide', 'narrow'] as const) {
     test.describe(() => {
       test.describe.configure({ mode: 'parallel' })

@@ -21,7 +21,7 @@ for (const scheme of ['light', 'dark'] as const) {
       const broken: string[] = []
       page.on('pageerror', (error) => broken.push(error.message))
       page.on('request', (request) => {
-        if (!/^(http:\/\/127\.0\.0\.1|blob:|data:)/.test(request.url())) broken.push(`asked for ${request.url()}`)
+        if (!/^(http:\/\/127\.0\.0\.1|blob:|data:)/.test(request.url())) broken.push(`queued ${request.url()}`)
       })
       await open(page, scheme, size)
       await expectAccessible(page)
@@ -36,7 +36,7 @@ for (const scheme of ['light', 'dark'] as const) {
 test('the palette opens by its key, finds a sound and does without a mouse', async ({ page }) => {
   await open(page, 'light', WIDE)
   await page.keyboard.press('Control+k')
-  await expect(page.getByRole('combobox', { name: 'Find or do' })).toBeFocused()
+  await expect(page.getByRole('combobox', { name: 'Search or run a command' })).toBeFocused()
   await page.keyboard.type('shield')
   await expect(page.getByRole('option', { selected: true })).toContainText('SW-007')
   await expectAccessible(page)
@@ -47,10 +47,10 @@ test('the palette opens by its key, finds a sound and does without a mouse', asy
 test('the sheet of keys opens by ?, and single keys can be turned off', async ({ page }) => {
   await open(page, 'dark', WIDE)
   await page.keyboard.press('?')
-  const sheet = page.getByRole('dialog', { name: 'All keys' })
+  const sheet = page.getByRole('dialog', { name: 'Keyboard shortcuts' })
   await expect(sheet.getByText('Approve')).toBeVisible()
   await expectAccessible(page)
-  await sheet.getByRole('switch', { name: 'Single keys work' }).click()
+  await sheet.getByRole('switch', { name: 'Single-key shortcuts' }).click()
   await page.keyboard.press('Escape')
   await expect(sheet).toBeHidden()
   await page.keyboard.press('a')

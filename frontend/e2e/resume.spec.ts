@@ -27,9 +27,9 @@ async function atDesk(page: Page, url: string, seconds: number): Promise<string>
   const context = page.context()
   const email = 'designer@tones.example'
   await page.goto(`${url}/sign-up`)
-  await page.getByLabel('Name of the studio').fill('Lantern Games')
+  await page.getByLabel('Studio name').fill('Lantern Games')
   await page.getByLabel('Your name').fill('Producer')
-  await page.getByLabel('Mail address').fill('producer@lantern.example')
+  await page.getByLabel('Email').fill('producer@lantern.example')
   await page.getByLabel('Password', { exact: true }).fill(PASSWORD)
   await page.keyboard.press('Enter')
   await expect(page.getByRole('heading', { name: 'New project' })).toBeVisible()
@@ -63,7 +63,7 @@ async function atDesk(page: Page, url: string, seconds: number): Promise<string>
   return projectId
 }
 
-/** Choose a file of the disk, as people do: bytes would be handed to the browser as text, which takes it long. */
+/** Choose file of the disk, as people do: bytes would be handed to the browser as text, which takes it long. */
 async function send(page: Page, bytes: Buffer, testInfo: TestInfo): Promise<void> {
   const path = testInfo.outputPath('amb_bridge_loop.wav')
   await writeFile(path, bytes)
@@ -72,13 +72,13 @@ async function send(page: Page, bytes: Buffer, testInfo: TestInfo): Promise<void
 
 const row = (page: Page) =>
   page
-    .getByRole('list', { name: 'Files of this delivery' })
+    .getByRole('list', { name: 'Files in this delivery' })
     .getByRole('listitem')
     .filter({ hasText: 'amb_bridge_loop' })
 
 /** Expect that the stored master is the file, to the byte. */
 async function expectWhole(page: Page, url: string, projectId: string, sent: Buffer): Promise<void> {
-  await expect(page.getByText('1 file through the check')).toBeVisible({ timeout: 30_000 })
+  await expect(page.getByText('1 file checked')).toBeVisible({ timeout: 30_000 })
   const { items } = await ask<{ items: Take[] }>(page.context(), `${url}/v1/projects/${projectId}/takes`)
   expect(items).toHaveLength(1)
   expect(items[0]).toMatchObject({ state: 'conforming', master_bytes: sent.length })
@@ -101,14 +101,14 @@ test('an upload goes on where it was after the line dropped and the web process 
   await sent(0.2 * file.length)
   await expect(row(page)).toContainText('Sending')
   line.cut()
-  await expect(row(page)).toContainText('Line lost, waits')
-  await expect(row(page)).toContainText(/The line dropped at .+ MB\. It goes on by itself from there\./)
-  line.mend()
+  await expect(row(page)).toContainText('Reconnecting')
+  await expect(row(page)).toContainText(/Connection lost at .+ MB\. The upload resumes by itself\./)
+  line.fix()
   await expect(row(page)).toContainText(/resumed at \d/)
 
   await sent(0.6 * file.length)
   await server.killWeb()
-  await expect(row(page)).toContainText('Line lost, waits')
+  await expect(row(page)).toContainText('Reconnecting')
   await server.startWeb()
   await expect(row(page)).toContainText(/resumed at \d/)
 
@@ -130,9 +130,9 @@ test('a large file goes to the bucket in parts, and goes on with the part that w
 
   await expect.poll(() => bucket.line.carriedBytes, { intervals: [50] }).toBeGreaterThan(PART_BYTES + 1_000_000)
   bucket.line.cut()
-  await expect(row(page)).toContainText('Line lost, waits')
+  await expect(row(page)).toContainText('Reconnecting')
   bucket.line.bytesPerS = Infinity
-  bucket.line.mend()
+  bucket.line.fix()
   await expect(row(page)).toContainText('resumed at 16.8 MB')
   await expectWhole(page, server.url, projectId, file)
   expect(bucket.line.carriedBytes, 'the part that was there was not sent again').toBeLessThan(1.5 * file.length)

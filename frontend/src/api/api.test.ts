@@ -1,6 +1,8 @@
 import { beforeEach, describe, expect, test, vi } from 'vitest'
 
-import { answered, api, ApiProblem, newIdempotencyKey, problemOf } from './index'
+import { refusal } from '@/test/server'
+
+import { answered, api, ApiProblem, connection, newIdempotencyKey, onSessionEnd, problemOf } from './index'
 import { worthAskingAgain } from './queryClient'
 
 /** Any path will do here: which paths there are is the schema's business. */
@@ -79,9 +81,67 @@ describe('answers', () => {
     expect(problem.more.request_id).toBe('r1')
   })
 
-  test('a line that drops is told apart from a refusal', async () => {
+  test('a write that nobody answers is refused at once', async () => {
     vi.stubGlobal('fetch', () => Promise.reject(new TypeError('Failed to fetch')))
-    await expect(answered(anyApi.GET('/v1/me'))).rejects.toMatchObject({ status: 0, code: 'line-lost' })
+    await expect(answered(anyApi.POST('/v1/sign-out'))).rejects.toMatchObject({ status: 0, code: 'line-lost' })
+    vi.stubGlobal('fetch', () => Promise.resolve(new Response('{}')))
+    await vi.waitFor(() => expect(connection.isAway()).toBe(false), 5_000)
+  })
+
+  test('what only reads waits for the server to come back, and everybody knows meanwhile', async () => {
+    let isThere = false
+    vi.stubGlobal('fetch', () =>
+      isThere
+        ? Promise.resolve(Response.json({ name: 'Ada' }))
+        : Promise.resolve(new Response('Bad Gateway', { status: 502 })),
+    )
+    const read = answered(anyApi.GET('/v1/me'))
+    await vi.waitFor(() => expect(connection.isAway()).toBe(true))
+    isThere = true
+    expect(await read).toEqual({ name: 'Ada' })
+    expect(connection.isAway()).toBe(false)
+  })
+
+  test('a server that is too busy is there', async () => {
+    const { body } = refusal(503, 'overloaded', 'busy')
+    vi.stubGlobal('fetch', () => Promise.resolve(Response.json(body, { status: 503 })))
+    await expect(answered(anyApi.GET('/v1/me'))).rejects.toMatchObject({ code: 'overloaded' })
+    expect(connection.isAway()).toBe(false)
+  })
+
+  test('where the session has ended, one sign-in serves all, and each request is sent again', async () => {
+    let isSignedIn = false
+    const sent: string[] = []
+    vi.stubGlobal('fetch', async (request: Request) => {
+      const text = await request.text()
+      sent.push(`${request.method} ${request.headers.get('X-CSRF-Token') ?? ''} ${text}`)
+      const { body } = refusal(401, 'not-signed-in', 'sign in first')
+      return isSignedIn ? Response.json({ kept: true }) : Response.json(body, { status: 401 })
+    })
+    const ask = vi.fn(() => {
+      isSignedIn = true
+      document.cookie = 'soundlist_csrf=new-token; path=/'
+      return Promise.resolve(true)
+    })
+    const forget = onSessionEnd(ask)
+    const answers = await Promise.all([
+      answered(anyApi.POST('/v1/projects', { body: { name: 'Typed' } })),
+      answered(anyApi.GET('/v1/me')),
+    ])
+    forget()
+    expect(answers).toEqual([{ kept: true }, { kept: true }])
+    expect(ask).toHaveBeenCalledTimes(1)
+    expect(sent).toContain('POST new-token {"name":"Typed"}')
+  })
+
+  test('a wrong password is no session that ended', async () => {
+    const { body } = refusal(401, 'wrong-sign-in', 'no')
+    vi.stubGlobal('fetch', () => Promise.resolve(Response.json(body, { status: 401 })))
+    const ask = vi.fn(() => Promise.resolve(true))
+    const forget = onSessionEnd(ask)
+    await expect(answered(anyApi.POST('/v1/sign-in'))).rejects.toMatchObject({ code: 'wrong-sign-in' })
+    expect(ask).not.toHaveBeenCalled()
+    forget()
   })
 
   test('a question that was taken back is no problem of the line', async () => {
@@ -90,7 +150,7 @@ describe('answers', () => {
   })
 
   test.each([
-    [502, '<html>bad gateway</html>', 'http-502', /our fault/],
+    [502, '<html>bad gateway</html>', 'http-502', /on the server/],
     [418, null, 'http-418', /418/],
   ])('a body that is no problem document still becomes a sentence: %s', (status, body, code, detail) => {
     const problem = problemOf(status, body)

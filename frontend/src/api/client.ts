@@ -1,7 +1,9 @@
 import createClient, { type Middleware } from 'openapi-fetch'
 
+import { serverReturns } from './connection'
 import { ApiProblem, lineLost, problemOf } from './problem'
 import type { paths } from './schema.gen'
+import { signedInAgain, signInsSoFar } from './signIn'
 
 const CSRF_COOKIE = 'soundlist_csrf'
 const SAFE = new Set(['GET', 'HEAD', 'OPTIONS'])
@@ -29,12 +31,58 @@ const ourHeaders: Middleware = {
   },
 }
 
+/** Whether no server was reached: a proxy answers with a status of its own. */
+const isAway = ({ status }: Response) => status === 502 || status === 503 || status === 504
+
+async function fetchOnce(request: Request): Promise<Response | null> {
+  try {
+    const response = await globalThis.fetch(request)
+    return isAway(response) && !(await isBusy(response)) ? null : response
+  } catch (error) {
+    if (error instanceof DOMException && error.name === 'AbortError') throw error
+    return null
+  }
+}
+
+async function codeOf(response: Response): Promise<string | undefined> {
+  if (response.headers.get('Content-Type')?.includes('json') !== true) return undefined
+  const problem: unknown = await response.clone().json()
+  return typeof problem === 'object' && problem !== null && 'code' in problem ? String(problem.code) : undefined
+}
+
+/** A server that is up, and is too busy or refuses. */
+async function isBusy(response: Response): Promise<boolean> {
+  const code = await codeOf(response)
+  return code !== undefined && code !== 'database-away'
+}
+
+const hasNoSession = async (response: Response) =>
+  response.status === 401 && (await codeOf(response)) === 'not-signed-in'
+
+/**
+ * Send a request. What only reads waits while the server is away, so that pages keep what they show; a write is refused
+ * at once, with what was typed still there. Either is sent again after signing in where the session has ended.
+ */
+async function send(request: Request): Promise<Response> {
+  for (;;) {
+    const sentAfter = signInsSoFar()
+    const response = await fetchOnce(request.clone())
+    if (response === null) {
+      const back = serverReturns()
+      if (!SAFE.has(request.method)) throw lineLost()
+      await back
+    } else if ((await hasNoSession(response)) && (await signedInAgain(sentAfter))) {
+      const token = csrfToken()
+      if (!SAFE.has(request.method) && token !== undefined) request.headers.set('X-CSRF-Token', token)
+    } else return response
+  }
+}
+
 /** The server, typed by its OpenAPI document: `api.GET('/v1/me')`. */
 export const api = createClient<paths>({
   baseUrl: globalThis.location.origin,
   credentials: 'same-origin',
-  // openapi-fetch would keep the fetch of import time; tests and instrumentation replace it later.
-  fetch: (request) => globalThis.fetch(request),
+  fetch: send,
 })
 api.use(ourHeaders)
 

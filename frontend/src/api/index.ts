@@ -1,4 +1,6 @@
 export { answered, api, csrfToken, newIdempotencyKey } from './client'
+export { checkServer, connection } from './connection'
 export { everyPage } from './pages'
 export { ApiProblem, type FieldProblem, lineLost, problemOf } from './problem'
 export { queryClient } from './queryClient'
+export { leaveSession, onSessionEnd, signedInAgain } from './signIn'

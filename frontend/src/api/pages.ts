@@ -2,7 +2,7 @@ interface Page {
   next?: string | null
 }
 
-/** Every page, one after another; `onPage` is told what is here so far, so that a long list can be shown as it comes. */
+/** Every page, one after another; `onPage` receives the items so far, so that a long list can be shown while it loads. */
 export async function everyPage<P extends Page>(
   read: (cursor: string | undefined) => Promise<P>,
   onPage?: (pages: readonly P[]) => void,

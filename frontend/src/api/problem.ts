@@ -60,8 +60,8 @@ export function problemOf(status: number, body: unknown): ApiProblem {
       code: `http-${status}`,
       detail:
         status >= 500
-          ? 'The server broke while answering. That is our fault; nothing of yours is lost.'
-          : `The server refused with ${status}.`,
+          ? 'Something went wrong on the server. Your work is safe. Try again.'
+          : `The server refused the request (${status}).`,
     })
   }
   const { code, detail, title, fix, errors, ...more } = body
@@ -78,6 +78,6 @@ export function problemOf(status: number, body: unknown): ApiProblem {
 export const lineLost = (): ApiProblem =>
   new ApiProblem(0, {
     code: 'line-lost',
-    detail: 'The server did not answer.',
-    fix: 'Try again when the line is back.',
+    detail: 'Can’t reach Soundlist.',
+    fix: 'What you typed is kept. Try again in a moment.',
   })

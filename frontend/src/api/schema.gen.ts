@@ -10,7 +10,7 @@ export interface paths {
         };
         /**
          * Read Session
-         * @description Say whether somebody is signed in, and hand our page the token that its writes must carry.
+         * @description Return whether the caller is signed in, and the token that the page's writes must carry.
          */
         get: operations["read_session"];
         put?: never;
@@ -90,13 +90,13 @@ export interface paths {
         };
         /**
          * Read Sign Up
-         * @description Say whether anybody may open an account here, and whether by a mailed link.
+         * @description Return whether anyone may open an account here, and whether by a mailed link.
          */
         get: operations["read_sign_up"];
         put?: never;
         /**
          * Sign Up
-         * @description Make an account with a studio of its own, and sign in; on a server without mail only.
+         * @description Create an account with a new studio, and sign in; on a server without mail only.
          */
         post: operations["sign_up"];
         delete?: never;
@@ -120,7 +120,7 @@ export interface paths {
         put?: never;
         /**
          * Finish Sign Up
-         * @description Make the account that a mailed link opens, with a studio of its own, and sign in.
+         * @description Create the account of a mailed link with a new studio, and sign in.
          */
         post: operations["finish_sign_up"];
         delete?: never;
@@ -139,10 +139,10 @@ export interface paths {
         get?: never;
         put?: never;
         /**
-         * Ask Sign Up
+         * Request Sign Up
          * @description Mail a link that opens an account; the answer is the same for an address that has one.
          */
-        post: operations["ask_sign_up"];
+        post: operations["request_sign_up"];
         delete?: never;
         options?: never;
         head?: never;
@@ -159,10 +159,10 @@ export interface paths {
         get?: never;
         put?: never;
         /**
-         * Ask Password Reset
+         * Request Password Reset
          * @description Mail a link for a new password; the answer is the same for an unknown address.
          */
-        post: operations["ask_password_reset"];
+        post: operations["request_password_reset"];
         delete?: never;
         options?: never;
         head?: never;
@@ -267,10 +267,10 @@ export interface paths {
         get?: never;
         put?: never;
         /**
-         * Ask Email Verification
+         * Request Email Verification
          * @description Mail the caller a link that verifies their address.
          */
-        post: operations["ask_email_verification"];
+        post: operations["request_email_verification"];
         delete?: never;
         options?: never;
         head?: never;
@@ -327,10 +327,10 @@ export interface paths {
         get?: never;
         put?: never;
         /**
-         * Open Studio
+         * Create Studio
          * @description Open a further studio, with the caller as its producer.
          */
-        post: operations["open_studio"];
+        post: operations["create_studio"];
         delete?: never;
         options?: never;
         head?: never;
@@ -367,13 +367,13 @@ export interface paths {
         get?: never;
         /**
          * Change Member Roles
-         * @description Change what somebody does in the studio; it always keeps a producer.
+         * @description Change a member's role in the studio; it always keeps a producer.
          */
         put: operations["change_member_roles"];
         post?: never;
         /**
          * Remove Member
-         * @description Take somebody's place in the studio away; it always keeps a producer.
+         * @description Remove a member from the studio; it always keeps a producer.
          */
         delete: operations["remove_member"];
         options?: never;
@@ -396,7 +396,7 @@ export interface paths {
         put?: never;
         /**
          * Invite Member
-         * @description Mail somebody a link into the studio; whether the address has an account is not said.
+         * @description Mail an invitation to the studio; the answer does not reveal whether the address has an account.
          */
         post: operations["invite_member"];
         delete?: never;
@@ -479,10 +479,10 @@ export interface paths {
         get: operations["list_projects"];
         put?: never;
         /**
-         * Open Project
-         * @description Open a project with the field's default spec; whoever opens it decides until somebody is named.
+         * Create Project
+         * @description Open a project with the field's default spec; its creator is the approver until another is named.
          */
-        post: operations["open_project"];
+        post: operations["create_project"];
         delete?: never;
         options?: never;
         head?: never;
@@ -523,13 +523,13 @@ export interface paths {
         get?: never;
         /**
          * Add Liaison
-         * @description Let a member of the studio speak for the team in this project.
+         * @description Make a member of the studio a liaison of this project.
          */
         put: operations["add_liaison"];
         post?: never;
         /**
          * Remove Liaison
-         * @description Let somebody speak for the team no longer.
+         * @description Remove a liaison.
          */
         delete: operations["remove_liaison"];
         options?: never;
@@ -537,7 +537,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/v1/projects/{project_id}/decider": {
+    "/v1/projects/{project_id}/approver": {
         parameters: {
             query?: never;
             header?: never;
@@ -546,10 +546,10 @@ export interface paths {
         };
         get?: never;
         /**
-         * Name Decider
-         * @description Give the last word to a liaison, or take it over as a producer; the reason is kept.
+         * Name Approver
+         * @description Make a liaison the approver, or become it as a producer; the reason is kept.
          */
-        put: operations["name_decider"];
+        put: operations["name_approver"];
         post?: never;
         delete?: never;
         options?: never;
@@ -557,7 +557,27 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/v1/projects/{project_id}/decider-history": {
+    "/v1/projects/{project_id}/approver-invitations": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Invite Approver
+         * @description Invite an address into the studio as this project's approver; a member becomes it at once.
+         */
+        post: operations["invite_approver"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/approver-history": {
         parameters: {
             query?: never;
             header?: never;
@@ -565,10 +585,10 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * List Decider Changes
-         * @description Return who had the last word, newest first.
+         * List Approver Changes
+         * @description Return the project's approvers, newest first.
          */
-        get: operations["list_decider_changes"];
+        get: operations["list_approver_changes"];
         put?: never;
         post?: never;
         delete?: never;
@@ -592,7 +612,7 @@ export interface paths {
         put?: never;
         /**
          * Invite Designer
-         * @description Mail a designer a link that shows the list; whether the address has an account is not said.
+         * @description Mail a designer a link that shows the list; the answer does not reveal whether the address has an account.
          */
         post: operations["invite_designer"];
         delete?: never;
@@ -677,7 +697,7 @@ export interface paths {
         post?: never;
         /**
          * Revoke Token
-         * @description Make a token worthless at once.
+         * @description Revoke a token at once.
          */
         delete: operations["revoke_token"];
         options?: never;
@@ -719,7 +739,7 @@ export interface paths {
         get: operations["read_spec"];
         /**
          * Save Spec
-         * @description Save the spec from its text; takes that it touches are judged anew.
+         * @description Save the spec from its text; affected takes are checked again.
          */
         put: operations["save_spec"];
         post?: never;
@@ -800,7 +820,7 @@ export interface paths {
         put?: never;
         /**
          * Save Spec Form
-         * @description Save the spec from the tables of a form; takes that it touches are judged anew.
+         * @description Save the spec from the tables of a form; affected takes are checked again.
          */
         post: operations["save_spec_form"];
         delete?: never;
@@ -819,10 +839,10 @@ export interface paths {
         get?: never;
         put?: never;
         /**
-         * Try Spec
-         * @description Say what a text or a form's tables come to, and what is wrong with them; nothing is saved.
+         * Check Spec Draft
+         * @description Return the resolved spec of a text or a form's tables, and their errors; nothing is saved.
          */
-        post: operations["try_spec"];
+        post: operations["check_spec_draft"];
         delete?: never;
         options?: never;
         head?: never;
@@ -923,7 +943,7 @@ export interface paths {
         get?: never;
         /**
          * Flag Placeholder
-         * @description Say whether the game plays a stand-in until the sound comes.
+         * @description Set whether the game plays a placeholder file until the sound comes.
          */
         put: operations["flag_placeholder"];
         post?: never;
@@ -943,7 +963,7 @@ export interface paths {
         get?: never;
         /**
          * Flag Palette
-         * @description Say whether the cue belongs to the palette that new sounds are compared with.
+         * @description Set whether the cue belongs to the palette that new sounds are compared with.
          */
         put: operations["flag_palette"];
         post?: never;
@@ -1084,7 +1104,7 @@ export interface paths {
         put?: never;
         /**
          * Answer Question
-         * @description Answer a question; the answer joins the cue's description unless told not to.
+         * @description Answer a question; the answer joins the cue's description unless the request says otherwise.
          */
         post: operations["answer_question"];
         delete?: never;
@@ -1390,7 +1410,7 @@ export interface paths {
         };
         /**
          * Read Estimates
-         * @description Return estimates against what came of them; for the two parties only.
+         * @description Return estimates against actual values; for the two parties only.
          */
         get: operations["read_estimates"];
         put?: never;
@@ -1501,7 +1521,7 @@ export interface paths {
         post: operations["make_calendar"];
         /**
          * Withdraw Calendar
-         * @description Make the addresses of the caller's calendar worthless.
+         * @description Revoke the addresses of the caller's calendar.
          */
         delete: operations["withdraw_calendar"];
         options?: never;
@@ -1518,7 +1538,7 @@ export interface paths {
         };
         /**
          * Read Calendar
-         * @description Return the dates of contracts as iCalendar, for whoever holds the address.
+         * @description Return the dates of contracts as iCalendar, for the holder of the address.
          */
         get: operations["read_calendar"];
         put?: never;
@@ -1691,10 +1711,10 @@ export interface paths {
         get?: never;
         put?: never;
         /**
-         * Keep Contract As Template
+         * Save Contract As Template
          * @description Keep the contract's clauses and terms as a template of the studio.
          */
-        post: operations["keep_contract_as_template"];
+        post: operations["save_contract_as_template"];
         delete?: never;
         options?: never;
         head?: never;
@@ -1715,10 +1735,10 @@ export interface paths {
         get: operations["list_contracts"];
         put?: never;
         /**
-         * Begin Contract
+         * Create Contract
          * @description Begin a draft with one designer, from the library or a template of the studio.
          */
-        post: operations["begin_contract"];
+        post: operations["create_contract"];
         delete?: never;
         options?: never;
         head?: never;
@@ -1805,7 +1825,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/v1/contracts/{contract_id}/take-back": {
+    "/v1/contracts/{contract_id}/recall": {
         parameters: {
             query?: never;
             header?: never;
@@ -1815,10 +1835,10 @@ export interface paths {
         get?: never;
         put?: never;
         /**
-         * Take Back Contract
+         * Recall Contract
          * @description Make a sent contract a draft again.
          */
-        post: operations["take_back_contract"];
+        post: operations["recall_contract"];
         delete?: never;
         options?: never;
         head?: never;
@@ -1835,10 +1855,10 @@ export interface paths {
         get?: never;
         put?: never;
         /**
-         * Ask Contract Change
+         * Request Contract Change
          * @description Send a contract back to the studio with what its designer wants otherwise.
          */
-        post: operations["ask_contract_change"];
+        post: operations["request_contract_change"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2026,7 +2046,7 @@ export interface paths {
         delete?: never;
         /**
          * Describe Uploads
-         * @description Say what this server knows of tus, and whether its store takes parts.
+         * @description Return the tus extensions of this server, and whether its store accepts parts.
          */
         options: operations["describe_uploads"];
         head?: never;
@@ -2044,14 +2064,14 @@ export interface paths {
         put?: never;
         post?: never;
         /**
-         * Give Up Upload
+         * Cancel Upload
          * @description Delete an unfinished upload.
          */
-        delete: operations["give_up_upload"];
+        delete: operations["cancel_upload"];
         options?: never;
         /**
          * See Upload
-         * @description Say how many bytes are here.
+         * @description Return the offset of an upload.
          */
         head: operations["see_upload"];
         /**
@@ -2071,10 +2091,10 @@ export interface paths {
         get?: never;
         put?: never;
         /**
-         * Ask For Parts
-         * @description Say which parts of a file are in the store, and sign links by which others go there.
+         * Request Parts
+         * @description Return the parts of a file in the store, and signed links for others.
          */
-        post: operations["ask_for_parts"];
+        post: operations["request_parts"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2092,9 +2112,149 @@ export interface paths {
         put?: never;
         /**
          * Finish Parts
-         * @description Finish a file whose parts are all in the store: it is read and hashed there, whatever its sender says.
+         * @description Finish a file whose parts are all in the store: it is read and hashed there, whatever its sender claims.
          */
         post: operations["finish_parts"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/takes/accept-sure": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Accept Sure Matches
+         * @description Match the files of the tray whose names are sure; a designer's own. Guesses stay where they are.
+         */
+        post: operations["accept_sure_matches"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/takes/move": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Move Takes
+         * @description Move takes to other cues or variations, all or none, before any verdict; each is checked again there.
+         */
+        post: operations["move_takes"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/takes/rename-preview": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Preview Renames
+         * @description Show what takes would be called after a move; nothing is changed.
+         */
+        post: operations["preview_renames"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/takes/discard": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Discard Takes
+         * @description Take files out of the list and the tray, all or none, before any verdict; their masters are kept.
+         */
+        post: operations["discard_takes"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/takes/restore": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Restore Takes
+         * @description Put discarded takes back into the tray.
+         */
+        post: operations["restore_takes"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/takes-acts/{takes_act_id}/undo": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Undo Takes Act
+         * @description Put takes back where they were before an act; those that were touched since stay.
+         */
+        post: operations["undo_takes_act"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/deliveries/{delivery_id}/files": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Add File
+         * @description Deliver a file of at most 8 MiB in one request; the same bytes again are the same take.
+         */
+        post: operations["add_file"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2160,7 +2320,7 @@ export interface paths {
         put?: never;
         /**
          * Close Delivery
-         * @description Say that nothing more is to come.
+         * @description Close a delivery.
          */
         post: operations["close_delivery"];
         delete?: never;
@@ -2259,7 +2419,7 @@ export interface paths {
         get?: never;
         /**
          * Match Take
-         * @description Say which cue a take is for; it is checked again as that cue.
+         * @description Match a take to a cue; it is checked again as that cue.
          */
         put: operations["match_take"];
         post?: never;
@@ -2302,10 +2462,10 @@ export interface paths {
          */
         get: operations["download_dry_stem"];
         /**
-         * Give Dry Stem
-         * @description Give a take its sound without reverb; the take's reverb is then measured beside it.
+         * Add Dry Stem To Take
+         * @description Add a take's dry stem; the take's reverb is then measured against it.
          */
-        put: operations["give_dry_stem"];
+        put: operations["add_dry_stem_to_take"];
         post?: never;
         /**
          * Withdraw Dry Stem
@@ -2326,7 +2486,7 @@ export interface paths {
         };
         /**
          * See Check
-         * @description Show what the newest check says of a take.
+         * @description Return the newest check of a take.
          */
         get: operations["see_check"];
         put?: never;
@@ -2377,7 +2537,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/v1/projects/{project_id}/mends": {
+    "/v1/projects/{project_id}/fixes": {
         parameters: {
             query?: never;
             header?: never;
@@ -2385,10 +2545,10 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * List Mends
-         * @description List the takes of which a mend would be enough, longest waiting first; a designer's own.
+         * List Fixes
+         * @description List the takes of which a fix would be enough, longest waiting first; a designer's own.
          */
-        get: operations["list_mends"];
+        get: operations["list_fixes"];
         put?: never;
         post?: never;
         delete?: never;
@@ -2397,7 +2557,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/v1/takes/{take_id}/mend": {
+    "/v1/takes/{take_id}/fix": {
         parameters: {
             query?: never;
             header?: never;
@@ -2405,23 +2565,23 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * See Mend
-         * @description Show what a mend can do, or did, about a take.
+         * See Fix
+         * @description Show what a fix can do, or did, about a take.
          */
-        get: operations["see_mend"];
+        get: operations["see_fix"];
         put?: never;
         /**
-         * Ask For Mend
-         * @description Have a mended copy made, to see and to hear before it is used.
+         * Request Fix
+         * @description Request a fixed copy, to see and play before it is used.
          */
-        post: operations["ask_for_mend"];
+        post: operations["request_fix"];
         delete?: never;
         options?: never;
         head?: never;
         patch?: never;
         trace?: never;
     };
-    "/v1/takes/{take_id}/mend/use": {
+    "/v1/takes/{take_id}/fix/use": {
         parameters: {
             query?: never;
             header?: never;
@@ -2431,10 +2591,10 @@ export interface paths {
         get?: never;
         put?: never;
         /**
-         * Use Mend
-         * @description Make the mended copy a new version, with the consent of its designer; no round counts.
+         * Use Fix
+         * @description Make the fixed copy a new version, with the consent of its designer; no round counts.
          */
-        post: operations["use_mend"];
+        post: operations["use_fix"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2450,7 +2610,7 @@ export interface paths {
         };
         /**
          * Get Take Sounds
-         * @description Return what can be seen and heard of a take: its master, and its game files at the current spec.
+         * @description Return a take's master and its game files at the current spec, with what is needed to show and play them.
          */
         get: operations["get_take_sounds"];
         put?: never;
@@ -2576,7 +2736,7 @@ export interface paths {
         put?: never;
         /**
          * Add Batch
-         * @description Make every game file of the project anew, or those of some targets; earlier files are kept.
+         * @description Render every game file of the project again, or those of some targets; earlier files are kept.
          */
         post: operations["add_batch"];
         delete?: never;
@@ -2714,7 +2874,7 @@ export interface paths {
         };
         /**
          * Get Master Export
-         * @description Return whether a master with its provenance is made, and what it says.
+         * @description Return the state of a master with its provenance, and its metadata.
          */
         get: operations["get_master_export"];
         put?: never;
@@ -2734,7 +2894,7 @@ export interface paths {
         };
         /**
          * Get Master Export File
-         * @description Download a master that says where it comes from, in bext and in iXML with the fields of ASWG-G006.
+         * @description Download a master with its provenance, in bext and in iXML with the fields of ASWG-G006.
          */
         get: operations["get_master_export_file"];
         put?: never;
@@ -2889,7 +3049,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/v1/projects/{project_id}/sendings": {
+    "/v1/projects/{project_id}/feedback": {
         parameters: {
             query?: never;
             header?: never;
@@ -3002,7 +3162,7 @@ export interface paths {
         };
         /**
          * See Take Fit
-         * @description Show how a take lies among the approved sounds of its category, or of the palette.
+         * @description Compare a take with the approved sounds of its category, or of the palette.
          */
         get: operations["see_take_fit"];
         put?: never;
@@ -3022,7 +3182,7 @@ export interface paths {
         };
         /**
          * See Delivery Fit
-         * @description Show how a delivery lies among what other designers made before and was approved.
+         * @description Compare a delivery with other designers' approved sounds.
          */
         get: operations["see_delivery_fit"];
         put?: never;
@@ -3042,7 +3202,7 @@ export interface paths {
         };
         /**
          * Get Pack
-         * @description Say what the approved pack of a target holds, and what it lacks.
+         * @description Return the content of the approved pack of a target, and what is missing.
          */
         get: operations["get_pack"];
         put?: never;
@@ -3162,13 +3322,13 @@ export interface paths {
         };
         /**
          * Get Placeholders
-         * @description Return what the game has no accepted sound for yet, and which of it has a stand-in.
+         * @description Return what the game has no accepted sound for yet, and which of it has a placeholder file.
          */
         get: operations["get_placeholders"];
         put?: never;
         /**
          * Make Placeholders
-         * @description Have a stand-in made for everything that a target's pack lacks: to spec, by name, and marked.
+         * @description Have a placeholder file made for everything that a target's pack lacks: to spec, by name, and marked.
          */
         post: operations["make_placeholders"];
         delete?: never;
@@ -3276,7 +3436,7 @@ export interface paths {
         put?: never;
         /**
          * Post Build
-         * @description Keep what audio-checks said of one build of the game.
+         * @description Store the report of audio-checks on one build of the game.
          */
         post: operations["post_build"];
         delete?: never;
@@ -3314,7 +3474,7 @@ export interface paths {
         };
         /**
          * Get Baseline
-         * @description Return what the decider let through, for `audio-checks check --baseline`.
+         * @description Return what the approver let through, for `audio-checks check --baseline`.
          */
         get: operations["get_baseline"];
         put?: never;
@@ -3354,9 +3514,9 @@ export interface paths {
         };
         /**
          * Get Manifest
-         * @description Return what the files of the approved pack are known by, for `audio-checks audit`; 409 until all are listened to.
+         * @description Return fingerprints of the approved pack's files, for `audio-checks audit`; 409 until all are computed.
          *
-         *     Nothing is in it where nothing is accepted. An accepted stand-in is: the audit tells it from a sound.
+         *     It is empty if nothing is accepted. It includes accepted placeholder files: the audit reports them as such.
          */
         get: operations["get_manifest"];
         put?: never;
@@ -3387,7 +3547,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/v1/projects/{project_id}/sound-list/standing": {
+    "/v1/projects/{project_id}/sound-list/progress": {
         parameters: {
             query?: never;
             header?: never;
@@ -3395,12 +3555,12 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * Read List Standing
-         * @description Return where the cues of one page of the list stand; a designer sees their own takes only.
+         * Read List Progress
+         * @description Return the state of the cues of one page of the list; a designer sees their own takes only.
          *
          *     Pages and cursors are those of the sound list itself.
          */
-        get: operations["read_list_standing"];
+        get: operations["read_list_progress"];
         put?: never;
         post?: never;
         delete?: never;
@@ -3418,7 +3578,7 @@ export interface paths {
         };
         /**
          * Read List Counts
-         * @description Return how many cues of the whole list stand where; a designer's view is of their own takes.
+         * @description Return the numbers of cues by state, of the whole list; a designer's view is of their own takes.
          */
         get: operations["read_list_counts"];
         put?: never;
@@ -3437,10 +3597,10 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * Read Judged Lately
+         * Read Recent Verdicts
          * @description Return the cues that were decided upon within a week, the newest first.
          */
-        get: operations["read_judged_lately"];
+        get: operations["read_recent_verdicts"];
         put?: never;
         post?: never;
         delete?: never;
@@ -3458,7 +3618,7 @@ export interface paths {
         };
         /**
          * Read Today
-         * @description Return what waits for the team today, beside the review queue.
+         * @description Return what waits for the team today, besides the review queue.
          */
         get: operations["read_today"];
         put?: never;
@@ -3629,6 +3789,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/events": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Watch Changes
+         * @description Send at once which rooms of the caller's projects changed, and nothing of what changed in them.
+         */
+        get: operations["watch_changes"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/studios/{studio_id}/outbox": {
         parameters: {
             query?: never;
@@ -3678,7 +3858,7 @@ export interface paths {
         };
         /**
          * Read Studio Operations
-         * @description Return how much of the studio's work waits, runs or gave up, and whether somebody does it.
+         * @description Return how many of the studio's jobs wait, run or failed, and whether a worker is running.
          */
         get: operations["read_studio_operations"];
         put?: never;
@@ -3789,6 +3969,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/operations/quotas": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Quotas
+         * @description Return what every studio uses of its limits, the nearest to one first.
+         */
+        get: operations["read_quotas"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/operations/storage": {
         parameters: {
             query?: never;
@@ -3865,7 +4065,7 @@ export interface components {
         };
         /**
          * AcceptRead
-         * @description What a delivered file may be; null accepts anything that can be read.
+         * @description The accepted formats of delivered files; null accepts anything that can be read.
          */
         AcceptRead: {
             /** Containers */
@@ -3901,8 +4101,28 @@ export interface components {
             accepted_at: string;
         };
         /**
+         * Activity
+         * @description Something that happened lately.
+         */
+        Activity: {
+            /**
+             * At
+             * Format: date-time
+             */
+            at: string;
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "delivery" | "build" | "returned" | "approved" | "changes" | "cut" | "question" | "answer";
+            /** Who */
+            who: string;
+            /** Text */
+            text: string;
+        };
+        /**
          * AddressProof
-         * @description How it was shown that an account's holder reads its address.
+         * @description How the address of an account was verified.
          * @enum {string}
          */
         AddressProof: "mail" | "operator";
@@ -3920,7 +4140,7 @@ export interface components {
         };
         /**
          * AnswerAdd
-         * @description The answer, which joins the cue's description unless told not to.
+         * @description The answer, which joins the cue's description unless the request says otherwise.
          */
         AnswerAdd: {
             /** Text */
@@ -3930,6 +4150,55 @@ export interface components {
              * @default true
              */
             joins: boolean;
+        };
+        /**
+         * ApproverAdd
+         * @description The new approver, and why.
+         */
+        ApproverAdd: {
+            /**
+             * Person Id
+             * Format: uuid
+             */
+            person_id: string;
+            /** Reason */
+            reason: string;
+        };
+        /**
+         * ApproverChangeRead
+         * @description The new approver, the former one, and why.
+         */
+        ApproverChangeRead: {
+            person: components["schemas"]["PersonBrief"];
+            /** Reason */
+            reason: string;
+            changer: components["schemas"]["PersonBrief"];
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+        };
+        /**
+         * ApproverInvite
+         * @description The address of the person who becomes the approver.
+         */
+        ApproverInvite: {
+            /** Email */
+            email: string;
+        };
+        /**
+         * ApproverInvited
+         * @description Whether the address is the approver now, or becomes it on joining.
+         */
+        ApproverInvited: {
+            /** Email */
+            email: string;
+            /**
+             * Is Named
+             * @description A member of the studio is named at once; others once they join.
+             */
+            is_named: boolean;
         };
         /**
          * ArchiveAdd
@@ -3949,7 +4218,7 @@ export interface components {
         };
         /**
          * ArchiveEntry
-         * @description What became of one file in a ZIP.
+         * @description The result for one file in a ZIP.
          */
         ArchiveEntry: {
             /** Path */
@@ -3996,7 +4265,7 @@ export interface components {
         };
         /**
          * ArchiveState
-         * @description Where a delivered ZIP stands.
+         * @description The state of a delivered ZIP.
          * @enum {string}
          */
         ArchiveState: "received" | "unpacked" | "refused";
@@ -4026,23 +4295,23 @@ export interface components {
         };
         /**
          * BandsRead
-         * @description How the energy of a sound is spread over frequency, in sixths of an octave.
+         * @description The spectrum of a sound, in sixths of an octave.
          */
         BandsRead: {
             /**
              * Hz
-             * @description The middle of each band.
+             * @description The centre of each band.
              */
             hz: number[];
             /**
              * Dbfs
-             * @description RMS of what lies in it, over the whole sound; null for nothing.
+             * @description RMS within it, over the whole sound; null for silence.
              */
             dbfs: (number | null)[];
         };
         /**
          * Baseline
-         * @description What `audio-checks check --baseline` reads.
+         * @description The baseline for `audio-checks check --baseline`.
          */
         Baseline: {
             /**
@@ -4056,7 +4325,7 @@ export interface components {
         };
         /**
          * BatchAdd
-         * @description What is to be made anew.
+         * @description What to render again.
          */
         BatchAdd: {
             /**
@@ -4115,7 +4384,7 @@ export interface components {
             refused: number;
             /**
              * Left
-             * @description Game files whose version may not ship just now, or whose master is lost.
+             * @description Game files whose version may not ship at the moment, or whose master is lost.
              */
             left: number;
             /** Sizes */
@@ -4141,7 +4410,7 @@ export interface components {
         };
         /**
          * BatchState
-         * @description How far a batch is.
+         * @description The state of a batch.
          * @enum {string}
          */
         BatchState: "planning" | "running" | "done" | "cancelled";
@@ -4195,7 +4464,7 @@ export interface components {
             refused: number;
             /**
              * Left
-             * @description Game files whose version may not ship just now, or whose master is lost.
+             * @description Game files whose version may not ship at the moment, or whose master is lost.
              */
             left: number;
         };
@@ -4212,23 +4481,6 @@ export interface components {
             target: string;
             /** Reason */
             reason: string;
-        };
-        /**
-         * BesideRead
-         * @description The dry stem that a take has now; `judgements.reverb.stem` says what was found beside it.
-         */
-        BesideRead: {
-            /** File Name */
-            file_name: string;
-            /** File Bytes */
-            file_bytes: number;
-            /** Sha256 */
-            sha256: string;
-            /**
-             * Received At
-             * Format: date-time
-             */
-            received_at: string;
         };
         /**
          * BlockRead
@@ -4249,7 +4501,7 @@ export interface components {
         };
         /**
          * BuildAdd
-         * @description What a game's CI found in one build.
+         * @description The report of a game's CI on one build.
          */
         BuildAdd: {
             /** Label */
@@ -4420,7 +4672,7 @@ export interface components {
         };
         /**
          * CategoryCountdown
-         * @description How many files of one category are still a placeholder.
+         * @description The number of files of one category that are still placeholders.
          */
         CategoryCountdown: {
             /** Category */
@@ -4431,35 +4683,8 @@ export interface components {
             left: number;
         };
         /**
-         * ChangeAsk
-         * @description What the designer wants otherwise, of one clause or of the whole.
-         */
-        ChangeAsk: {
-            /** Text */
-            text: string;
-            /** Clause Key */
-            clause_key?: string | null;
-        };
-        /**
-         * ChangeAsked
-         * @description What the designer wants otherwise.
-         */
-        ChangeAsked: {
-            /** Text */
-            text: string;
-            /** Clause */
-            clause: string;
-            /** By */
-            by: string;
-            /**
-             * At
-             * Format: date-time
-             */
-            at: string;
-        };
-        /**
          * ChangeRequestRead
-         * @description What to change in a take; a draft while `sent_at` is null.
+         * @description A change request for a take; a draft while `sent_at` is null.
          */
         ChangeRequestRead: {
             /**
@@ -4502,8 +4727,8 @@ export interface components {
              * Format: date-time
              */
             created_at: string;
-            /** Sending Id */
-            sending_id: string | null;
+            /** Feedback Id */
+            feedback_id: string | null;
             /** Sent At */
             sent_at: string | null;
         };
@@ -4522,7 +4747,7 @@ export interface components {
         };
         /**
          * CheckRead
-         * @description What the newest check says of a take.
+         * @description The newest check of a take.
          */
         CheckRead: {
             /**
@@ -4562,7 +4787,7 @@ export interface components {
             judgements: {
                 [key: string]: unknown;
             };
-            dry_stem: components["schemas"]["BesideRead"] | null;
+            dry_stem: components["schemas"]["ComparedStemRead"] | null;
             /**
              * Is Newest Stem
              * @description This check heeds the dry stem that there is now, or that there is none.
@@ -4666,7 +4891,7 @@ export interface components {
             author: components["schemas"]["PersonBrief"];
             /**
              * Decides
-             * @description Whether the author had the last word when writing; all others advise.
+             * @description Whether the author was the approver when writing; all others advise.
              */
             decides: boolean;
             /**
@@ -4694,6 +4919,23 @@ export interface components {
             change: "same" | "changed" | "added" | "removed";
             /** Runs */
             runs: components["schemas"]["RunRead"][];
+        };
+        /**
+         * ComparedStemRead
+         * @description The dry stem that a take has now; `judgements.reverb.stem` has what was found with it.
+         */
+        ComparedStemRead: {
+            /** File Name */
+            file_name: string;
+            /** File Bytes */
+            file_bytes: number;
+            /** Sha256 */
+            sha256: string;
+            /**
+             * Received At
+             * Format: date-time
+             */
+            received_at: string;
         };
         /**
          * ComparisonRead
@@ -4788,6 +5030,33 @@ export interface components {
              * @description Whose step is next.
              */
             waits_for: components["schemas"]["Party"][];
+        };
+        /**
+         * ContractChangeAdd
+         * @description What the designer wants otherwise, of one clause or of the whole.
+         */
+        ContractChangeAdd: {
+            /** Text */
+            text: string;
+            /** Clause Key */
+            clause_key?: string | null;
+        };
+        /**
+         * ContractChangeRead
+         * @description What the designer wants otherwise.
+         */
+        ContractChangeRead: {
+            /** Text */
+            text: string;
+            /** Clause */
+            clause: string;
+            /** By */
+            by: string;
+            /**
+             * At
+             * Format: date-time
+             */
+            at: string;
         };
         /**
          * ContractKind
@@ -4890,8 +5159,8 @@ export interface components {
             version: components["schemas"]["VersionRead"];
             /** Acceptances */
             acceptances: components["schemas"]["AcceptanceRead"][];
-            /** @description What the designer wants otherwise, until it is sent anew. */
-            change_asked: components["schemas"]["ChangeAsked"] | null;
+            /** @description The changes that the designer requests, until it is sent again. */
+            change_requested: components["schemas"]["ContractChangeRead"] | null;
             may: components["schemas"]["MayRead"];
         };
         /**
@@ -5102,7 +5371,7 @@ export interface components {
             palette: boolean;
             /**
              * Extra
-             * @description Imported columns that have no field of their own.
+             * @description Imported columns without a field.
              */
             extra: {
                 [key: string]: string;
@@ -5149,7 +5418,7 @@ export interface components {
         };
         /**
          * CueGuess
-         * @description A cue that an unmatched file may be for.
+         * @description A cue that an unmatched file is for, or may be for.
          */
         CueGuess: {
             /**
@@ -5161,10 +5430,23 @@ export interface components {
             label: string;
             /** Name */
             name: string;
-            /** Variation */
-            variation: number;
+            /**
+             * Variation
+             * @description Null where the name does not say which of the set.
+             */
+            variation: number | null;
+            /**
+             * Variations
+             * @description How many the cue has.
+             */
+            variations: number;
             /** Reason */
             reason: string;
+            /**
+             * Becomes
+             * @description What the file would be called; null without a variation.
+             */
+            becomes: string | null;
         };
         /**
          * CueMoneyRead
@@ -5207,7 +5489,7 @@ export interface components {
         };
         /**
          * CuePatch
-         * @description What to change in a cue; what is left out stays.
+         * @description Changes of a cue; omitted fields stay.
          */
         CuePatch: {
             /**
@@ -5289,6 +5571,43 @@ export interface components {
             edition: number;
         };
         /**
+         * CueProgress
+         * @description The progress of one cue.
+         */
+        CueProgress: {
+            /**
+             * Cue Id
+             * Format: uuid
+             */
+            cue_id: string;
+            status: components["schemas"]["CueStatus"];
+            /** Since */
+            since: string | null;
+            /** Accepted */
+            accepted: number;
+            /** Wanted */
+            wanted: number;
+            /** Alternates */
+            alternates: number;
+            /** Versions */
+            versions: number;
+            /** Rounds */
+            rounds: number;
+            /** Variations */
+            variations: components["schemas"]["VariationProgress"][];
+            newest_take: components["schemas"]["NewestTake"] | null;
+            /** Worst Finding */
+            worst_finding: {
+                [key: string]: unknown;
+            } | null;
+            /** Open Question */
+            open_question: string | null;
+            /** Waived */
+            waived: boolean;
+            /** Not To Spec */
+            not_to_spec: boolean;
+        };
+        /**
          * CueRead
          * @description One line of the list.
          */
@@ -5344,7 +5663,7 @@ export interface components {
             palette: boolean;
             /**
              * Extra
-             * @description Imported columns that have no field of their own.
+             * @description Imported columns without a field.
              */
             extra: {
                 [key: string]: string;
@@ -5374,9 +5693,9 @@ export interface components {
             approved_variations: number[];
             /** Accepted After */
             accepted_after: string | null;
-            decider: components["schemas"]["PersonBrief"];
-            /** May Decide */
-            may_decide: boolean;
+            approver: components["schemas"]["PersonBrief"];
+            /** May Approve */
+            may_approve: boolean;
             /** Takes */
             takes: components["schemas"]["ReviewTake"][];
             /** Comments */
@@ -5390,7 +5709,7 @@ export interface components {
         };
         /**
          * CueState
-         * @description How settled a cue is.
+         * @description How final a cue is.
          * @enum {string}
          */
         CueState: "concept" | "prototype" | "locked" | "cut";
@@ -5410,7 +5729,7 @@ export interface components {
         };
         /**
          * CurrencyFigures
-         * @description What all contracts of one currency come to.
+         * @description The totals of all contracts of one currency.
          */
         CurrencyFigures: {
             /** Currency */
@@ -5432,34 +5751,6 @@ export interface components {
             cap_minor: number;
         };
         /**
-         * DeciderAdd
-         * @description Who has the last word from now on, and why.
-         */
-        DeciderAdd: {
-            /**
-             * Person Id
-             * Format: uuid
-             */
-            person_id: string;
-            /** Reason */
-            reason: string;
-        };
-        /**
-         * DeciderChangeRead
-         * @description Who got the last word, from whom, and why.
-         */
-        DeciderChangeRead: {
-            person: components["schemas"]["PersonBrief"];
-            /** Reason */
-            reason: string;
-            changer: components["schemas"]["PersonBrief"];
-            /**
-             * Created At
-             * Format: date-time
-             */
-            created_at: string;
-        };
-        /**
          * DeliveryAdd
          * @description A new delivery.
          */
@@ -5472,7 +5763,7 @@ export interface components {
         };
         /**
          * DeliveryChange
-         * @description What to change in a delivery.
+         * @description Changes of a delivery.
          */
         DeliveryChange: {
             /** Note */
@@ -5516,7 +5807,7 @@ export interface components {
         };
         /**
          * DeliveryFitRead
-         * @description How a delivery lies among what other designers made before and was approved.
+         * @description A delivery compared with other designers' approved sounds.
          */
         DeliveryFitRead: {
             /**
@@ -5576,7 +5867,7 @@ export interface components {
         };
         /**
          * DeliveryShift
-         * @description How far a delivery lies off the work before by one measure.
+         * @description The distance of a delivery from earlier work by one measure.
          */
         DeliveryShift: {
             measure: components["schemas"]["Measure"];
@@ -5586,18 +5877,18 @@ export interface components {
             compared: number;
             /**
              * Apart
-             * @description How many of these stand apart.
+             * @description How many of these are out of range.
              */
             apart: number;
             /**
              * Shift
-             * @description By how much the middle one lies over what it is compared with.
+             * @description The median distance above the others' median.
              */
             shift: number;
         };
         /**
          * DemoPart
-         * @description Whom the demo's visitor plays, of those that can be played.
+         * @description The role that the demo's visitor plays, and the others on offer.
          */
         DemoPart: {
             /** Part */
@@ -5715,17 +6006,6 @@ export interface components {
             based_on_version: number;
         };
         /**
-         * DryStemGive
-         * @description A finished upload into a take's delivery that is the take's sound without its reverb.
-         */
-        DryStemGive: {
-            /**
-             * Upload Id
-             * Format: uuid
-             */
-            upload_id: string;
-        };
-        /**
          * DryStemRead
          * @description A sound without its reverb; the takes of its name are compared with it.
          */
@@ -5768,6 +6048,17 @@ export interface components {
             received_at: string;
         };
         /**
+         * DryStemUpload
+         * @description A finished upload into a take's delivery that is the take's sound without its reverb.
+         */
+        DryStemUpload: {
+            /**
+             * Upload Id
+             * Format: uuid
+             */
+            upload_id: string;
+        };
+        /**
          * EndAdd
          * @description Why a contract ends.
          */
@@ -5777,7 +6068,7 @@ export interface components {
         };
         /**
          * EngagementChange
-         * @description What is to be different; what is left out stays.
+         * @description Changes; omitted fields stay.
          */
         EngagementChange: {
             kind?: components["schemas"]["EngagementKind"] | null;
@@ -5814,31 +6105,11 @@ export interface components {
         };
         /**
          * EngineRead
-         * @description What the game adds, so files come without it.
+         * @description Effects that the game adds, so files come without them.
          */
         EngineRead: {
             /** Adds */
             adds: string[];
-        };
-        /**
-         * EntryRead
-         * @description One entry of the record.
-         */
-        EntryRead: {
-            /** Seq */
-            seq: number;
-            /** At */
-            at: string;
-            /** Kind */
-            kind: string;
-            /** Payload */
-            payload: {
-                [key: string]: unknown;
-            };
-            /** Previous Sha256 */
-            previous_sha256: string;
-            /** Sha256 */
-            sha256: string;
         };
         /**
          * EstimateRead
@@ -5863,7 +6134,7 @@ export interface components {
         };
         /**
          * EstimatesRead
-         * @description Estimates of cues in minutes and of milestones in days, against what came of them.
+         * @description Estimates of cues in minutes and of milestones in days, against actual values.
          */
         EstimatesRead: {
             /** Cues */
@@ -5913,6 +6184,41 @@ export interface components {
             proposed_at: string;
         };
         /**
+         * FeedbackAdd
+         * @description A word that goes with all the drafts.
+         */
+        FeedbackAdd: {
+            /**
+             * Note
+             * @default
+             */
+            note: string;
+        };
+        /**
+         * FeedbackRead
+         * @description One consolidated set of notes that went to designers.
+         */
+        FeedbackRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Note */
+            note: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Change Requests */
+            change_requests: components["schemas"]["ChangeRequestRead"][];
+            /** Rounds */
+            rounds: components["schemas"]["RoundRead"][];
+            /** Held Back */
+            held_back: components["schemas"]["HeldBack"][];
+        };
+        /**
          * FieldChange
          * @description One fact before and after.
          */
@@ -5926,7 +6232,7 @@ export interface components {
         };
         /**
          * FieldProblem
-         * @description What is wrong with one field or one row of what was sent.
+         * @description The error of one field or one row of a request.
          */
         FieldProblem: {
             /** Where */
@@ -5954,7 +6260,7 @@ export interface components {
         };
         /**
          * FindResult
-         * @description What the search found, best first.
+         * @description The results of a search, best first.
          */
         FindResult: {
             /** Hits */
@@ -5991,19 +6297,19 @@ export interface components {
             /** Waived */
             waived: boolean;
             /**
-             * Mend
-             * @description What a mend does about it; null where none can.
+             * Auto Fix
+             * @description What a fix does about it; null where none can.
              */
-            mend?: string | null;
+            auto_fix?: string | null;
             /**
-             * No Mend
-             * @description Why no mend can, and who can put it right.
+             * No Auto Fix
+             * @description Why no fix can, and who can put it right.
              */
-            no_mend?: string | null;
+            no_auto_fix?: string | null;
         };
         /**
          * FitBasis
-         * @description Which approved sounds a take is compared with.
+         * @description The approved sounds that a take is compared with.
          * @enum {string}
          */
         FitBasis: "category" | "palette";
@@ -6017,6 +6323,128 @@ export interface components {
             is_palette: boolean;
             /** Value */
             value: number;
+        };
+        /**
+         * FixOffer
+         * @description A take of which a fix would be enough.
+         */
+        FixOffer: {
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            cue: components["schemas"]["CueBrief"];
+            /** Variation */
+            variation: number;
+            /** Number */
+            number: number;
+            take_state: components["schemas"]["TakeState"];
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "offered" | "making" | "made";
+            /**
+             * Says
+             * @example Trims 45.0 ms from the start.
+             */
+            says: string;
+        };
+        /**
+         * FixRead
+         * @description The possible or finished fix of a take.
+         */
+        FixRead: {
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "none" | "offered" | "making" | "made" | "refused" | "used";
+            /**
+             * Says
+             * @description What the fix does, or did; else why there is none.
+             */
+            says: string;
+            /** Repairs */
+            repairs: components["schemas"]["RepairRead"][];
+            /** Left */
+            left: components["schemas"]["LeftRead"][];
+            /**
+             * Is Our Fault
+             * @description It failed because of an error in our code; asking again may help.
+             */
+            is_our_fault: boolean;
+            /**
+             * Before
+             * @description Figures of the take, by name.
+             */
+            before: {
+                [key: string]: unknown;
+            };
+            /**
+             * After
+             * @description The same figures of the fixed copy.
+             */
+            after: {
+                [key: string]: unknown;
+            };
+            /**
+             * Cut Head S
+             * @description Removed from the start.
+             */
+            cut_head_s: number;
+            /**
+             * Cut Tail S
+             * @description Removed from the end.
+             */
+            cut_tail_s: number;
+            /**
+             * Duration S
+             * @description Of the fixed copy.
+             */
+            duration_s: number | null;
+            /** File Name */
+            file_name: string | null;
+            /** Spots */
+            spots: components["schemas"]["SpotRead"][];
+            /**
+             * Becomes
+             * @description The version that it would be now, or is.
+             */
+            becomes: number | null;
+            /** New Take Id */
+            new_take_id: string | null;
+            used_by: components["schemas"]["PersonBrief"] | null;
+            /** Used At */
+            used_at: string | null;
+            fixed_from: components["schemas"]["FixedFrom"] | null;
+        };
+        /**
+         * FixedFrom
+         * @description The take that this one is a fix of.
+         */
+        FixedFrom: {
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /** Number */
+            number: number | null;
+            /** Repairs */
+            repairs: components["schemas"]["RepairRead"][];
+            used_by: components["schemas"]["PersonBrief"];
+            /**
+             * Used At
+             * Format: date-time
+             */
+            used_at: string;
         };
         /**
          * ForecastRead
@@ -6082,26 +6510,6 @@ export interface components {
             habit: components["schemas"]["Habit"];
         };
         /**
-         * Happening
-         * @description Something that happened lately.
-         */
-        Happening: {
-            /**
-             * At
-             * Format: date-time
-             */
-            at: string;
-            /**
-             * Kind
-             * @enum {string}
-             */
-            kind: "delivery" | "build" | "returned" | "approved" | "changes" | "cut" | "question" | "answer";
-            /** Who */
-            who: string;
-            /** Text */
-            text: string;
-        };
-        /**
          * HeldBack
          * @description A draft that could not be sent now, and stays a draft.
          */
@@ -6136,11 +6544,11 @@ export interface components {
             kind: "received" | "checked" | "waived" | "approve" | "set_aside" | "request_change" | "withdraw" | "comment";
             by: components["schemas"]["PersonBrief"] | null;
             /**
-             * By Silence
+             * By Deemed Acceptance
              * @description Whether a clause on silence approved it, and `by` said nothing.
              * @default false
              */
-            by_silence: boolean;
+            by_deemed_acceptance: boolean;
             /** Text */
             text: string;
             /** Start S */
@@ -6210,7 +6618,7 @@ export interface components {
         };
         /**
          * ImportFault
-         * @description What is wrong in one cell.
+         * @description The error in one cell.
          */
         ImportFault: {
             /** Row */
@@ -6227,7 +6635,7 @@ export interface components {
         };
         /**
          * ImportRead
-         * @description What the sheet says, what is wrong with it, and whether it was imported: all of it or nothing.
+         * @description The content of a sheet, its errors, and whether it was imported: all of it or nothing.
          */
         ImportRead: {
             /** Header Row */
@@ -6251,7 +6659,7 @@ export interface components {
         };
         /**
          * ImportRow
-         * @description What becomes of one row.
+         * @description The result for one row.
          */
         ImportRow: {
             /**
@@ -6327,7 +6735,7 @@ export interface components {
         };
         /**
          * InvitationPreview
-         * @description What the mailed link shows at once: the project, its list, and how sounds must come.
+         * @description The page of a mailed link: the project, its list, and the required format of sounds.
          */
         InvitationPreview: {
             project: components["schemas"]["PreviewProject"];
@@ -6422,7 +6830,7 @@ export interface components {
         };
         /**
          * InvoiceIssue
-         * @description Who asks whom; the lines are everything that is due and on no invoice yet.
+         * @description Sender and recipient; the lines are everything that is due and on no invoice yet.
          */
         InvoiceIssue: {
             /** Seller */
@@ -6518,7 +6926,7 @@ export interface components {
         };
         /**
          * JobCountRead
-         * @description How many jobs of one name are in one state.
+         * @description The number of jobs of one name in one state.
          */
         JobCountRead: {
             /** Job */
@@ -6561,44 +6969,27 @@ export interface components {
             since: string;
             /**
              * Reason
-             * @description Why it failed last. A producer is told the kind of failure, an operator all of it.
+             * @description The last failure. A producer sees the kind of failure, an operator the details.
              */
             reason: string | null;
         };
         /**
          * JobState
-         * @description Where an unfinished job stands; done ones are not listed.
+         * @description The state of an unfinished job; done ones are not listed.
          * @enum {string}
          */
         JobState: "parked" | "running" | "waiting" | "delayed" | "broken";
         /**
          * JoinedStudio
-         * @description Who joined which studio.
+         * @description A person who joined a studio.
          */
         JoinedStudio: {
             person: components["schemas"]["PersonRead"];
             studio: components["schemas"]["StudioBrief"];
         };
         /**
-         * Judged
-         * @description A cue of which a take was approved, or a change requested, within a week.
-         */
-        Judged: {
-            cue: components["schemas"]["CueBrief"];
-            /**
-             * Status
-             * @enum {string}
-             */
-            status: "accepted" | "change_requested";
-            /**
-             * Since
-             * Format: date-time
-             */
-            since: string;
-        };
-        /**
          * KeptFiles
-         * @description How many files of one kind are kept, and how large they are together.
+         * @description The number of stored files of one kind, and their total size.
          */
         KeptFiles: {
             kind: components["schemas"]["KeptKind"];
@@ -6609,10 +7000,10 @@ export interface components {
         };
         /**
          * KeptKind
-         * @description What a kept file is.
+         * @description The kind of a stored file.
          * @enum {string}
          */
-        KeptKind: "masters" | "dry_stems" | "archives" | "game_files" | "drawings" | "mends" | "reels" | "exports" | "stand_ins" | "documents";
+        KeptKind: "masters" | "dry_stems" | "archives" | "game_files" | "drawings" | "fixes" | "reels" | "exports" | "placeholder_files" | "documents";
         /**
          * LaneRead
          * @description The jobs of one studio and one urgency; lanes take turns.
@@ -6703,7 +7094,7 @@ export interface components {
         };
         /**
          * LeftRead
-         * @description What is still found in a mended copy, and why no mend answers it.
+         * @description A finding that remains in a fixed copy, and why no fix answers it.
          */
         LeftRead: {
             /** Code */
@@ -6790,7 +7181,7 @@ export interface components {
         LineKind: "deposit" | "accepted" | "held_back" | "cut" | "extra_round" | "worked_day" | "tax" | "reversed" | "paid" | "refunded";
         /**
          * ListComparison
-         * @description What happened to the list between two revisions.
+         * @description The changes of the list between two revisions.
          */
         ListComparison: {
             /** From Revision */
@@ -6806,7 +7197,7 @@ export interface components {
         };
         /**
          * ListCounts
-         * @description How many cues of the whole list stand where.
+         * @description The numbers of cues of the whole list by status.
          */
         ListCounts: {
             /** Counts */
@@ -6817,12 +7208,12 @@ export interface components {
             files_to_review: number;
         };
         /**
-         * ListStanding
-         * @description Where the cues of one page of the list stand; `next` is the cursor of the following page, null at the end.
+         * ListProgress
+         * @description The progress of the cues of one page of the list; `next` is the cursor of the following page, null at the end.
          */
-        ListStanding: {
+        ListProgress: {
             /** Cues */
-            cues: components["schemas"]["Standing"][];
+            cues: components["schemas"]["CueProgress"][];
             /** Next */
             next: string | null;
         };
@@ -6844,7 +7235,7 @@ export interface components {
         };
         /**
          * LossRead
-         * @description What a game file lost against its master; null in dB stands for nothing at all.
+         * @description What a game file lost against its master; null in dB means silence.
          */
         LossRead: {
             before: components["schemas"]["LossLevels"];
@@ -6918,7 +7309,7 @@ export interface components {
         };
         /**
          * Manifest
-         * @description What `audio-checks audit --manifest` reads.
+         * @description The manifest for `audio-checks audit --manifest`.
          */
         Manifest: {
             /**
@@ -6977,7 +7368,7 @@ export interface components {
         };
         /**
          * ManifestTool
-         * @description What made the manifest.
+         * @description The tool that made the manifest.
          */
         ManifestTool: {
             /**
@@ -7011,15 +7402,15 @@ export interface components {
             /** Refusal */
             refusal: string | null;
             /**
-             * Told
-             * @description What it says, by the names of ASWG-G006.
+             * Fields
+             * @description Its metadata, by the field names of ASWG-G006.
              */
-            told: {
+            fields: {
                 [key: string]: string;
             };
             /**
              * Left
-             * @description What could not be written, in words.
+             * @description What could not be written, as sentences.
              */
             left: string[];
             /** File Bytes */
@@ -7031,7 +7422,7 @@ export interface components {
         };
         /**
          * MasterSoundRead
-         * @description A take's master, to see and to hear; its measurements are in its check.
+         * @description A take's master, to show and play; its measurements are in its check.
          */
         MasterSoundRead: {
             /** Picture Id */
@@ -7066,10 +7457,10 @@ export interface components {
             change: boolean;
             /** Send */
             send: boolean;
-            /** Take Back */
-            take_back: boolean;
-            /** Ask Change */
-            ask_change: boolean;
+            /** Recall */
+            recall: boolean;
+            /** Request Change */
+            request_change: boolean;
             /** Accept */
             accept: boolean;
             /** End */
@@ -7077,7 +7468,7 @@ export interface components {
         };
         /**
          * Me
-         * @description Who is signed in, and everything they can open.
+         * @description The signed-in person, and everything they can open.
          */
         Me: {
             person: components["schemas"]["PersonBrief"];
@@ -7100,13 +7491,13 @@ export interface components {
         };
         /**
          * Measure
-         * @description What sounds are compared in.
+         * @description The measures by which sounds are compared.
          * @enum {string}
          */
         Measure: "loudness" | "spectrum" | "dryness" | "timbre";
         /**
          * MeasureFit
-         * @description Where a sound lies among others by one measure.
+         * @description The position of a sound among others by one measure.
          */
         MeasureFit: {
             measure: components["schemas"]["Measure"];
@@ -7132,7 +7523,7 @@ export interface components {
         };
         /**
          * MemberRead
-         * @description Somebody of the studio.
+         * @description A member of the studio.
          */
         MemberRead: {
             person: components["schemas"]["PersonBrief"];
@@ -7148,7 +7539,7 @@ export interface components {
         };
         /**
          * MemoryByCategory
-         * @description What a target takes, all of it and by category.
+         * @description The memory of a target, in total and by category.
          */
         MemoryByCategory: {
             total: components["schemas"]["MemoryRead"];
@@ -7157,7 +7548,7 @@ export interface components {
         };
         /**
          * MemoryRead
-         * @description What some of a target's files take.
+         * @description The memory of some of a target's files.
          */
         MemoryRead: {
             /** Category */
@@ -7166,7 +7557,7 @@ export interface components {
             files: number;
             /**
              * Unknown Files
-             * @description Left out, because nobody has asked for a length yet.
+             * @description Left out, because their cues have no length yet.
              */
             unknown_files: number;
             /** Pcm Bytes */
@@ -7179,128 +7570,6 @@ export interface components {
             budget_bytes: number | null;
             /** Over Bytes */
             over_bytes: number | null;
-        };
-        /**
-         * MendOffer
-         * @description A take of which a mend would be enough.
-         */
-        MendOffer: {
-            /**
-             * Take Id
-             * Format: uuid
-             */
-            take_id: string;
-            cue: components["schemas"]["CueBrief"];
-            /** Variation */
-            variation: number;
-            /** Number */
-            number: number;
-            take_state: components["schemas"]["TakeState"];
-            /**
-             * State
-             * @enum {string}
-             */
-            state: "offered" | "making" | "made";
-            /**
-             * Says
-             * @example Trims 45.0 ms from the start.
-             */
-            says: string;
-        };
-        /**
-         * MendRead
-         * @description What a mend can do, or did, about a take.
-         */
-        MendRead: {
-            /**
-             * Take Id
-             * Format: uuid
-             */
-            take_id: string;
-            /**
-             * State
-             * @enum {string}
-             */
-            state: "none" | "offered" | "making" | "made" | "refused" | "used";
-            /**
-             * Says
-             * @description What the mend does, or did; else why there is none.
-             */
-            says: string;
-            /** Repairs */
-            repairs: components["schemas"]["RepairRead"][];
-            /** Left */
-            left: components["schemas"]["LeftRead"][];
-            /**
-             * Is Our Fault
-             * @description It could not be made because our mender broke; asking again may help.
-             */
-            is_our_fault: boolean;
-            /**
-             * Before
-             * @description Figures of the take, by name.
-             */
-            before: {
-                [key: string]: unknown;
-            };
-            /**
-             * After
-             * @description The same figures of the mended copy.
-             */
-            after: {
-                [key: string]: unknown;
-            };
-            /**
-             * Cut Head S
-             * @description Taken from the start.
-             */
-            cut_head_s: number;
-            /**
-             * Cut Tail S
-             * @description Taken from the end.
-             */
-            cut_tail_s: number;
-            /**
-             * Duration S
-             * @description Of the mended copy.
-             */
-            duration_s: number | null;
-            /** File Name */
-            file_name: string | null;
-            /** Spots */
-            spots: components["schemas"]["SpotRead"][];
-            /**
-             * Becomes
-             * @description The version that it would be now, or is.
-             */
-            becomes: number | null;
-            /** New Take Id */
-            new_take_id: string | null;
-            used_by: components["schemas"]["PersonBrief"] | null;
-            /** Used At */
-            used_at: string | null;
-            mended_from: components["schemas"]["MendedFrom"] | null;
-        };
-        /**
-         * MendedFrom
-         * @description The take that this one is a mend of.
-         */
-        MendedFrom: {
-            /**
-             * Take Id
-             * Format: uuid
-             */
-            take_id: string;
-            /** Number */
-            number: number | null;
-            /** Repairs */
-            repairs: components["schemas"]["RepairRead"][];
-            used_by: components["schemas"]["PersonBrief"];
-            /**
-             * Used At
-             * Format: date-time
-             */
-            used_at: string;
         };
         /**
          * MilestoneCue
@@ -7437,7 +7706,7 @@ export interface components {
         };
         /**
          * MilestoneSlip
-         * @description How late a milestone is or was, in whole days, and with whom they went.
+         * @description The delay of a milestone in whole days, split by the party that caused it.
          */
         MilestoneSlip: {
             /**
@@ -7461,7 +7730,7 @@ export interface components {
         };
         /**
          * Mine
-         * @description What the caller is in the project.
+         * @description The caller's roles in the project.
          */
         Mine: {
             /** Is Team */
@@ -7470,8 +7739,8 @@ export interface components {
             is_producer: boolean;
             /** Is Liaison */
             is_liaison: boolean;
-            /** Is Decider */
-            is_decider: boolean;
+            /** Is Approver */
+            is_approver: boolean;
             engagement_kind: components["schemas"]["EngagementKind"] | null;
             /**
              * Nda Open
@@ -7528,8 +7797,8 @@ export interface components {
             is_producer: boolean;
             /** Is Liaison */
             is_liaison: boolean;
-            /** Is Decider */
-            is_decider: boolean;
+            /** Is Approver */
+            is_approver: boolean;
             engagement_kind: components["schemas"]["EngagementKind"] | null;
             /**
              * Nda Open
@@ -7579,7 +7848,7 @@ export interface components {
         };
         /**
          * NamingRead
-         * @description How files are named: by a pattern, by tokens, or by the grammar of the Universal Category System.
+         * @description The naming of files: by a pattern, by tokens, or by the grammar of the Universal Category System.
          */
         NamingRead: {
             /** Pattern */
@@ -7669,13 +7938,13 @@ export interface components {
             /** Palette */
             palette: components["schemas"]["PaletteSound"][];
             /** Lately */
-            lately: components["schemas"]["Happening"][];
+            lately: components["schemas"]["Activity"][];
             /** Reviewers */
             reviewers: number;
         };
         /**
          * PackAdd
-         * @description What is to be sealed.
+         * @description The pack to seal.
          */
         PackAdd: {
             /** Target */
@@ -7698,14 +7967,14 @@ export interface components {
             allow_missing: boolean;
             /**
              * Placeholders
-             * @description Put marked stand-ins in for the sounds that are not accepted.
+             * @description Put marked placeholder files in for the sounds that are not accepted.
              * @default false
              */
             placeholders: boolean;
         };
         /**
          * PackChanges
-         * @description What became of the game files since an earlier pack of the target; same: what sounds and loops as it did.
+         * @description Changes of the game files since an earlier pack of the target; same: the same sound and loop.
          */
         PackChanges: {
             /**
@@ -7729,7 +7998,7 @@ export interface components {
         };
         /**
          * PackRead
-         * @description What the approved pack of a target holds.
+         * @description The content of the approved pack of a target.
          */
         PackRead: {
             /** Target */
@@ -7907,7 +8176,7 @@ export interface components {
         };
         /**
          * PartLinkRead
-         * @description Where one part of a file goes: a PUT of exactly these bytes with exactly these headers.
+         * @description The target of one part of a file: a PUT of exactly these bytes with exactly these headers.
          */
         PartLinkRead: {
             /** Number */
@@ -7928,7 +8197,7 @@ export interface components {
         };
         /**
          * PartsAsk
-         * @description Which parts of a file are to be sent next.
+         * @description The parts of a file to send next.
          */
         PartsAsk: {
             /**
@@ -7939,7 +8208,7 @@ export interface components {
         };
         /**
          * PartsRead
-         * @description How a file is cut, which parts are in the store, and where the ones asked for go.
+         * @description The parts of a file, those in the store, and the targets of the requested ones.
          */
         PartsRead: {
             /**
@@ -8032,7 +8301,7 @@ export interface components {
             duration_s: number;
             /**
              * Full Scale
-             * @description What stands for full scale; sounds drawn by an earlier version have 1.
+             * @description The value of full scale; sounds drawn by an earlier version have 1.
              * @default 1
              */
             full_scale: number;
@@ -8047,7 +8316,7 @@ export interface components {
         };
         /**
          * PersonBrief
-         * @description Somebody, by name.
+         * @description A person's id and name.
          */
         PersonBrief: {
             /**
@@ -8080,7 +8349,7 @@ export interface components {
         };
         /**
          * PlaceholderCountdown
-         * @description How much is still a placeholder, without naming all of it.
+         * @description The number of remaining placeholders, without their names.
          */
         PlaceholderCountdown: {
             /** Target */
@@ -8129,7 +8398,7 @@ export interface components {
             category: string;
             /**
              * State
-             * @description Whether a stand-in is there; outdated: cue or spec changed since it was made.
+             * @description Whether a placeholder file is there; outdated: cue or spec changed since it was made.
              * @enum {string}
              */
             state: "missing" | "made" | "outdated" | "refused";
@@ -8140,7 +8409,7 @@ export interface components {
         };
         /**
          * PlaceholderRegister
-         * @description What is still a placeholder, counted down as sounds are accepted.
+         * @description The remaining placeholders, counted down as sounds are accepted.
          */
         PlaceholderRegister: {
             /** Target */
@@ -8161,7 +8430,7 @@ export interface components {
             left: number;
             /**
              * Made
-             * @description Those left that have a stand-in to spec.
+             * @description Those left that have a placeholder file to spec.
              */
             made: number;
             /** Items */
@@ -8169,7 +8438,7 @@ export interface components {
         };
         /**
          * PlaceholderSet
-         * @description Whether the game plays a stand-in for now.
+         * @description Whether the game plays a placeholder file for now.
          */
         PlaceholderSet: {
             /** Placeholder */
@@ -8177,7 +8446,7 @@ export interface components {
         };
         /**
          * PlaceholdersAdd
-         * @description For which target stand-ins are to be made.
+         * @description For which target placeholder files are to be made.
          */
         PlaceholdersAdd: {
             /** Target */
@@ -8358,7 +8627,7 @@ export interface components {
         };
         /**
          * ProjectChange
-         * @description What is to be different; what is left out stays.
+         * @description Changes; omitted fields stay.
          */
         ProjectChange: {
             /** Name */
@@ -8384,7 +8653,7 @@ export interface components {
         };
         /**
          * ProjectRead
-         * @description A project as its page heads it; a designer is shown no engagement but their own.
+         * @description A project as its page's header shows it; a designer sees only their own engagement.
          */
         ProjectRead: {
             /**
@@ -8411,7 +8680,7 @@ export interface components {
              */
             nda_needed: boolean;
             studio: components["schemas"]["StudioBrief"];
-            decider: components["schemas"]["PersonBrief"];
+            approver: components["schemas"]["PersonBrief"];
             /** Liaisons */
             liaisons: components["schemas"]["PersonBrief"][];
             /** Engagements */
@@ -8422,7 +8691,7 @@ export interface components {
         };
         /**
          * QuestionAdd
-         * @description What a designer must know to make the sound.
+         * @description A question that a designer needs answered to make the sound.
          */
         QuestionAdd: {
             /** Text */
@@ -8464,7 +8733,7 @@ export interface components {
         };
         /**
          * QueueCount
-         * @description How many cues wait for the decider, counted as far as somebody would want to know.
+         * @description The number of cues that wait for the approver, counted up to a limit.
          */
         QueueCount: {
             /** Cues */
@@ -8477,7 +8746,7 @@ export interface components {
         };
         /**
          * QueueItem
-         * @description One cue that waits for the decider, with every take of it that waits.
+         * @description One cue that waits for the approver, with every take of it that waits.
          */
         QueueItem: {
             cue: components["schemas"]["ReviewCue"];
@@ -8509,13 +8778,13 @@ export interface components {
         };
         /**
          * QueueKind
-         * @description How the waiting takes of a cue are heard.
+         * @description How the waiting takes of a cue are played.
          * @enum {string}
          */
         QueueKind: "single" | "alternates" | "set";
         /**
          * QuotaKind
-         * @description What is limited.
+         * @description The limited resources.
          * @enum {string}
          */
         QuotaKind: "master_bytes" | "cues" | "projects" | "people" | "tokens" | "open_uploads";
@@ -8543,6 +8812,51 @@ export interface components {
             max: number | null;
         };
         /**
+         * RecallAdd
+         * @description Why a text is taken back.
+         */
+        RecallAdd: {
+            /** Reason */
+            reason: string;
+        };
+        /**
+         * RecentVerdict
+         * @description A cue of which a take was approved, or a change requested, within a week.
+         */
+        RecentVerdict: {
+            cue: components["schemas"]["CueBrief"];
+            /**
+             * Status
+             * @enum {string}
+             */
+            status: "accepted" | "change_requested";
+            /**
+             * Since
+             * Format: date-time
+             */
+            since: string;
+        };
+        /**
+         * RecordEntryRead
+         * @description One entry of the record.
+         */
+        RecordEntryRead: {
+            /** Seq */
+            seq: number;
+            /** At */
+            at: string;
+            /** Kind */
+            kind: string;
+            /** Payload */
+            payload: {
+                [key: string]: unknown;
+            };
+            /** Previous Sha256 */
+            previous_sha256: string;
+            /** Sha256 */
+            sha256: string;
+        };
+        /**
          * RecordRead
          * @description The record of a contract, and whether it is the one that was written.
          */
@@ -8561,11 +8875,11 @@ export interface components {
             /** Faults */
             faults: string[];
             /** Entries */
-            entries: components["schemas"]["EntryRead"][];
+            entries: components["schemas"]["RecordEntryRead"][];
         };
         /**
          * ReelAdd
-         * @description How the takes of a cue are to follow one another.
+         * @description The order and gaps of a cue's takes in a reel.
          */
         ReelAdd: {
             /**
@@ -8582,7 +8896,7 @@ export interface components {
             crossfade_ms: number;
             /**
              * Slates
-             * @description What says before each take which it is; beeps too where the server cannot speak.
+             * @description How each take is announced; by beeps too if the server has no speech.
              * @default spoken
              * @enum {string}
              */
@@ -8710,7 +9024,7 @@ export interface components {
         RenderState: "made" | "refused";
         /**
          * RepairRead
-         * @description One thing that a mend put right.
+         * @description One thing that a fix put right.
          */
         RepairRead: {
             /**
@@ -8738,7 +9052,7 @@ export interface components {
         };
         /**
          * ReportFile
-         * @description What is said of one file.
+         * @description The report on one file.
          */
         ReportFile: {
             /** Path */
@@ -8789,7 +9103,7 @@ export interface components {
         };
         /**
          * ReportTool
-         * @description What wrote the report.
+         * @description The tool that wrote the report.
          */
         ReportTool: {
             /** Name */
@@ -8833,7 +9147,7 @@ export interface components {
         };
         /**
          * Reverb
-         * @description Whether the file carries reverb of its own.
+         * @description Whether the file contains reverb.
          * @enum {string}
          */
         Reverb: "dry" | "designed-tail" | "separate-tail";
@@ -8907,7 +9221,7 @@ export interface components {
         };
         /**
          * ReviewTake
-         * @description One take, with what is needed to hear and to judge it.
+         * @description One take, with what is needed to play and judge it.
          */
         ReviewTake: {
             /** Picture Id */
@@ -8983,10 +9297,10 @@ export interface components {
             /** Waiver Reason */
             waiver_reason: string | null;
             /**
-             * Mend Of Id
-             * @description The version that this one is a mend of.
+             * Fix Of Id
+             * @description The version that this one is a fix of.
              */
-            mend_of_id: string | null;
+            fix_of_id: string | null;
             /** Renders */
             renders: components["schemas"]["ReviewRender"][];
             draft_change: components["schemas"]["ChangeRequestRead"] | null;
@@ -9011,13 +9325,13 @@ export interface components {
         };
         /**
          * Role
-         * @description What a member does for the studio; liaisons and the decider are named per project.
+         * @description A member's role in the studio; liaisons and the approver are named per project.
          * @enum {string}
          */
         Role: "producer" | "liaison" | "reviewer" | "implementer";
         /**
          * RolesChange
-         * @description What a member does from now on.
+         * @description A member's new role.
          */
         RolesChange: {
             /** Roles */
@@ -9038,10 +9352,10 @@ export interface components {
             /** Why Not Counted */
             why_not_counted: string | null;
             /**
-             * Sending Id
+             * Feedback Id
              * Format: uuid
              */
-            sending_id: string;
+            feedback_id: string;
             /**
              * Created At
              * Format: date-time
@@ -9050,7 +9364,7 @@ export interface components {
         };
         /**
          * RunRead
-         * @description Words that stand in both texts, in the earlier alone, or in the later alone.
+         * @description Words in both texts, in the earlier alone, or in the later alone.
          */
         RunRead: {
             /**
@@ -9063,7 +9377,7 @@ export interface components {
         };
         /**
          * Scope
-         * @description What a build's token may do.
+         * @description The rights of a build's token.
          * @enum {string}
          */
         Scope: "spec:read" | "list:read" | "checks:write" | "manifest:read" | "deliveries:write";
@@ -9109,7 +9423,7 @@ export interface components {
             files: number;
             /**
              * Placeholder Files
-             * @description Stand-ins beside them.
+             * @description Placeholder files in addition.
              */
             placeholder_files: number;
             /** Bytes */
@@ -9158,7 +9472,7 @@ export interface components {
             files: number;
             /**
              * Placeholder Files
-             * @description Stand-ins beside them.
+             * @description Placeholder files in addition.
              */
             placeholder_files: number;
             /** Bytes */
@@ -9186,41 +9500,6 @@ export interface components {
             note: string;
         };
         /**
-         * SendingAdd
-         * @description A word that goes with all the drafts.
-         */
-        SendingAdd: {
-            /**
-             * Note
-             * @default
-             */
-            note: string;
-        };
-        /**
-         * SendingRead
-         * @description One consolidated set of notes that went to designers.
-         */
-        SendingRead: {
-            /**
-             * Id
-             * Format: uuid
-             */
-            id: string;
-            /** Note */
-            note: string;
-            /**
-             * Created At
-             * Format: date-time
-             */
-            created_at: string;
-            /** Change Requests */
-            change_requests: components["schemas"]["ChangeRequestRead"][];
-            /** Rounds */
-            rounds: components["schemas"]["RoundRead"][];
-            /** Held Back */
-            held_back: components["schemas"]["HeldBack"][];
-        };
-        /**
          * ServerOperations
          * @description The whole server's jobs and workers.
          */
@@ -9240,7 +9519,7 @@ export interface components {
         };
         /**
          * ServerStorage
-         * @description What the whole server keeps.
+         * @description The storage of the whole server.
          */
         ServerStorage: {
             /**
@@ -9256,7 +9535,7 @@ export interface components {
         };
         /**
          * SessionRead
-         * @description Whether somebody is signed in, and whether this is the demo, which needs no sign-in.
+         * @description Whether the caller is signed in, and whether this is the demo, which needs no sign-in.
          */
         SessionRead: {
             /** Signed In */
@@ -9283,7 +9562,7 @@ export interface components {
         };
         /**
          * SetAccepted
-         * @description What accepting a set decided.
+         * @description The decisions made by accepting a set.
          */
         SetAccepted: {
             /**
@@ -9294,7 +9573,7 @@ export interface components {
             /** Cue Accepted */
             cue_accepted: boolean;
             /** Approved */
-            approved: components["schemas"]["TakeStanding"][];
+            approved: components["schemas"]["TakeStateRead"][];
             /** Set Aside */
             set_aside: string[];
             /**
@@ -9341,7 +9620,7 @@ export interface components {
             id: string;
             /**
              * Device
-             * @description Browser and system, as the browser names them; empty where it said nothing.
+             * @description Browser and system, as the browser names them; empty if unknown.
              */
             device: string;
             /**
@@ -9383,14 +9662,6 @@ export interface components {
             studio_name: string;
         };
         /**
-         * SignUpAsk
-         * @description The address of a new account, on a server that mails a link first.
-         */
-        SignUpAsk: {
-            /** Email */
-            email: string;
-        };
-        /**
          * SignUpFinish
          * @description The rest of a new account, and its studio.
          */
@@ -9403,21 +9674,13 @@ export interface components {
             studio_name: string;
         };
         /**
-         * SignUpShown
-         * @description The address that a mailed link opens an account for.
+         * SignUpMode
+         * @description How a person can get an account here.
          */
-        SignUpShown: {
-            /** Email */
-            email: string;
-        };
-        /**
-         * SignUpWay
-         * @description How one comes to have an account here.
-         */
-        SignUpWay: {
+        SignUpMode: {
             /**
              * Open
-             * @description Whether anybody may sign up now; otherwise people are invited.
+             * @description Whether anyone may sign up now; otherwise people are invited.
              */
             open: boolean;
             /**
@@ -9427,8 +9690,24 @@ export interface components {
             by_mail: boolean;
         };
         /**
+         * SignUpRequest
+         * @description The address of a new account, on a server that mails a link first.
+         */
+        SignUpRequest: {
+            /** Email */
+            email: string;
+        };
+        /**
+         * SignUpShown
+         * @description The address that a mailed link opens an account for.
+         */
+        SignUpShown: {
+            /** Email */
+            email: string;
+        };
+        /**
          * SoundBrief
-         * @description Where the preview, peaks and spectrum of one stored sound are; null where drawing it failed.
+         * @description The addresses of preview, peaks and spectrum of one stored sound; null if drawing it failed.
          */
         SoundBrief: {
             /** Picture Id */
@@ -9507,6 +9786,35 @@ export interface components {
             based_on_version: number;
         };
         /**
+         * SpecDraftCheck
+         * @description A spec to look at before it is saved: its text, or its tables.
+         */
+        SpecDraftCheck: {
+            /** Toml */
+            toml?: string | null;
+            /** Tables */
+            tables?: {
+                [key: string]: unknown;
+            } | null;
+        };
+        /**
+         * SpecDraftChecked
+         * @description The text, the tables it says and what they come to, with what is probably not meant.
+         */
+        SpecDraftChecked: {
+            /** Toml */
+            toml: string;
+            /** Sha256 */
+            sha256: string;
+            /** Tables */
+            tables: {
+                [key: string]: unknown;
+            };
+            resolved: components["schemas"]["ResolvedSpec"];
+            /** Warnings */
+            warnings: string[];
+        };
+        /**
          * SpecFormChange
          * @description The tables of the spec to be, keyed as in its TOML; null leaves a key out.
          */
@@ -9551,35 +9859,6 @@ export interface components {
             warnings: string[];
         };
         /**
-         * SpecTried
-         * @description The text, the tables it says and what they come to, with what is probably not meant.
-         */
-        SpecTried: {
-            /** Toml */
-            toml: string;
-            /** Sha256 */
-            sha256: string;
-            /** Tables */
-            tables: {
-                [key: string]: unknown;
-            };
-            resolved: components["schemas"]["ResolvedSpec"];
-            /** Warnings */
-            warnings: string[];
-        };
-        /**
-         * SpecTry
-         * @description A spec to look at before it is saved: its text, or its tables.
-         */
-        SpecTry: {
-            /** Toml */
-            toml?: string | null;
-            /** Tables */
-            tables?: {
-                [key: string]: unknown;
-            } | null;
-        };
-        /**
          * SpotRead
          * @description The sound around a repair, before and after, by the time of the take.
          */
@@ -9601,45 +9880,8 @@ export interface components {
             after: components["schemas"]["ShapeRead"];
         };
         /**
-         * Standing
-         * @description Where one cue stands.
-         */
-        Standing: {
-            /**
-             * Cue Id
-             * Format: uuid
-             */
-            cue_id: string;
-            status: components["schemas"]["CueStatus"];
-            /** Since */
-            since: string | null;
-            /** Accepted */
-            accepted: number;
-            /** Wanted */
-            wanted: number;
-            /** Alternates */
-            alternates: number;
-            /** Versions */
-            versions: number;
-            /** Rounds */
-            rounds: number;
-            /** Variations */
-            variations: components["schemas"]["VariationStanding"][];
-            newest_take: components["schemas"]["NewestTake"] | null;
-            /** Worst Finding */
-            worst_finding: {
-                [key: string]: unknown;
-            } | null;
-            /** Open Question */
-            open_question: string | null;
-            /** Waived */
-            waived: boolean;
-            /** Not To Spec */
-            not_to_spec: boolean;
-        };
-        /**
          * Stands
-         * @description Where a figure lies among others.
+         * @description The position of a figure among others.
          * @enum {string}
          */
         Stands: "within" | "above" | "below";
@@ -9655,7 +9897,7 @@ export interface components {
         };
         /**
          * StorageRead
-         * @description What a studio keeps; of a kind, the same bytes are kept and counted once.
+         * @description The storage of a studio; within a kind, the same bytes are stored and counted once.
          */
         StorageRead: {
             /**
@@ -9696,7 +9938,7 @@ export interface components {
         };
         /**
          * StudioInvitationAdd
-         * @description Whom to invite, to do what.
+         * @description The address to invite, and the role.
          */
         StudioInvitationAdd: {
             /** Email */
@@ -9718,6 +9960,11 @@ export interface components {
             email: string;
             /** Roles */
             roles: components["schemas"]["Role"][];
+            /**
+             * Approves Project Id
+             * @description The project that they become the approver of on joining.
+             */
+            approves_project_id: string | null;
             inviter: components["schemas"]["PersonBrief"];
             /**
              * Created At
@@ -9732,7 +9979,7 @@ export interface components {
         };
         /**
          * StudioInvitationShown
-         * @description What the holder of a link is invited to.
+         * @description The invitation of a link's holder.
          */
         StudioInvitationShown: {
             /** Studio Name */
@@ -9753,7 +10000,7 @@ export interface components {
         };
         /**
          * StudioOperations
-         * @description A studio's jobs, and whether somebody does the work.
+         * @description A studio's jobs, and whether a worker is running.
          */
         StudioOperations: {
             /** Counts */
@@ -9765,6 +10012,32 @@ export interface components {
              * @description Worker processes that live.
              */
             workers: number;
+        };
+        /**
+         * StudioQuotas
+         * @description The limits of one studio, the nearest first.
+         */
+        StudioQuotas: {
+            /**
+             * Studio Id
+             * Format: uuid
+             */
+            studio_id: string;
+            /** Studio Name */
+            studio_name: string;
+            /** Quotas */
+            quotas: components["schemas"]["QuotaRead"][];
+        };
+        /**
+         * SureAccept
+         * @description The files of the tray to match if their names are sure.
+         */
+        SureAccept: {
+            /**
+             * Take Ids
+             * @description Null: all of the tray.
+             */
+            take_ids?: string[] | null;
         };
         /**
          * TakeAdd
@@ -9837,10 +10110,10 @@ export interface components {
             /** Note */
             note: string;
             /**
-             * Mend Of Id
-             * @description The version that this one is a mend of.
+             * Fix Of Id
+             * @description The version that this one is a fix of.
              */
-            mend_of_id: string | null;
+            fix_of_id: string | null;
             /** Master Sha256 */
             master_sha256: string;
             /** Master Bytes */
@@ -9863,16 +10136,8 @@ export interface components {
             already_here: boolean;
         };
         /**
-         * TakeBackAdd
-         * @description Why a text is taken back.
-         */
-        TakeBackAdd: {
-            /** Reason */
-            reason: string;
-        };
-        /**
          * TakeFitRead
-         * @description How a take lies among the approved sounds of its category, or of the palette where those are too few.
+         * @description A take compared with the approved sounds of its category, or of the palette if those are too few.
          */
         TakeFitRead: {
             /**
@@ -9916,8 +10181,29 @@ export interface components {
             variation?: number | null;
         };
         /**
+         * TakeMove
+         * @description The place of a take.
+         */
+        TakeMove: {
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /**
+             * Cue Id
+             * Format: uuid
+             */
+            cue_id: string;
+            /**
+             * Variation
+             * @description Of a set; null: as the name says, else the first empty one.
+             */
+            variation?: number | null;
+        };
+        /**
          * TakeRead
-         * @description One delivered file; to guess what an unmatched one is for takes a look at the whole list.
+         * @description One delivered file; what an unmatched one is for is read from its name and the whole list.
          */
         TakeRead: {
             /**
@@ -9958,10 +10244,10 @@ export interface components {
             /** Note */
             note: string;
             /**
-             * Mend Of Id
-             * @description The version that this one is a mend of.
+             * Fix Of Id
+             * @description The version that this one is a fix of.
              */
-            mend_of_id: string | null;
+            fix_of_id: string | null;
             /** Master Sha256 */
             master_sha256: string;
             /** Master Bytes */
@@ -9983,10 +10269,32 @@ export interface components {
              */
             already_here: boolean;
             /**
+             * Discarded At
+             * @description Out of the list and the tray since then; its master is kept.
+             */
+            discarded_at: string | null;
+            /** @description The one cue that an unmatched file is for by its name, if that is sure. */
+            sure: components["schemas"]["CueGuess"] | null;
+            /**
              * Guesses
-             * @description The three likeliest cues of an unmatched file.
+             * @description Up to three cues that an unmatched file may be for otherwise.
              */
             guesses: components["schemas"]["CueGuess"][];
+        };
+        /**
+         * TakeRename
+         * @description The name of a file, and its proposed name.
+         */
+        TakeRename: {
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /** File Name */
+            file_name: string;
+            /** Becomes */
+            becomes: string;
         };
         /**
          * TakeSoundsRead
@@ -9999,16 +10307,22 @@ export interface components {
              */
             take_id: string;
             master: components["schemas"]["MasterSoundRead"];
-            /** @description Its newest mended copy, once it is drawn. */
-            mend: components["schemas"]["SoundBrief"] | null;
+            /** @description Its newest fixed copy, once it is drawn. */
+            fix: components["schemas"]["SoundBrief"] | null;
             /** Renders */
             renders: components["schemas"]["RenderSoundRead"][];
         };
         /**
-         * TakeStanding
+         * TakeState
+         * @description The state of a take.
+         * @enum {string}
+         */
+        TakeState: "received" | "conforming" | "returned" | "unjudged" | "approved" | "change_requested" | "set_aside";
+        /**
+         * TakeStateRead
          * @description A take and its state.
          */
-        TakeStanding: {
+        TakeStateRead: {
             /**
              * Id
              * Format: uuid
@@ -10019,14 +10333,85 @@ export interface components {
             state: components["schemas"]["TakeState"];
         };
         /**
-         * TakeState
-         * @description Where a take stands.
+         * TakesActKind
+         * @description The actions on many takes at once.
          * @enum {string}
          */
-        TakeState: "received" | "conforming" | "returned" | "unjudged" | "approved" | "change_requested" | "set_aside";
+        TakesActKind: "matched" | "moved" | "discarded" | "restored";
+        /**
+         * TakesActRead
+         * @description One action on many takes at once.
+         */
+        TakesActRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            kind: components["schemas"]["TakesActKind"];
+            /**
+             * Done At
+             * Format: date-time
+             */
+            done_at: string;
+            /** Undone At */
+            undone_at: string | null;
+            /**
+             * Take Ids
+             * @description The takes that changed.
+             */
+            take_ids: string[];
+        };
+        /**
+         * TakesActUndone
+         * @description The undone action.
+         */
+        TakesActUndone: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            kind: components["schemas"]["TakesActKind"];
+            /**
+             * Done At
+             * Format: date-time
+             */
+            done_at: string;
+            /** Undone At */
+            undone_at: string | null;
+            /**
+             * Take Ids
+             * @description The takes that changed.
+             */
+            take_ids: string[];
+            /** Return To Received */
+            return_to_received: number;
+            /**
+             * Left
+             * @description Takes that were changed or decided since; they stay as they are.
+             */
+            left: number;
+        };
+        /**
+         * TakesMove
+         * @description The places of takes.
+         */
+        TakesMove: {
+            /** Moves */
+            moves: components["schemas"]["TakeMove"][];
+        };
+        /**
+         * TakesNamed
+         * @description Takes that something is done to at once.
+         */
+        TakesNamed: {
+            /** Take Ids */
+            take_ids: string[];
+        };
         /**
          * TargetMemory
-         * @description What game files are made to, and what they take in the game's memory.
+         * @description The format of a target's game files, and their memory in the game.
          */
         TargetMemory: {
             /** Name */
@@ -10069,7 +10454,7 @@ export interface components {
         };
         /**
          * TargetRead
-         * @description What renders are made to.
+         * @description The format of renders.
          */
         TargetRead: {
             /** Name */
@@ -10165,7 +10550,7 @@ export interface components {
         };
         /**
          * TemplateImport
-         * @description A template as TOML; under another name than its own if one is given.
+         * @description A template as TOML; under another name if one is given.
          */
         TemplateImport: {
             /** Toml */
@@ -10262,7 +10647,7 @@ export interface components {
         };
         /**
          * Today
-         * @description What waits for the team today, beside the review queue.
+         * @description What waits for the team today, besides the review queue.
          */
         Today: {
             /** Questions */
@@ -10284,7 +10669,7 @@ export interface components {
         };
         /**
          * TokenAdd
-         * @description What a build's key is for, and what it may do.
+         * @description The purpose and rights of a build's token.
          */
         TokenAdd: {
             /** Name */
@@ -10369,7 +10754,7 @@ export interface components {
         };
         /**
          * Urgency
-         * @description How soon a lane's jobs want to be done: what people wait for goes before a re-render of thousands.
+         * @description The urgency of a lane's jobs: those that people wait for go before a re-render of thousands.
          * @enum {string}
          */
         Urgency: "urgent" | "normal" | "bulk";
@@ -10387,10 +10772,10 @@ export interface components {
             ctx?: Record<string, never>;
         };
         /**
-         * VariationStanding
-         * @description Where one variation of a cue stands.
+         * VariationProgress
+         * @description The status of one variation of a cue.
          */
-        VariationStanding: {
+        VariationProgress: {
             /** Variation */
             variation: number;
             /** Stem */
@@ -10424,7 +10809,7 @@ export interface components {
         };
         /**
          * VerdictGiven
-         * @description What one click decided.
+         * @description The decisions of one click.
          */
         VerdictGiven: {
             /**
@@ -10454,7 +10839,7 @@ export interface components {
         };
         /**
          * VerdictKind
-         * @description What the decider said of a take.
+         * @description The approver's verdict on a take.
          * @enum {string}
          */
         VerdictKind: "approve" | "request_change" | "set_aside" | "withdraw";
@@ -10483,20 +10868,20 @@ export interface components {
              */
             created_at: string;
             /**
-             * By Silence
+             * By Deemed Acceptance
              * @description Whether a clause on silence decided it, and `given_by` said nothing.
              */
-            by_silence: boolean;
+            by_deemed_acceptance: boolean;
             /** Withdrawn */
             withdrawn: boolean;
         };
         /**
          * VerdictUndone
-         * @description What stands again after a verdict was taken back.
+         * @description The state restored after a verdict was undone.
          */
         VerdictUndone: {
             /** Takes */
-            takes: components["schemas"]["TakeStanding"][];
+            takes: components["schemas"]["TakeStateRead"][];
             /** Draft Dropped */
             draft_dropped: boolean;
         };
@@ -10554,7 +10939,7 @@ export interface components {
         };
         /**
          * WaivedSound
-         * @description Codes that the decider let through for one sound, found by the hash of its samples.
+         * @description Codes that the approver let through for one sound, found by the hash of its samples.
          */
         WaivedSound: {
             /** Pcm Sha256 */
@@ -10578,7 +10963,7 @@ export interface components {
         };
         /**
          * WaiverRead
-         * @description That the decider let a returned take through, and why.
+         * @description That the approver let a returned take through, and why.
          */
         WaiverRead: {
             /**
@@ -10622,7 +11007,7 @@ export interface components {
         };
         /**
          * WithOthers
-         * @description What waits for somebody else.
+         * @description What waits for another person.
          */
         WithOthers: {
             cue: components["schemas"]["CueBrief"] | null;
@@ -10712,7 +11097,7 @@ export interface components {
         };
         /**
          * WorkerRead
-         * @description A worker process, when it last said that it lives, and how many jobs it has in hand.
+         * @description A worker process, its last heartbeat, and the number of jobs that it is running.
          */
         WorkerRead: {
             /** Id */
@@ -10779,7 +11164,7 @@ export interface operations {
                     "application/json": components["schemas"]["DemoPart"];
                 };
             };
-            /** @description `demo-door-closed` */
+            /** @description `demo-unavailable` */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -10839,7 +11224,7 @@ export interface operations {
                     "application/json": components["schemas"]["HTTPValidationError"];
                 };
             };
-            /** @description `too-many-tries` */
+            /** @description `too-many-attempts` */
             429: {
                 headers: {
                     [name: string]: unknown;
@@ -10883,7 +11268,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["SignUpWay"];
+                    "application/json": components["schemas"]["SignUpMode"];
                 };
             };
         };
@@ -10919,7 +11304,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `address-taken`, `mail-first` */
+            /** @description `address-taken`, `verification-needed` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -10937,7 +11322,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `too-many-tries` */
+            /** @description `too-many-attempts` */
             429: {
                 headers: {
                     [name: string]: unknown;
@@ -11041,7 +11426,7 @@ export interface operations {
             };
         };
     };
-    ask_sign_up: {
+    request_sign_up: {
         parameters: {
             query?: never;
             header?: never;
@@ -11050,7 +11435,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["SignUpAsk"];
+                "application/json": components["schemas"]["SignUpRequest"];
             };
         };
         responses: {
@@ -11090,7 +11475,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `too-many-tries` */
+            /** @description `too-many-attempts` */
             429: {
                 headers: {
                     [name: string]: unknown;
@@ -11101,7 +11486,7 @@ export interface operations {
             };
         };
     };
-    ask_password_reset: {
+    request_password_reset: {
         parameters: {
             query?: never;
             header?: never;
@@ -11132,7 +11517,7 @@ export interface operations {
                     "application/json": components["schemas"]["HTTPValidationError"];
                 };
             };
-            /** @description `too-many-tries` */
+            /** @description `too-many-attempts` */
             429: {
                 headers: {
                     [name: string]: unknown;
@@ -11316,7 +11701,7 @@ export interface operations {
             };
         };
     };
-    ask_email_verification: {
+    request_email_verification: {
         parameters: {
             query?: never;
             header?: never;
@@ -11352,7 +11737,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `too-many-tries` */
+            /** @description `too-many-attempts` */
             429: {
                 headers: {
                     [name: string]: unknown;
@@ -11441,7 +11826,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `too-many-tries` */
+            /** @description `too-many-attempts` */
             429: {
                 headers: {
                     [name: string]: unknown;
@@ -11452,7 +11837,7 @@ export interface operations {
             };
         };
     };
-    open_studio: {
+    create_studio: {
         parameters: {
             query?: never;
             header?: never;
@@ -11763,7 +12148,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `too-many-tries` */
+            /** @description `too-many-attempts` */
             429: {
                 headers: {
                     [name: string]: unknown;
@@ -11913,7 +12298,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `too-many-tries` */
+            /** @description `too-many-attempts` */
             429: {
                 headers: {
                     [name: string]: unknown;
@@ -11928,7 +12313,7 @@ export interface operations {
         parameters: {
             query?: {
                 cursor?: string | null;
-                /** @description Those put away instead of the running ones. */
+                /** @description Archived projects instead of the running ones. */
                 archived?: boolean;
             };
             header?: never;
@@ -11957,7 +12342,7 @@ export interface operations {
             };
         };
     };
-    open_project: {
+    create_project: {
         parameters: {
             query?: never;
             header?: never;
@@ -12190,7 +12575,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `liaison-decides` */
+            /** @description `liaison-is-approver` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -12210,7 +12595,7 @@ export interface operations {
             };
         };
     };
-    name_decider: {
+    name_approver: {
         parameters: {
             query?: never;
             header?: never;
@@ -12221,7 +12606,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["DeciderAdd"];
+                "application/json": components["schemas"]["ApproverAdd"];
             };
         };
         responses: {
@@ -12252,7 +12637,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `cannot-decide` */
+            /** @description `cannot-approve` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -12263,7 +12648,69 @@ export interface operations {
             };
         };
     };
-    list_decider_changes: {
+    invite_approver: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ApproverInvite"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ApproverInvited"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-address` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-attempts` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_approver_changes: {
         parameters: {
             query?: never;
             header?: never;
@@ -12280,7 +12727,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["DeciderChangeRead"][];
+                    "application/json": components["schemas"]["ApproverChangeRead"][];
                 };
             };
             /** @description `team-needed` */
@@ -12421,7 +12868,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `too-many-tries` */
+            /** @description `too-many-attempts` */
             429: {
                 headers: {
                     [name: string]: unknown;
@@ -12735,7 +13182,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `too-many-tries` */
+            /** @description `too-many-attempts` */
             429: {
                 headers: {
                     [name: string]: unknown;
@@ -12828,7 +13275,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `spec-moved-on` */
+            /** @description `spec-changed` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -13031,7 +13478,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `spec-moved-on` */
+            /** @description `spec-changed` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -13060,7 +13507,7 @@ export interface operations {
             };
         };
     };
-    try_spec: {
+    check_spec_draft: {
         parameters: {
             query?: never;
             header?: never;
@@ -13071,7 +13518,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["SpecTry"];
+                "application/json": components["schemas"]["SpecDraftCheck"];
             };
         };
         responses: {
@@ -13081,7 +13528,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["SpecTried"];
+                    "application/json": components["schemas"]["SpecDraftChecked"];
                 };
             };
             /** @description `project-not-found` */
@@ -13332,7 +13779,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `cue-edited-meanwhile`, `cue-is-cut` */
+            /** @description `cue-changed`, `cue-is-cut` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -14136,7 +14583,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `round-settled` */
+            /** @description `round-already-settled` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -14194,7 +14641,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `round-settled` */
+            /** @description `round-already-settled` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -14443,13 +14890,22 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Validation Error */
+            /** @description `document-too-large` */
             422: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["HTTPValidationError"];
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `typesetting-busy` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };
@@ -14496,7 +14952,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `pays-too-much`, `day-ahead` */
+            /** @description `overpayment`, `day-in-future` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -14549,7 +15005,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `refunds-too-much`, `day-ahead` */
+            /** @description `refund-too-large`, `day-in-future` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -14791,7 +15247,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `not-agreed`, `not-by-the-day`, `day-agreed` */
+            /** @description `not-agreed`, `not-day-rate`, `day-agreed` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -14800,7 +15256,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `day-ahead` */
+            /** @description `day-in-future` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -14905,7 +15361,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `day-agreed`, `beyond-cap` */
+            /** @description `day-agreed`, `cap-exceeded` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -15557,7 +16013,7 @@ export interface operations {
             };
         };
     };
-    keep_contract_as_template: {
+    save_contract_as_template: {
         parameters: {
             query?: never;
             header?: never;
@@ -15668,7 +16124,7 @@ export interface operations {
             };
         };
     };
-    begin_contract: {
+    create_contract: {
         parameters: {
             query?: never;
             header?: never;
@@ -15812,7 +16268,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `wrong-state`, `draft-moved-on` */
+            /** @description `wrong-state`, `draft-changed` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -15927,7 +16383,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `wrong-state` */
+            /** @description `draft-changed`, `wrong-state` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -15936,18 +16392,27 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Validation Error */
+            /** @description `document-too-large` */
             422: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["HTTPValidationError"];
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `typesetting-busy` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };
     };
-    take_back_contract: {
+    recall_contract: {
         parameters: {
             query?: never;
             header?: never;
@@ -15958,7 +16423,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["TakeBackAdd"];
+                "application/json": components["schemas"]["RecallAdd"];
             };
         };
         responses: {
@@ -16009,7 +16474,7 @@ export interface operations {
             };
         };
     };
-    ask_contract_change: {
+    request_contract_change: {
         parameters: {
             query?: never;
             header?: never;
@@ -16020,7 +16485,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["ChangeAsk"];
+                "application/json": components["schemas"]["ContractChangeAdd"];
             };
         };
         responses: {
@@ -16095,7 +16560,7 @@ export interface operations {
                     "application/json": components["schemas"]["ContractRead"];
                 };
             };
-            /** @description `not-your-contract`, `address-not-proven`, `both-sides` */
+            /** @description `not-your-contract`, `address-not-proven`, `same-person-on-both-sides` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -16113,7 +16578,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `wrong-state`, `text-moved-on`, `already-accepted` */
+            /** @description `wrong-state`, `text-changed`, `already-accepted` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -16628,6 +17093,15 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
+            /** @description `upload-stalled` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
             /** @description `delivery-closed` */
             409: {
                 headers: {
@@ -16711,7 +17185,7 @@ export interface operations {
             };
         };
     };
-    give_up_upload: {
+    cancel_upload: {
         parameters: {
             query?: never;
             header?: {
@@ -16968,7 +17442,7 @@ export interface operations {
             };
         };
     };
-    ask_for_parts: {
+    request_parts: {
         parameters: {
             query?: never;
             header?: never;
@@ -17097,6 +17571,472 @@ export interface operations {
             };
             /** @description `store-unavailable` */
             503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    accept_sure_matches: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["SureAccept"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TakesActRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    move_takes: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["TakesMove"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TakesActRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found`, `take-not-found`, `cue-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `wrong-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `variation-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    preview_renames: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["TakesMove"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TakeRename"][];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found`, `take-not-found`, `cue-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `variation-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    discard_takes: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["TakesNamed"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TakesActRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found`, `take-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `wrong-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    restore_takes: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["TakesNamed"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TakesActRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found`, `take-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    undo_takes_act: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                takes_act_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TakesActUndone"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `takes-act-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `already-undone` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    add_file: {
+        parameters: {
+            query: {
+                /** @description Never used as a path. */
+                file_name: string;
+                /** @description Without it the name says which cue it is for. */
+                cue_id?: string | null;
+                variation?: number | null;
+            };
+            header?: {
+                /** @description The file's SHA-256 in hex. */
+                "x-content-sha256"?: string | null;
+            };
+            path: {
+                delivery_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: {
+            content: {
+                "application/octet-stream": string;
+            };
+        };
+        responses: {
+            /** @description The same file was here before; this is its take. */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TakeAdded"];
+                };
+            };
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TakeAdded"];
+                };
+            };
+            /** @description It is named `…__dry`: the dry stem of the take so named. */
+            202: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DryStemRead"];
+                };
+            };
+            /** @description `bad-upload-header`, `upload-incomplete` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `designer-needed`, `in-house-designer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `cue-not-found`, `delivery-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `delivery-closed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `length-required` */
+            411: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `variation-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `checksum-mismatch` */
+            460: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `store-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17493,6 +18433,8 @@ export interface operations {
                 /** @description One or several. */
                 state?: components["schemas"]["TakeState"][];
                 unmatched?: boolean | null;
+                /** @description Those taken out of list and tray, in place of the others. */
+                discarded?: boolean;
                 cue_id?: string | null;
                 /** @description `next` of the page before. */
                 cursor?: string | null;
@@ -17726,7 +18668,7 @@ export interface operations {
             };
         };
     };
-    give_dry_stem: {
+    add_dry_stem_to_take: {
         parameters: {
             query?: never;
             header?: never;
@@ -17737,7 +18679,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["DryStemGive"];
+                "application/json": components["schemas"]["DryStemUpload"];
             };
         };
         responses: {
@@ -17750,7 +18692,7 @@ export interface operations {
                     "application/json": components["schemas"]["DryStemRead"];
                 };
             };
-            /** @description `maker-needed` */
+            /** @description `own-designer-needed` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -17806,7 +18748,7 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description `maker-needed` */
+            /** @description `own-designer-needed` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -17908,7 +18850,7 @@ export interface operations {
                     "application/json": components["schemas"]["CheckRead"];
                 };
             };
-            /** @description `decider-needed` */
+            /** @description `approver-needed` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -17995,7 +18937,7 @@ export interface operations {
             };
         };
     };
-    list_mends: {
+    list_fixes: {
         parameters: {
             query?: never;
             header?: never;
@@ -18012,7 +18954,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["MendOffer"][];
+                    "application/json": components["schemas"]["FixOffer"][];
                 };
             };
             /** @description `project-not-found` */
@@ -18035,7 +18977,7 @@ export interface operations {
             };
         };
     };
-    see_mend: {
+    see_fix: {
         parameters: {
             query?: never;
             header?: never;
@@ -18052,7 +18994,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["MendRead"];
+                    "application/json": components["schemas"]["FixRead"];
                 };
             };
             /** @description `take-not-found` */
@@ -18075,7 +19017,7 @@ export interface operations {
             };
         };
     };
-    ask_for_mend: {
+    request_fix: {
         parameters: {
             query?: never;
             header?: never;
@@ -18092,10 +19034,10 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["MendRead"];
+                    "application/json": components["schemas"]["FixRead"];
                 };
             };
-            /** @description `maker-needed` */
+            /** @description `own-designer-needed` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -18113,7 +19055,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `nothing-to-mend` */
+            /** @description `nothing-to-fix` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -18133,7 +19075,7 @@ export interface operations {
             };
         };
     };
-    use_mend: {
+    use_fix: {
         parameters: {
             query?: never;
             header?: never;
@@ -18144,7 +19086,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description The mend was used before; this is its take. */
+            /** @description The fix was used before; this is its take. */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -18162,7 +19104,7 @@ export interface operations {
                     "application/json": components["schemas"]["TakeRead"];
                 };
             };
-            /** @description `maker-needed` */
+            /** @description `own-designer-needed` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -18180,7 +19122,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `nothing-to-mend`, `mend-not-made` */
+            /** @description `nothing-to-fix`, `fix-not-ready` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -18775,7 +19717,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `nothing-to-hear`, `takes-being-drawn`, `reel-too-long` */
+            /** @description `nothing-to-play`, `takes-being-drawn`, `reel-too-long` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -19203,7 +20145,7 @@ export interface operations {
                     "application/json": components["schemas"]["VerdictGiven"];
                 };
             };
-            /** @description `decider-needed` */
+            /** @description `approver-needed` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -19261,7 +20203,7 @@ export interface operations {
                     "application/json": components["schemas"]["VerdictUndone"];
                 };
             };
-            /** @description `decider-needed` */
+            /** @description `approver-needed` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -19279,7 +20221,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `nothing-to-undo`, `too-late-to-undo`, `decided-since`, `cue-is-cut` */
+            /** @description `nothing-to-undo`, `too-late-to-undo`, `verdict-since`, `cue-is-cut` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -19323,7 +20265,7 @@ export interface operations {
                     "application/json": components["schemas"]["SetAccepted"];
                 };
             };
-            /** @description `decider-needed` */
+            /** @description `approver-needed` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -19431,7 +20373,7 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description `decider-needed` */
+            /** @description `approver-needed` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -19480,7 +20422,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["SendingAdd"];
+                "application/json": components["schemas"]["FeedbackAdd"];
             };
         };
         responses: {
@@ -19490,10 +20432,10 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["SendingRead"];
+                    "application/json": components["schemas"]["FeedbackRead"];
                 };
             };
-            /** @description `decider-needed` */
+            /** @description `approver-needed` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -19915,7 +20857,7 @@ export interface operations {
                 masters?: boolean;
                 /** @description Leave out accepted sounds that have no game file; the key says why. */
                 allow_missing?: boolean;
-                /** @description Put marked stand-ins in for the sounds that are not accepted. */
+                /** @description Put marked placeholder files in for the sounds that are not accepted. */
                 placeholders?: boolean;
             };
             header?: never;
@@ -19962,7 +20904,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `target-unknown` */
+            /** @description `target-unknown`, `document-too-large` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -19973,6 +20915,15 @@ export interface operations {
             };
             /** @description `blob-damaged` */
             500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `typesetting-busy` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -20127,8 +21078,17 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `target-unknown` */
+            /** @description `target-unknown`, `document-too-large` */
             422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `typesetting-busy` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -20957,7 +21917,7 @@ export interface operations {
             };
         };
     };
-    read_list_standing: {
+    read_list_progress: {
         parameters: {
             query?: {
                 cursor?: string | null;
@@ -20978,7 +21938,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["ListStanding"];
+                    "application/json": components["schemas"]["ListProgress"];
                 };
             };
             /** @description `project-not-found` */
@@ -21041,7 +22001,7 @@ export interface operations {
             };
         };
     };
-    read_judged_lately: {
+    read_recent_verdicts: {
         parameters: {
             query?: never;
             header?: never;
@@ -21058,7 +22018,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Judged"][];
+                    "application/json": components["schemas"]["RecentVerdict"][];
                 };
             };
             /** @description `team-needed` */
@@ -21512,6 +22472,49 @@ export interface operations {
             };
         };
     };
+    watch_changes: {
+        parameters: {
+            query?: {
+                /** @description How long to go on. */
+                seconds?: number;
+            };
+            header?: {
+                "last-event-id"?: string | null;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description `open` says whether all since Last-Event-ID follows; `change` has `project_id` (null: the studio itself), `studio_id` and `rooms`; `beat` comes every 15 s. */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/event-stream": string;
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `too-many-streams` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     read_outbox: {
         parameters: {
             query?: never;
@@ -21884,6 +22887,35 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_quotas: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["StudioQuotas"][];
+                };
+            };
+            /** @description `operator-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };

@@ -20,12 +20,12 @@ export function ErrorPage({ error, reset }: ErrorComponentProps) {
 }
 
 function Broken({ error, onAgain }: { error: unknown; onAgain: () => void }) {
-  useTitle('This page did not open')
+  useTitle('This page could not be loaded')
   const problem = error instanceof ApiProblem ? error : null
   return (
     <div className="page page-narrow" role="alert">
       <EmptyState
-        head={problem?.status === 403 ? 'This page is not yours to open.' : 'This page did not open.'}
+        head={problem?.status === 403 ? 'You don’t have access to this page.' : 'This page could not be loaded.'}
         level={1}
         action={
           <>
@@ -33,7 +33,7 @@ function Broken({ error, onAgain }: { error: unknown; onAgain: () => void }) {
               Try again
             </Button>
             <ShellLink path="/" className="link">
-              To the start
+              Go to the start page
             </ShellLink>
           </>
         }
@@ -43,7 +43,7 @@ function Broken({ error, onAgain }: { error: unknown; onAgain: () => void }) {
             {problem.detail} {problem.fix}
           </>
         ) : (
-          'That is our fault; nothing of yours is lost.'
+          'Something went wrong on our side. Your work is safe.'
         )}
       </EmptyState>
       <p className="micro dim mono">

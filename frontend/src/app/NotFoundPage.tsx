@@ -5,16 +5,16 @@ import { useTitle } from './title'
 
 /** Nothing stands at this address, or nothing that this person may see: the two look alike. */
 export function NotFoundPage() {
-  useTitle('Nothing here')
+  useTitle('Page not found')
   return (
     <div className="page page-narrow">
       <EmptyState
-        head="Nothing stands at this address."
+        head="Page not found"
         level={1}
         action={
           <>
             <ShellLink path="/" className="link">
-              To the start
+              Go to the start page
             </ShellLink>
             <ShellLink path="/projects" className="link">
               All projects
@@ -22,7 +22,7 @@ export function NotFoundPage() {
           </>
         }
       >
-        It may have been moved, or it belongs to a project that you are not part of.
+        It may have been moved, or it belongs to a project you are not a member of.
       </EmptyState>
     </div>
   )

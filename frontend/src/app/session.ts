@@ -5,9 +5,9 @@ export interface ShellProject {
   name: string
 }
 
-/** What the top bar shows of the person at the screen. */
+/** What the top bar shows of the current person. */
 export interface ShellData {
-  /** Nobody is signed in: null. */
+  /** Not signed in: null. */
   person: { name: string; role: string } | null
   /** Designers have a Desk; everyone of the studio has Today and Review. */
   side: 'studio' | 'designer'
@@ -17,23 +17,25 @@ export interface ShellData {
   /** The project's contracts and money are this person's to see. */
   isParty: boolean
   projects: ShellProject[]
-  /** What waits for this person, beside the tab where it is done. */
+  /** What waits for this person, shown next to the tab where it is done. */
   counts: { today?: number; desk?: number; review?: number | string }
-  /** Whether jobs and storage are this person's to see: a producer's, or whoever runs the server. */
+  /** Whether jobs and storage are this person's to see: a producer's, or an operator. */
   operates: boolean
   signOut: () => void
+  /** Signs in again in place, where the session has ended. */
+  signInAgain?: ReactNode
   /** A row of the menu that changes who one is: in the demo only. */
   switcher?: ReactNode
 }
 
-/** Who is at the screen, as the account feature tells the shell through the router's context. */
+/** The current person, as the account feature passes it to the shell through the router's context. */
 export interface Session {
   useShell: () => ShellData
-  /** Called before every page of the shell; throws a redirect to sign-in when nobody is signed in. */
+  /** Called before every page of the shell; throws a redirect to sign-in if not signed in. */
   ensureSignedIn: (href: string) => Promise<void>
 }
 
-/** What is shown while nobody is signed in. */
+/** Shown while not signed in. */
 export const NOBODY: ShellData = {
   person: null,
   side: 'studio',

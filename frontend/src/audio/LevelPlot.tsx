@@ -45,7 +45,7 @@ interface LevelPlotProps {
   draw: (surface: Surface) => void
   frequencies: readonly FrequencyMark[]
   tall?: boolean
-  /** What stands in the drawing. */
+  /** The content of the drawing. */
   children?: ReactNode
   caption: ReactNode
 }

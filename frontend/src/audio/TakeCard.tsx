@@ -10,7 +10,7 @@ import { WaveThumb } from './WaveThumb'
 interface TakeCardProps {
   /** A, B, C. */
   letter: string
-  /** The key that takes it in the hand. */
+  /** The key that selects it. */
   keys?: string
   peaks: Peaks | null
   inHand: boolean
@@ -25,7 +25,7 @@ interface TakeCardProps {
   onPick: () => void
 }
 
-/** One of several alternates. A press takes it in the hand, and what plays goes on with it. */
+/** One of several alternates. A press selects it, and playback continues with it. */
 export function TakeCard({ letter, keys, peaks, inHand, setAside, blind, facts = [], flat, onPick }: TakeCardProps) {
   return (
     <button

@@ -8,7 +8,7 @@ import classes from './WaveThumb.module.css'
 interface WaveThumbProps {
   /** null: nothing was delivered yet. */
   peaks: Peaks | null
-  /** In the hand. */
+  /** Selected. */
   lit?: boolean
   /** Set aside: drawn at 55 %. */
   faded?: boolean

@@ -129,7 +129,7 @@ describe('markers', () => {
 
 test('while the server still draws, it says so, and the axis stands', () => {
   draw(<Waveform {...base} peaks={null} />)
-  expect(screen.getByText('The waveform is still being drawn; the sound plays.')).toBeInTheDocument()
+  expect(screen.getByText('The waveform is being drawn. You can play the sound already.')).toBeInTheDocument()
   expect(screen.getByText('0.84 s')).toBeInTheDocument()
 })
 

@@ -59,9 +59,9 @@ export interface WaveformProps {
   /** Dragging across the wave picks a range; a short press takes it away. */
   onSelect?: (range: TimeRange | null) => void
   limitDbfs?: number
-  /** What a mend takes away. */
+  /** What a fix takes away. */
   cuts?: readonly TimeRange[]
-  /** The whole of it is in the hand, not only what was played. */
+  /** All of it is highlighted, not only the played part. */
   lit?: boolean
   /** Height of the wave; without it, it fills its place. */
   heightPx?: number
@@ -127,7 +127,9 @@ export function Waveform(props: WaveformProps) {
               />
             ),
         )}
-        {peaks === null && <p className={classes.missing}>The waveform is still being drawn; the sound plays.</p>}
+        {peaks === null && (
+          <p className={classes.missing}>The waveform is being drawn. You can play the sound already.</p>
+        )}
         {!plain && <Scale limitDbfs={props.limitDbfs} />}
         <Slider {...props} label={label} />
         {!props.still && <span className={classes.playhead} />}

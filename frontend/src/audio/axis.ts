@@ -36,7 +36,7 @@ export interface Layout<T> {
   placed: Placed<T>[]
   /** How many lanes are used. */
   lanes: number
-  /** What found no place, and where "+4" stands for it. */
+  /** Labels without room, and the position of the "+4" in their place. */
   hidden: T[]
   moreAt: { leftPx: number; lane: number } | null
 }

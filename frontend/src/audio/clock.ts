@@ -4,7 +4,7 @@ import { type RefObject, useEffect } from 'react'
 export interface Clock {
   positionS: () => number
   isPlaying: () => boolean
-  /** Told at every step of the playhead. */
+  /** Called at every step of the playhead. */
   subscribe: (listener: () => void) => () => void
 }
 

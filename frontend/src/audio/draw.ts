@@ -17,7 +17,7 @@ export interface TimeRange {
 }
 
 export interface WaveLook {
-  /** Played, or in the hand. */
+  /** Played, or selected. */
   lit: boolean
   /** What exceeds this is coloured as over the limit. */
   limitDbfs?: number
@@ -116,7 +116,7 @@ export function drawLimit(surface: Surface, limitDbfs: number, pad = 1): void {
   }
 }
 
-/** Hatching over what a mend takes away. */
+/** Hatching over what a fix takes away. */
 export function drawCuts(surface: Surface, cuts: readonly TimeRange[], durationS: number): void {
   const { context, width, height, scale, colour } = surface
   context.strokeStyle = colour('wave-cut')

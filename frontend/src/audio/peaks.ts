@@ -1,7 +1,7 @@
 /** A sound's shape as the server measured it, channels merged. */
 export interface Peaks {
   points: number
-  /** What stands for full scale: 127 in the whole numbers of a thumb, what they say in the fine peaks of a sound. */
+  /** The value of full scale: 127 in the whole numbers of a thumb, as stated in the fine peaks of a sound. */
   fullScale?: number
   min: readonly number[]
   max: readonly number[]

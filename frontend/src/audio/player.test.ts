@@ -30,12 +30,13 @@ beforeEach(() => {
   })
 })
 
-function player(parts: { random?: () => number; reducedMotion?: boolean } = {}): Player {
+function player(parts: { random?: () => number; reducedMotion?: boolean; held?: boolean } = {}): Player {
   return new Player({
     createContext: () => context as unknown as AudioContext,
     random: parts.random ?? (() => 0),
     reducedMotion: () => parts.reducedMotion ?? false,
     now: () => clockMs,
+    held: parts.held,
     onFrame: (callback) => {
       frames.push(callback)
       return () => {
@@ -113,7 +114,7 @@ describe('playing', () => {
     await made.play()
     expect(made.getState()).toMatchObject({
       status: 'paused',
-      error: expect.stringContaining('could not be read') as string,
+      error: expect.stringContaining('could not be loaded') as string,
     })
     SOUNDS['/gone'] = { durationS: 1 }
     await made.play()
@@ -137,7 +138,7 @@ describe('repeating', () => {
     expect(made.positionS()).toBeCloseTo(0.3, 9)
   })
 
-  test('standing outside the range, it goes to the range', async () => {
+  test('progress outside the range, it goes to the range', async () => {
     const made = await playing()
     context.currentTime = 0.8
     made.setLooping(true)
@@ -300,6 +301,27 @@ describe('previews', () => {
     await made.select(A)
     await made.play()
     expect(fetched.filter((url) => url === '/a')).toHaveLength(1)
+  })
+
+  test('are fetched one after another, those in the hand first', async () => {
+    const made = player()
+    made.previews.keepReady(['/b', '/a', '/c'])
+    await made.previews.released
+    expect(fetched).toEqual(['/b'])
+    await vi.waitFor(() => expect(fetched).toEqual(['/b', '/a', '/c']))
+  })
+
+  test('held, they wait until the page is shown, and one that is played does not', async () => {
+    const made = player({ held: true })
+    made.previews.keepReady(['/a', '/b'])
+    void made.select(A)
+    await new Promise((resolve) => setTimeout(resolve))
+    expect(fetched).toEqual([])
+    await made.play()
+    expect(last()?.buffer.duration).toBe(1)
+    expect(fetched).toEqual(['/a'])
+    made.previews.release()
+    await vi.waitFor(() => expect(fetched).toEqual(['/a', '/b']))
   })
 
   test('those kept ready stay while others are forgotten', async () => {

@@ -40,6 +40,8 @@ export interface PlayerParts {
   onFrame?: (callback: () => void) => () => void
   reducedMotion?: () => boolean
   now?: () => number
+  /** Fetch no sound before it is played, until `previews.release`. */
+  held?: boolean
 }
 
 /** Long enough that a switch does not click, too short to hear as a fade. */
@@ -70,7 +72,7 @@ export class Player implements Clock {
   #state = SILENT
   #source: Source | null = null
   #sounding: Sounding | null = null
-  /** Where it stands in the sound as it is, also while it plays backwards. */
+  /** The position in the original sound, also while it plays backwards. */
   #positionS = 0
   #asked = 0
   #stateListeners = new Set<() => void>()
@@ -91,9 +93,10 @@ export class Player implements Clock {
     this.#reducedMotion = parts.reducedMotion ?? (() => matchMedia('(prefers-reduced-motion: reduce)').matches)
     this.#now = parts.now ?? (() => performance.now())
     this.previews = new Previews((data) => this.#contextNow().decodeAudioData(data))
+    if (!parts.held) this.previews.release()
   }
 
-  // What it tells
+  // Its listeners
 
   getState = (): PlayerState => this.#state
 
@@ -119,7 +122,7 @@ export class Player implements Clock {
   // What it is asked
 
   /**
-   * Take a sound in the hand. While another plays, this one takes over at the same position, or so much later as the
+   * Select a sound. While another plays, this one takes over at the same position, or so much later as the
    * same moment lies later in it.
    */
   async select(source: Source, laterS = 0): Promise<void> {
@@ -127,11 +130,12 @@ export class Player implements Clock {
     if (this.#source?.id === source.id && this.#source.url === source.url) return
     const wasPlaying = this.isPlaying()
     this.#source = source
-    this.#tell({ sourceId: source.id, error: null })
+    this.#notify({ sourceId: source.id, error: null })
     const asked = ++this.#asked
-    const buffer = await this.#read(source, asked)
+    if (!wasPlaying) await this.previews.released
+    const buffer = asked === this.#asked ? await this.#read(source, asked) : null
     if (buffer === null) return
-    this.#tell({ durationS: buffer.duration })
+    this.#notify({ durationS: buffer.duration })
     // Asked again only now: it may have been paused, or have ended, while the other was on its way.
     if (wasPlaying && this.isPlaying()) this.#sound(buffer, source, Math.max(0, this.positionS() + laterS))
     else this.#moved(Math.min(Math.max(0, this.#positionS + laterS), buffer.duration))
@@ -145,10 +149,10 @@ export class Player implements Clock {
     // Within the press itself, or the browser keeps it silent.
     const context = this.#contextNow()
     if (context.state === 'suspended') void context.resume()
-    if (!this.previews.has(source.url)) this.#tell({ status: 'loading', error: null })
+    if (!this.previews.has(source.url)) this.#notify({ status: 'loading', error: null })
     const buffer = await this.#read(source, asked)
     if (buffer === null) return
-    this.#tell({ durationS: buffer.duration })
+    this.#notify({ durationS: buffer.duration })
     this.#sound(buffer, source, fromS ?? this.#startS(buffer.duration))
   }
 
@@ -157,7 +161,7 @@ export class Player implements Clock {
     this.#leaveSet()
     const positionS = this.positionS()
     this.#silence()
-    this.#tell({ status: this.#source === null ? 'silent' : 'paused' })
+    this.#notify({ status: this.#source === null ? 'silent' : 'paused' })
     this.#moved(positionS)
   }
 
@@ -186,14 +190,14 @@ export class Player implements Clock {
     const positionS = this.positionS()
     const { buffer } = this.#sounding ?? {}
     this.#silence()
-    this.#tell({ reversed })
+    this.#notify({ reversed })
     if (buffer && this.#source) this.#sound(this.previews.forwardsOf(buffer), this.#source, positionS)
     else this.#moved(positionS)
   }
 
   /** Bring every source to the same level, or hear each as it was sent. */
   setMatched(matched: boolean): void {
-    this.#tell({ matched })
+    this.#notify({ matched })
     const sounding = this.#sounding
     if (sounding && this.#source) this.#ramp(sounding.gain, this.#gainOf(this.#source))
   }
@@ -205,11 +209,11 @@ export class Player implements Clock {
     const context = this.#contextNow()
     if (context.state === 'suspended') void context.resume()
     this.#silence()
-    this.#tell({ status: 'loading', error: null })
+    this.#notify({ status: 'loading', error: null })
     const buffers = await Promise.all(sources.map((source) => this.#read(source, asked)))
     if (asked !== this.#asked || buffers.some((buffer) => buffer === null)) return
     this.#set = { sources, last: -1 }
-    this.#tell({ asGame: true })
+    this.#notify({ asGame: true })
     await this.#playNext(asked)
   }
 
@@ -230,7 +234,7 @@ export class Player implements Clock {
     const buffer = source && (await this.#read(source, asked))
     if (!source || !buffer) return
     this.#source = source
-    this.#tell({ sourceId: source.id, durationS: buffer.duration })
+    this.#notify({ sourceId: source.id, durationS: buffer.duration })
     this.#sound(buffer, source, this.#state.reversed ? buffer.duration : 0)
   }
 
@@ -246,7 +250,7 @@ export class Player implements Clock {
     } catch {
       if (asked !== this.#asked) return null
       this.#silence()
-      this.#tell({ status: 'paused', error: 'The sound could not be read. Press play to try again.' })
+      this.#notify({ status: 'paused', error: 'The sound could not be loaded. Press Play to try again.' })
       return null
     }
   }
@@ -284,7 +288,7 @@ export class Player implements Clock {
       if (this.#sounding === sounding) this.#ended()
     }
     this.#sounding = sounding
-    this.#tell({ status: 'playing' })
+    this.#notify({ status: 'playing' })
     this.#tick()
   }
 
@@ -295,7 +299,7 @@ export class Player implements Clock {
       void this.#playNext(this.#asked)
       return
     }
-    this.#tell({ status: 'paused' })
+    this.#notify({ status: 'paused' })
     this.#moved(reversed ? 0 : durationS)
   }
 
@@ -340,7 +344,7 @@ export class Player implements Clock {
     return node.loopStart + ((at - node.loopStart) % (node.loopEnd - node.loopStart))
   }
 
-  /** Where playing starts when nobody says where: where it stands, from the start again after the end. */
+  /** Where playing starts by default: at the current position, or from the start after the end. */
   #startS(durationS: number): number {
     const { reversed } = this.#state
     if (reversed) return this.#positionS <= 0 ? durationS : Math.min(this.#positionS, durationS)
@@ -350,18 +354,18 @@ export class Player implements Clock {
   #change(change: Partial<PlayerState>): void {
     const sounding = this.#sounding
     if (sounding === null || this.#source === null) {
-      this.#tell(change)
+      this.#notify(change)
       return
     }
     const at = this.#bufferPositionS(sounding)
     const positionS = this.positionS()
-    this.#tell(change)
+    this.#notify(change)
     const loop = this.#loopOf(sounding.buffer.duration)
     if (loop && (at < loop.startS || at >= loop.endS)) {
       this.#sound(this.previews.forwardsOf(sounding.buffer), this.#source, positionS)
       return
     }
-    // The sound goes on without a gap; only where it counts from is set anew.
+    // The sound goes on without a gap; only the reference time is reset.
     sounding.fromS = at
     sounding.atS = this.#contextNow().currentTime
     sounding.node.loop = loop !== null
@@ -375,7 +379,7 @@ export class Player implements Clock {
     if (this.#set === null) return
     this.#set = null
     this.#silence()
-    this.#tell({ asGame: false })
+    this.#notify({ asGame: false })
   }
 
   #moved(positionS: number): void {
@@ -397,7 +401,7 @@ export class Player implements Clock {
     })
   }
 
-  #tell(change: Partial<PlayerState>): void {
+  #notify(change: Partial<PlayerState>): void {
     this.#state = { ...this.#state, ...change }
     for (const listener of this.#stateListeners) listener()
   }

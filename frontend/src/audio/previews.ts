@@ -1,4 +1,4 @@
-/** How many decoded sounds stay, beside those that are kept ready. */
+/** How many decoded sounds are cached, besides those that are kept ready. */
 const RECENT = 8
 
 /** Decoded previews by address: those used last, and those that come next. */
@@ -9,9 +9,16 @@ export class Previews {
   #backwards = new WeakMap<AudioBuffer, AudioBuffer>()
   #forwards = new WeakMap<AudioBuffer, AudioBuffer>()
   readonly #decode: (data: ArrayBuffer) => Promise<AudioBuffer>
+  /** Resolves once sounds may be prefetched. */
+  readonly released: Promise<void>
+  /** Say that the page shows what it has: over a slow network sounds would delay that. */
+  release: () => void = () => undefined
 
   constructor(decode: (data: ArrayBuffer) => Promise<AudioBuffer>) {
     this.#decode = decode
+    this.released = new Promise((resolve) => {
+      this.release = resolve
+    })
   }
 
   has(url: string): boolean {
@@ -35,10 +42,10 @@ export class Previews {
     }
   }
 
-  /** Keep these decoded: what is heard now and the next three. What fails here is tried again when it is played. */
+  /** Fetch these in order, one at a time, and keep them decoded. What fails is tried again when it is played. */
   keepReady(urls: readonly string[]): void {
     this.#ready = new Set(urls)
-    for (const url of urls) void this.get(url).catch(() => undefined)
+    void this.#getInTurn(urls)
   }
 
   reversed(buffer: AudioBuffer, context: BaseAudioContext): AudioBuffer {
@@ -61,6 +68,14 @@ export class Previews {
   clear(): void {
     this.#decoded.clear()
     this.#ready.clear()
+  }
+
+  async #getInTurn(urls: readonly string[]): Promise<void> {
+    await this.released
+    for (const url of urls) {
+      // A newer list may lack it.
+      if (this.#ready.has(url)) await this.get(url).catch(() => undefined)
+    }
   }
 
   async #load(url: string): Promise<AudioBuffer> {

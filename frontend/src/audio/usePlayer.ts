@@ -2,9 +2,9 @@ import { useEffect, useState, useSyncExternalStore } from 'react'
 
 import { Player, type PlayerState } from './player'
 
-/** A player for one page; it falls silent when the page is left. */
-export function usePlayer(): [Player, PlayerState] {
-  const [player] = useState(() => new Player())
+/** A player for one page; it falls silent when the page is left. See `Player` for what `held` does. */
+export function usePlayer({ held = false } = {}): [Player, PlayerState] {
+  const [player] = useState(() => new Player({ held }))
   useEffect(() => () => player.dispose(), [player])
   const state = useSyncExternalStore(player.subscribeState, player.getState)
   return [player, state]

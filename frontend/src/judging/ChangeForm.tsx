@@ -1,6 +1,7 @@
 import { type KeyboardEvent, useId, useLayoutEffect, useRef, useState } from 'react'
 
 import type { ApiProblem } from '@/api'
+import { DraftNote, useDraft } from '@/app/drafts'
 import { useHotkeys } from '@/app/keys'
 import type { TimeRange } from '@/audio'
 import { Button } from '@/ui/Button'
@@ -15,19 +16,21 @@ import type { ChangeSaid } from './useJudge'
 /** What approvers say most, each on its digit. */
 export const REASONS = [
   'Too loud',
-  'Too soft',
+  'Too quiet',
   'Too long',
   'Too short',
   'Starts too late',
   'Too bright',
   'Too dull',
-  'Does not read',
-  'Off the palette',
+  'Doesn’t read in game',
+  'Off style',
 ] as const
 
 type Where = 'whole' | 'point' | 'range'
 
 interface ChangeFormProps {
+  /** The version that it is about. */
+  takeId: string
   /** What is to change: "shield_hit A". */
   what: string
   /** Where the playhead stands; 0 is no place. */
@@ -35,26 +38,33 @@ interface ChangeFormProps {
   range: TimeRange | null
   saving: boolean
   problem: ApiProblem | null
-  onSave: (said: ChangeSaid) => void
+  /** `done` ends the form's draft, once the change is noted. */
+  onSave: (said: ChangeSaid, done: () => void) => void
   onClose: () => void
 }
 
 /** What to change: reasons on the digits, a line of text, where in the sound. Enter notes it as a draft. */
-export function ChangeForm({ what, positionS, range, saving, problem, onSave, onClose }: ChangeFormProps) {
-  const [reasons, setReasons] = useState<readonly string[]>([])
-  const [text, setText] = useState('')
+export function ChangeForm({ takeId, what, positionS, range, saving, problem, onSave, onClose }: ChangeFormProps) {
+  const [{ reasons, text }, setSaid, draft] = useDraft<{ reasons: readonly string[]; text: string }>(
+    `change:${takeId}`,
+    { reasons: [], text: '' },
+  )
+  const setText = (next: string) => setSaid((now) => ({ ...now, text: next }))
   const [where, setWhere] = useState<Where>(range ? 'range' : positionS > 0 ? 'point' : 'whole')
   const [empty, setEmpty] = useState(false)
   const field = useRef<HTMLInputElement>(null)
   const errorId = useId()
 
-  // Before the next key: whoever types on at once must not decide anything with it.
+  // Before the next key: continued typing must not decide anything.
   useLayoutEffect(() => field.current?.focus(), [])
-  useHotkeys([{ keys: 'Escape', label: 'Close without noting a change', group: 'Review', run: onClose }])
+  useHotkeys([{ keys: 'Escape', label: 'Close without adding a change request', group: 'Review', run: onClose }])
 
   const toggle = (reason: string) => {
     setEmpty(false)
-    setReasons((now) => (now.includes(reason) ? now.filter((one) => one !== reason) : [...now, reason]))
+    setSaid((now) => ({
+      ...now,
+      reasons: now.reasons.includes(reason) ? now.reasons.filter((one) => one !== reason) : [...now.reasons, reason],
+    }))
   }
   const save = () => {
     const note = [...reasons.map((reason) => `${reason}.`), text.trim()].filter(Boolean).join(' ')
@@ -63,8 +73,8 @@ export function ChangeForm({ what, positionS, range, saving, problem, onSave, on
       field.current?.focus()
       return
     }
-    if (where === 'range' && range) onSave({ note, startS: range.startS, endS: range.endS })
-    else onSave({ note, startS: where === 'point' ? positionS : undefined })
+    if (where === 'range' && range) onSave({ note, startS: range.startS, endS: range.endS }, draft.discard)
+    else onSave({ note, startS: where === 'point' ? positionS : undefined }, draft.discard)
   }
   const onKeyDown = (event: KeyboardEvent) => {
     const reason = /^[1-9]$/.test(event.key) ? REASONS[Number(event.key) - 1] : undefined
@@ -115,7 +125,7 @@ export function ChangeForm({ what, positionS, range, saving, problem, onSave, on
           aria-label={`What to change in ${what}`}
           aria-invalid={empty || undefined}
           aria-describedby={empty ? errorId : undefined}
-          placeholder="What to change: as said to the designer"
+          placeholder="What to change (the designer reads this)"
           maxLength={10_000}
           value={text}
           onChange={(event) => {
@@ -129,12 +139,13 @@ export function ChangeForm({ what, positionS, range, saving, problem, onSave, on
           Close
         </Button>
         <Button variant="primary" icon="pencil" type="submit" keys="Enter" disabled={saving}>
-          Note the change
+          Add change request
         </Button>
       </div>
-      {empty && <FieldError id={errorId}>Choose a reason, or say what to change.</FieldError>}
+      {empty && <FieldError id={errorId}>Choose a reason or write what to change.</FieldError>}
       {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
-      <p className="small dim">It stays a draft until you send all changes together.</p>
+      <DraftNote draft={draft} />
+      <p className="small dim">It stays a draft until you send all change requests together.</p>
     </form>
   )
 }

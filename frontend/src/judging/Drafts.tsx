@@ -2,21 +2,25 @@ import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { useDraft } from '@/app/drafts'
 import { HotkeyButton } from '@/app/keys'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
+import { useFocusOnMount } from '@/ui/useFocusOnMount'
 
-import { type ChangeRequest, draftsQuery, type Sending, useDropDraft, useSending } from './api'
+import { type ChangeRequest, draftsQuery, type Sending, useDropDraft, useSendFeedback } from './api'
 import classes from './Drafts.module.css'
 import { variationName } from './hearing'
 import { namesOf, sentence, spot } from './words'
 
 interface DraftsProps {
   projectId: string
-  /** Whether the person at the screen may drop and send them. */
-  mayDecide: boolean
+  /** Whether the current person may drop and send them. */
+  mayApprove: boolean
+  /** Before the message is asked for: brings the drafts into sight. */
+  onAsk?: () => void
 }
 
 /** How many changes are noted and not sent. */
@@ -25,18 +29,23 @@ export function useDraftCount(projectId: string): number {
 }
 
 /** Changes that are noted, and the one button that sends them all. */
-export function Drafts({ projectId, mayDecide }: DraftsProps) {
+export function Drafts({ projectId, mayApprove, onAsk }: DraftsProps) {
   const { data: drafts = [] } = useQuery(draftsQuery(projectId))
   const dropping = useDropDraft(projectId)
-  const sending = useSending(projectId)
+  const sending = useSendFeedback(projectId)
   const [asking, setAsking] = useState(false)
-  const [note, setNote] = useState('')
+  const [note, setNote, draft] = useDraft(`sending:${projectId}`, '')
+  const field = useFocusOnMount<HTMLInputElement>(asking)
+  const ask = () => {
+    onAsk?.()
+    setAsking(true)
+  }
 
   const send = () =>
     sending.mutate(note.trim(), {
       onSuccess: (sent) => {
         setAsking(false)
-        setNote('')
+        draft.discard()
         showToast(`${plural(sent.change_requests.length, 'change')} sent.`)
       },
     })
@@ -44,30 +53,35 @@ export function Drafts({ projectId, mayDecide }: DraftsProps) {
 
   return (
     <>
-      <ul aria-label="Changes that are not sent">
+      <ul aria-label="Draft change requests">
         {drafts.map((draft) => (
           <DraftLine
             key={draft.id}
             draft={draft}
             heldBack={sending.data?.held_back.find((held) => held.change_request_id === draft.id)?.why}
-            onDrop={mayDecide ? () => dropping.mutate(draft) : undefined}
+            onDrop={mayApprove ? () => dropping.mutate(draft) : undefined}
           />
         ))}
       </ul>
-      {mayDecide && drafts.length > 0 && (
+      {mayApprove && drafts.length > 0 && (
         <div className={classes.foot}>
           {asking && (
             <>
-              <p className="small mid">{roundsOf(drafts)} What was sent cannot be taken back.</p>
+              <p className="small mid">{roundsOf(drafts)} You can’t undo sending.</p>
               <input
+                ref={field}
                 className={classes.note}
-                aria-label="A word that goes with all of them"
-                placeholder="A word that goes with all of them"
+                aria-label="Message to the designer (optional)"
+                placeholder="Message to the designer (optional)"
                 maxLength={10_000}
                 value={note}
                 onChange={(event) => setNote(event.currentTarget.value)}
                 onKeyDown={(event) => {
-                  if (event.key === 'Enter' && !event.nativeEvent.isComposing) send()
+                  if (event.key === 'Enter' && !event.nativeEvent.isComposing && !sending.isPending) send()
+                  else if (event.key === 'Escape') {
+                    event.stopPropagation()
+                    setAsking(false)
+                  }
                 }}
               />
               <Button onClick={() => setAsking(false)}>Not yet</Button>
@@ -78,8 +92,8 @@ export function Drafts({ projectId, mayDecide }: DraftsProps) {
               Send {plural(drafts.length, 'change')} to the designer
             </Button>
           ) : (
-            <HotkeyButton icon="upload" keys="s" keyLabel="Send the noted changes" onPress={() => setAsking(true)}>
-              Send {plural(drafts.length, 'change')}
+            <HotkeyButton icon="upload" keys="s" keyLabel="Send the change requests" onPress={ask}>
+              {plural(drafts.length, 'change')} to send
             </HotkeyButton>
           )}
         </div>
@@ -104,8 +118,8 @@ function DraftLine({ draft, heldBack, onDrop }: { draft: ChangeRequest; heldBack
       <p className="mid">{draft.text}</p>
       {heldBack && <p className="small">{sentence(heldBack)}</p>}
       {onDrop && (
-        <Button variant="quiet" className="small" aria-label={`Drop the change to ${name}`} onClick={onDrop}>
-          Drop
+        <Button variant="quiet" className="small" aria-label={`Delete draft for ${name}`} onClick={onDrop}>
+          Delete draft
         </Button>
       )}
     </li>
@@ -115,9 +129,11 @@ function DraftLine({ draft, heldBack, onDrop }: { draft: ChangeRequest; heldBack
 function roundsOf(drafts: readonly ChangeRequest[]): string {
   const counted = drafts.filter(({ reverses }) => !reverses).map(({ cue_name }) => cue_name)
   const cues = new Set(counted).size
-  if (cues === 0) return 'They reverse approvals, so no round counts.'
-  return cues === 1 ? `It counts one round for ${counted[0]}.` : `It counts one round each for ${namesOf(counted)}.`
+  if (cues === 0) return 'They reverse approvals, so no round is counted.'
+  return cues === 1
+    ? `This counts as one round for ${counted[0]}.`
+    : `This counts as one round each for ${namesOf(counted)}.`
 }
 
 const heldBackWords = (sent: Sending): string =>
-  `${plural(sent.held_back.length, 'change')} could not go out: ${namesOf(sent.held_back.map(({ why }) => why))}.`
+  `${plural(sent.held_back.length, 'change')} could not be sent: ${namesOf(sent.held_back.map(({ why }) => why))}.`

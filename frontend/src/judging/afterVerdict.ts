@@ -1,7 +1,7 @@
 import type { QueueItem } from './api'
 
 /** The queue once takes were decided on: they leave, with the other alternates of their variation where one was picked. */
-export function withoutDecided(
+export function withoutVerdict(
   items: readonly QueueItem[],
   decided: { cueId: string; takeIds: readonly string[]; picked: boolean },
 ): QueueItem[] {

@@ -22,7 +22,7 @@ export type ReviewCue = Schemas['ReviewCue']
 export type ReviewFinding = Schemas['FindingRead']
 export type CueReview = Schemas['CueReviewRead']
 export type ChangeRequest = Schemas['ChangeRequestRead']
-export type Sending = Schemas['SendingRead']
+export type Sending = Schemas['FeedbackRead']
 
 /** Where the answers that reviewing rests on are kept. */
 export const keys = {
@@ -35,8 +35,8 @@ export const keys = {
   peaks: (url: string) => ['peaks', url] as const,
 }
 
-/** What a verdict changes elsewhere: lists and dashboards of the project, whoever shows them. */
-const TOUCHED = ['today', 'overview', 'standing', 'judged', 'take-history', 'money']
+/** What a verdict changes elsewhere: lists and dashboards of the project, on any page. */
+const TOUCHED = ['today', 'overview', 'progress', 'judged', 'take-history', 'money']
 
 export const meQuery = queryOptions({
   queryKey: keys.me,
@@ -44,7 +44,7 @@ export const meQuery = queryOptions({
   staleTime: 60_000,
 })
 
-/** What the person at the screen is in one project. */
+/** The current person's roles in one project. */
 export function useMyProject(projectId: string): MyProject | undefined {
   const { data } = useQuery(meQuery)
   return data?.projects.find(({ id }) => id === projectId)
@@ -56,10 +56,7 @@ const everyItem = async <T>(read: (cursor?: string) => Promise<{ items: T[]; nex
 /** Whether contracts and money are between this person and another: who only reviews or implements sees neither. */
 export const isParty = (project: MyProject | undefined): boolean =>
   project !== undefined &&
-  (project.part === 'designer' || project.is_producer || project.is_liaison || project.is_decider)
-
-/** How often a screen that people leave open asks whether something new arrived. */
-export const ARRIVALS_MS = 15_000
+  (project.part === 'designer' || project.is_producer || project.is_liaison || project.is_approver)
 
 /** The cues that wait for a verdict, the oldest first, as far as they were asked for. */
 export const queueQuery = (projectId: string) =>
@@ -70,9 +67,6 @@ export const queueQuery = (projectId: string) =>
     initialPageParam: undefined as string | undefined,
     getNextPageParam: ({ next }) => next ?? undefined,
     select: ({ pages }) => pages.flatMap(({ items }) => items),
-    // All that is here is read anew at one page per ARRIVALS_MS: what arrives stands at the end, behind what is here,
-    // and how many wait is asked by itself.
-    refetchInterval: ({ state }) => ARRIVALS_MS * (state.data?.pages.length ?? 1),
   })
 
 /** How many cues wait for a verdict, those that are noted included. */
@@ -80,7 +74,6 @@ export const countQuery = (projectId: string) =>
   queryOptions({
     queryKey: keys.queueCount(projectId),
     queryFn: () => answered(api.GET('/v1/review-queue/count', { params: { query: { project_id: projectId } } })),
-    refetchInterval: ARRIVALS_MS,
   })
 
 export const reviewQuery = (cueId: string) =>
@@ -125,24 +118,24 @@ export function usePeaks(url: string | null | undefined): Peaks | null | undefin
   return url === null || isError ? null : data
 }
 
-/** Ask anew for what a verdict, a change or a sending touched. */
+/** Refetch what a verdict, a change or a sending affected. */
 export async function refresh(client: QueryClient, projectId: string): Promise<void> {
   const touched = [keys.queue(projectId), keys.drafts(projectId), ['cue-review'], ...TOUCHED.map((key) => [key])]
   await Promise.all(touched.map((queryKey) => client.invalidateQueries({ queryKey })))
 }
 
 /** Send every draft together. */
-export function useSending(projectId: string) {
+export function useSendFeedback(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (note: string) =>
       answered(
-        api.POST('/v1/projects/{project_id}/sendings', {
+        api.POST('/v1/projects/{project_id}/feedback', {
           params: { path: { project_id: projectId } },
           body: { note },
         }),
       ),
-    // Not waited for: what was done is said before the lists are read anew.
+    // Not awaited: the confirmation is shown before the lists are refetched.
     onSettled: () => void refresh(client, projectId),
   })
 }
@@ -157,7 +150,7 @@ export function useDropDraft(projectId: string) {
           params: { path: { change_request_id: draft.id } },
         }),
       ),
-    // Not waited for: what was done is said before the lists are read anew.
+    // Not awaited: the confirmation is shown before the lists are refetched.
     onSettled: () => void refresh(client, projectId),
   })
 }

@@ -21,7 +21,7 @@ export function wordsOf({ message, fix, start_s, end_s }: ReviewFinding): Findin
   const said = sentence(message)
   const cut = said.search(/, | \(/)
   const head = cut < 0 ? said : said.slice(0, cut)
-  // Where it is stands beside it; a bracket of times alone says no more.
+  // Its position is shown next to it; a bracket with only times adds nothing.
   const limit =
     cut < 0
       ? ''

@@ -4,7 +4,7 @@ import type { ReviewTake } from './api'
 
 export const MASTER = 'master'
 /** More than this is no matching of levels but another sound. */
-const MOST_GAIN_DB = 24
+const MAX_GAIN_DB = 24
 
 /** Where one take can be heard and seen, as master or as the game file of a target. */
 export interface Sound {
@@ -45,7 +45,7 @@ export function matchGainDb(take: ReviewTake, reference: ReviewTake | undefined)
   const own = take.loudness_lufs
   const wanted = reference?.loudness_lufs
   if (own === null || wanted === null || wanted === undefined) return 0
-  return Math.max(-MOST_GAIN_DB, Math.min(MOST_GAIN_DB, wanted - own))
+  return Math.max(-MAX_GAIN_DB, Math.min(MAX_GAIN_DB, wanted - own))
 }
 
 /** What the player is given for a take; null where there is nothing to hear. */

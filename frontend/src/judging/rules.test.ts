@@ -2,9 +2,9 @@ import { describe, expect, test } from 'vitest'
 
 import { aCue, aDraft, aFinding, anItem, aTake } from '@/test/review'
 
-import { isNoted, nextAfter, withoutDecided } from './afterVerdict'
+import { isNoted, nextAfter, withoutVerdict } from './afterVerdict'
 import { isWholeSet, pickedOfSet } from './choice'
-import { asked, asks, measuredPart, namesOf, sentence, spot, takeName, told, whatWaits } from './words'
+import { asked, asks, measuredPart, namesOf, sentence, spot, takeName, historyText, whatWaits } from './words'
 
 const noted = (id: string, variation = 1) => {
   const take = aTake(id, { variation })
@@ -17,12 +17,12 @@ const three = anItem({ id: 'three', name: 'three' }, [aTake('3')])
 describe('the queue after a verdict', () => {
   test('the picked alternate takes the others of its variation with it', () => {
     const item = anItem({}, [aTake('a'), aTake('b', { number: 2 })])
-    expect(withoutDecided([item, three], { cueId: 'cue-1', takeIds: ['a'], picked: true })).toEqual([three])
+    expect(withoutVerdict([item, three], { cueId: 'cue-1', takeIds: ['a'], picked: true })).toEqual([three])
   })
 
   test('other variations of a set stay', () => {
     const set = anItem({ variations: 2 }, [aTake('v1'), aTake('v2', { variation: 2 })])
-    const [left] = withoutDecided([set], { cueId: 'cue-1', takeIds: ['v1'], picked: true })
+    const [left] = withoutVerdict([set], { cueId: 'cue-1', takeIds: ['v1'], picked: true })
     expect(left?.takes.map(({ id }) => id)).toEqual(['v2'])
   })
 
@@ -92,18 +92,16 @@ describe('words', () => {
   })
 
   test('names of files and words of people stay as they were written', () => {
-    expect(told({ kind: 'received', text: 'laser_01.wav, delivery 2' })).toBe('laser_01.wav, delivery 2')
-    expect(told({ kind: 'comment', text: 'laser_01 is too loud' })).toBe('laser_01 is too loud')
-    expect(told({ kind: 'checked', text: 'returned: DC -3 %' })).toBe('Returned: DC −3 %')
+    expect(historyText({ kind: 'received', text: 'laser_01.wav, delivery 2' })).toBe('laser_01.wav, delivery 2')
+    expect(historyText({ kind: 'comment', text: 'laser_01 is too loud' })).toBe('laser_01 is too loud')
+    expect(historyText({ kind: 'checked', text: 'returned: DC -3 %' })).toBe('Returned: DC −3 %')
   })
 
   test('a cue asks for what can be done with it', () => {
     expect(asks(anItem({}, [aTake('a'), aTake('b'), aTake('c')]))).toBe('Pick one of three for shield_hit')
-    expect(asks(anItem({ variations: 6 }, [aTake('a')]))).toBe('Hear the set of six for shield_hit')
-    expect(asks(anItem({}, [aTake('a', { number: 2 })]))).toBe('Decide on version 2 of shield_hit')
-    expect(asked(aCue({ variations: 4, loop: true }))).toBe(
-      'Weapon, loop, set of 4, 0.80 s wanted, no reverb in the file',
-    )
+    expect(asks(anItem({ variations: 6 }, [aTake('a')]))).toBe('Listen to the set of six for shield_hit')
+    expect(asks(anItem({}, [aTake('a', { number: 2 })]))).toBe('Review version 2 of shield_hit')
+    expect(asked(aCue({ variations: 4, loop: true }))).toBe('Weapon, loop, set of 4, target 0.80 s, dry')
   })
 
   test('a take is called by its letter, its variation, or its version', () => {

@@ -1,3 +1,4 @@
+import { useQueryClient } from '@tanstack/react-query'
 import { useEffect, useMemo } from 'react'
 
 import type { Player, Source } from '@/audio'
@@ -5,7 +6,7 @@ import type { Player, Source } from '@/audio'
 import type { QueueItem, ReviewTake } from './api'
 import { MASTER, sourceOf } from './hearing'
 
-/** Keep the take in the hand in the player, from the start of every cue and silent until it is asked for. */
+/** Keep the selected take in the player, from the start of every cue and silent until it is asked for. */
 export function useHearing(
   player: Player,
   cueId: string | undefined,
@@ -28,15 +29,32 @@ export function useHearing(
   return source
 }
 
-const AHEAD = 3
-
-/** Have what is heard now, and what the next three cues need, fetched and decoded. */
-export function useReady(player: Player, takes: readonly ReviewTake[], next: readonly QueueItem[]): void {
-  const urls = [...takes, ...next.slice(0, AHEAD).flatMap((item) => item.takes)].flatMap(({ preview_url }) =>
+/**
+ * Have what is heard now, and what the next cue needs, fetched and decoded in this order.
+ *
+ * Nothing is fetched before the page shows what it is for: a preview is as large as everything else together.
+ */
+export function useReady(
+  player: Player,
+  takes: readonly ReviewTake[],
+  next: QueueItem | undefined,
+  isShown: boolean,
+): void {
+  const urls = [...takes, ...(next?.takes ?? [])].flatMap(({ preview_url }) =>
     preview_url === null ? [] : [preview_url],
   )
   const list = urls.join('\n')
   useEffect(() => {
     player.previews.keepReady(list === '' ? [] : list.split('\n'))
   }, [player, list])
+
+  const client = useQueryClient()
+  useEffect(() => {
+    if (!isShown) return undefined
+    const releaseOnceQuiet = () => {
+      if (client.isFetching() === 0) player.previews.release()
+    }
+    releaseOnceQuiet()
+    return client.getQueryCache().subscribe(releaseOnceQuiet)
+  }, [player, client, isShown])
 }

@@ -1,10 +1,10 @@
-import { type InfiniteData, useMutation, useQueryClient } from '@tanstack/react-query'
+import { type InfiniteData, type QueryClient, useMutation, useQueryClient } from '@tanstack/react-query'
 import { useState } from 'react'
 
 import { answered, api, ApiProblem, lineLost } from '@/api'
 import { dismissToast, showToast } from '@/app/toast'
 
-import { withoutDecided } from './afterVerdict'
+import { withoutVerdict } from './afterVerdict'
 import { keys, type QueueCount, type QueuePage, refresh, type ReviewCue, type ReviewTake } from './api'
 
 /** What was refused, and why: said where it happened. */
@@ -32,6 +32,9 @@ const giveVerdict = (take: ReviewTake, kind: 'approve' | 'request_change', said:
 const takeBack = (takeId: string) =>
   answered(api.DELETE('/v1/takes/{take_id}/verdict', { params: { path: { take_id: takeId } } }))
 
+/** Verdicts on their way: lists are read again after the last of them, so that none brings back what was just decided. */
+const underWay = new WeakMap<QueryClient, number>()
+
 const cuesOf = (pages: readonly QueuePage[] = []): number => pages.reduce((sum, { items }) => sum + items.length, 0)
 
 interface Decided {
@@ -52,11 +55,12 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void) {
 
   const decide = async (decided: Decided, send: () => Promise<unknown>, undoOn: readonly string[]) => {
     setRefusal(null)
+    underWay.set(client, (underWay.get(client) ?? 0) + 1)
     await client.cancelQueries({ queryKey: queueKey })
     const before = client.getQueryData<InfiniteData<QueuePage>>(queueKey)
     const countBefore = client.getQueryData<QueueCount>(countKey)
     const what = { cueId: decided.cue.id, takeIds: decided.takes.map(({ id }) => id), picked: true }
-    const pages = before?.pages.map((page) => ({ ...page, items: withoutDecided(page.items, what) }))
+    const pages = before?.pages.map((page) => ({ ...page, items: withoutVerdict(page.items, what) }))
     if (before && pages) client.setQueryData(queueKey, { ...before, pages })
     const left = cuesOf(before?.pages) - cuesOf(pages)
     if (countBefore?.is_all) client.setQueryData(countKey, { ...countBefore, cues: countBefore.cues - left })
@@ -76,12 +80,16 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void) {
       await sent
     } catch (error) {
       dismissToast()
-      client.setQueryData(queueKey, before)
-      client.setQueryData(countKey, countBefore)
+      if (underWay.get(client) === 1) {
+        client.setQueryData(queueKey, before)
+        client.setQueryData(countKey, countBefore)
+      }
       setRefusal({ what: decided.refused, problem: asProblem(error) })
       onBack?.(decided.cue.id)
     }
-    await refresh(client, projectId)
+    const others = (underWay.get(client) ?? 1) - 1
+    underWay.set(client, others)
+    if (others === 0) await refresh(client, projectId)
   }
 
   const approve = (cue: ReviewCue, takes: readonly ReviewTake[], name: string) => {
@@ -118,7 +126,7 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void) {
     mutationFn: async ({ takes, said }: { takes: readonly ReviewTake[]; said: ChangeSaid }) => {
       for (const take of takes) await giveVerdict(take, 'request_change', said)
     },
-    // Not waited for: what was done is said before the lists are read anew.
+    // Not awaited: the confirmation is shown before the lists are refetched.
     onSettled: () => void refresh(client, projectId),
   })
 

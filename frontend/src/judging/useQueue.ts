@@ -5,7 +5,7 @@ import { isNoted } from './afterVerdict'
 import { countQuery, queueQuery, type QueueCount, type QueueItem } from './api'
 
 const NONE: never[] = []
-/** Cues that are here beyond the one in the hand, before the next page is asked for. */
+/** Cues that are loaded beyond the selected one, before the next page is asked for. */
 const AHEAD = 10
 
 export interface Queue {
@@ -23,7 +23,7 @@ export interface Queue {
   readOn: () => Promise<readonly QueueItem[]>
 }
 
-/** The queue as far as it is needed: its first page, and those that come within some cues of the one in the hand. */
+/** The queue as far as it is needed: its first page, and those within some cues of the selected one. */
 export function useQueue(projectId: string, cueId?: string): Queue {
   const queue = useInfiniteQuery(queueQuery(projectId))
   const { data: count } = useQuery(countQuery(projectId))

@@ -9,8 +9,8 @@ export function sentence(text: string): string {
   return written.charAt(0).toUpperCase() + written.slice(1)
 }
 
-/** What is told of an entry of the history: the checker's words as a sentence; names and what people wrote stay as they are. */
-export const told = ({ kind, text }: { kind: string; text: string }): string =>
+/** The text of an entry of the history: the checker's words as a sentence; names and people's texts unchanged. */
+export const historyText = ({ kind, text }: { kind: string; text: string }): string =>
   kind === 'checked' ? sentence(text) : text
 
 /** What a finding measured: up to the comma that begins its limit. */
@@ -36,7 +36,7 @@ export function whatWaits(item: QueueItem): Waits {
     const set = here === whole ? `Set of ${whole}` : `${here} of a set of ${whole}`
     const odd = oddOne(item.takes)
     if (odd) {
-      const words = `${variationName(odd.take.variation)} is ${figure(Math.abs(odd.awayDb), 1)} dB ${odd.awayDb > 0 ? 'louder' : 'softer'}`
+      const words = `${variationName(odd.take.variation)} is ${figure(Math.abs(odd.awayDb), 1)} dB ${odd.awayDb > 0 ? 'louder' : 'quieter'}`
       return { before: `${set}: `, odd: words, after: ' than the others' }
     }
     if (item.worst_finding) return withFinding(`${set}: `, item.worst_finding)
@@ -85,15 +85,15 @@ export const capital = (text: string): string => text.charAt(0).toUpperCase() + 
 export function asks(item: QueueItem): string {
   const { name, variations } = item.cue
   if (item.kind === 'alternates') return `Pick one of ${spelled(item.takes.length)} for ${name}`
-  if (item.kind === 'set') return `Hear the set of ${spelled(variations)} for ${name}`
+  if (item.kind === 'set') return `Listen to the set of ${spelled(variations)} for ${name}`
   const number = Math.max(1, ...item.takes.map((take) => take.number))
-  return number > 1 ? `Decide on version ${number} of ${name}` : `Decide on ${name}`
+  return number > 1 ? `Review version ${number} of ${name}` : `Review ${name}`
 }
 
 const REVERB_WORDS: Record<string, string> = {
-  dry: 'no reverb in the file',
-  'designed-tail': 'its tail is designed',
-  'separate-tail': 'its tail is a file of its own',
+  dry: 'dry',
+  'designed-tail': 'designed tail',
+  'separate-tail': 'separate tail file',
 }
 
 /** The facts that were asked for: "Weapon, one-shot, 0.80 s wanted, no reverb in the file". */
@@ -102,13 +102,13 @@ export function asked(cue: ReviewCue): string {
     cue.category,
     cue.loop ? 'loop' : 'one-shot',
     cue.variations > 1 ? `set of ${cue.variations}` : '',
-    cue.duration_s === null ? '' : `${length(cue.duration_s)} wanted`,
+    cue.duration_s === null ? '' : `target ${length(cue.duration_s)}`,
     cue.reverb === null ? '' : (REVERB_WORDS[cue.reverb] ?? ''),
   ]
   return capital(facts.filter(Boolean).join(', '))
 }
 
-/** How a take is called beside its cue: "A", "_03", "_03 B", "version 2". */
+/** The label of a take next to its cue: "A", "_03", "_03 B", "version 2". */
 export function takeName(take: ReviewTake, cue: ReviewCue, waiting: readonly ReviewTake[]): string {
   const ofVariation = waiting.filter(({ variation }) => variation === take.variation)
   const letter = ofVariation.length > 1 ? letterOf(take, waiting) : ''
@@ -137,20 +137,25 @@ export const heardTakes = (item: QueueItem): ReviewTake[] => inOrder(item.takes)
 const HAPPENED: Record<string, string> = {
   received: 'Delivered',
   checked: 'Checked',
-  waived: 'Let through',
+  waived: 'Waived',
   approve: 'Approved',
   set_aside: 'Set aside',
   request_change: 'Change requested',
-  withdraw: 'Verdict taken back',
+  withdraw: 'Decision undone',
   comment: 'Comment',
 }
 
 /** What happened to a take, in a word or two. */
-export const happened = ({ kind, by_silence: bySilence }: { kind: string; by_silence?: boolean }): string =>
-  bySilence && kind === 'approve' ? 'Accepted by silence' : (HAPPENED[kind] ?? kind)
+export const happened = ({
+  kind,
+  by_deemed_acceptance: bySilence,
+}: {
+  kind: string
+  by_deemed_acceptance?: boolean
+}): string => (bySilence && kind === 'approve' ? 'Auto-accepted (no response)' : (HAPPENED[kind] ?? kind))
 
 /** Until when a cue waits under its contract's clause on silence. */
-export const unlessJudged = (after: string): string => `accepted after ${day(after)} without a verdict`
+export const unlessJudged = (after: string): string => `auto-accepted after ${day(after)} if nobody responds`
 
 const SOON_MS = 4 * 86_400_000
 

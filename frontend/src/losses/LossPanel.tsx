@@ -13,7 +13,7 @@ export function LossPanel({ renderId, target }: { renderId: string; target: stri
   if (error) {
     return (
       <p className="small mid">
-        {error instanceof ApiProblem ? `${capital(error.detail)}.` : 'The figures did not come.'}
+        {error instanceof ApiProblem ? `${capital(error.detail)}.` : 'The figures could not be loaded.'}
       </p>
     )
   }
@@ -21,9 +21,9 @@ export function LossPanel({ renderId, target }: { renderId: string; target: stri
   return (
     <div className={classes.panel}>
       <LossPlot spectra={loss.spectra} />
-      <LossTable label={`What the file for ${target} lost`} head="Figure" lines={linesOf(loss)} />
+      <LossTable label={`Quality loss of the ${target} file`} head="Figure" lines={linesOf(loss)} />
       <details className="small">
-        <summary className={classes.summary}>The spectra in figures</summary>
+        <summary className={classes.summary}>Spectra as a table</summary>
         <LossTable label={`Spectra of master and file for ${target}`} head="Octave" lines={octavesOf(loss.spectra)} />
       </details>
     </div>

@@ -23,15 +23,15 @@ test('figures stand beside each other, and only what happened is told', () => {
   expect(lines).toContainEqual({ what: 'Sample peak', master: '−3.0 dBFS', file: '−4.0 dBFS' })
   expect(lines).toContainEqual({ what: 'Loudness, short sound', master: '−14.0 LUFS', file: '−15.2 LUFS' })
   expect(lines).toContainEqual({ what: 'Energy above the new highest frequency', file: '−21.3 dB' })
-  expect(lines).toContainEqual({ what: 'Cut at start and end', file: '0.000 and 0.250 s' })
-  expect(lines.map(({ what }) => what)).not.toContain('Lost in mono')
-  expect(lines.map(({ what }) => what)).not.toContain('Loop fitted by')
+  expect(lines).toContainEqual({ what: 'Trimmed at start and end', file: '0.000 and 0.250 s' })
+  expect(lines.map(({ what }) => what)).not.toContain('Mono fold-down loss')
+  expect(lines.map(({ what }) => what)).not.toContain('Loop adjusted by')
 })
 
 test('nothing is said as nothing, never as a number', () => {
   const exact = linesOf({ ...LOSS, above_nyquist_db: null, requantisation_dbfs: null })
   expect(exact.find(({ what }) => what.startsWith('Energy'))?.file).toBe('none')
-  expect(exact.find(({ what }) => what.startsWith('Noise'))?.file).toBe('none')
+  expect(exact.find(({ what }) => what.startsWith('Rounding'))?.file).toBe('none')
 })
 
 test('an octave is as loud as its loudest band; what the file lost there is nothing', () => {

@@ -8,7 +8,7 @@ export interface LossLine {
   file: string
 }
 
-/** null in a figure of dB stands for nothing at all. */
+/** null in a figure of dB means silence. */
 const decibels = (value: number | null, decimals = 1): string =>
   value === null ? 'none' : `${figure(value, decimals)} dB`
 
@@ -23,23 +23,23 @@ export function linesOf({ before, after, ...loss }: Loss): LossLine[] {
     { what: 'True peak', master: level(before.true_peak_dbtp, 'dBTP'), file: level(after.true_peak_dbtp, 'dBTP') },
     loudnessLine(before, after),
     { what: 'Energy above the new highest frequency', file: decibels(loss.above_nyquist_db) },
-    { what: 'Lowered to keep its peak limit', file: decibels(loss.attenuation_db, 2) },
+    { what: 'Lowered to stay under the peak limit', file: decibels(loss.attenuation_db, 2) },
     {
-      what: 'Noise of rounding and dither',
+      what: 'Rounding and dither noise',
       file: loss.requantisation_dbfs === null ? 'none' : `${figure(loss.requantisation_dbfs, 1)} dBFS`,
     },
   ]
-  if (loss.shelf_db > 0) lines.push({ what: 'Top octave lifted', file: decibels(loss.shelf_db) })
-  if (loss.mono_loss_db !== null) lines.push({ what: 'Lost in mono', file: decibels(loss.mono_loss_db) })
+  if (loss.shelf_db > 0) lines.push({ what: 'Top octave boosted', file: decibels(loss.shelf_db) })
+  if (loss.mono_loss_db !== null) lines.push({ what: 'Mono fold-down loss', file: decibels(loss.mono_loss_db) })
   const [head = 0, tail = 0] = loss.trimmed_s
   if (head > 0 || tail > 0)
-    lines.push({ what: 'Cut at start and end', file: `${figure(head, 3)} and ${figure(tail, 3)} s` })
+    lines.push({ what: 'Trimmed at start and end', file: `${figure(head, 3)} and ${figure(tail, 3)} s` })
   if (loss.loop_fit_frames !== 0) {
-    lines.push({ what: 'Loop fitted by', file: `${figure(loss.loop_fit_frames, 2)} frames` })
+    lines.push({ what: 'Loop adjusted by', file: `${figure(loss.loop_fit_frames, 2)} frames` })
   }
   if (loss.seam_before && loss.seam_after) {
     lines.push({
-      what: 'Step at the seam of the loop',
+      what: 'Step at the loop point',
       master: decibels(loss.seam_before.step_db),
       file: decibels(loss.seam_after.step_db),
     })
@@ -47,14 +47,14 @@ export function linesOf({ before, after, ...loss }: Loss): LossLine[] {
   return lines
 }
 
-/** Short sounds have no integrated loudness; both are then told by the loudest moment. */
+/** Short sounds have no integrated loudness; both are then described by the loudest moment. */
 function loudnessLine(before: Loss['before'], after: Loss['after']): LossLine {
   const whole = before.integrated_lufs !== null && after.integrated_lufs !== null
   const of = (levels: Loss['before']) => level(whole ? levels.integrated_lufs : levels.short_loudness_lufs, 'LUFS')
   return { what: whole ? 'Loudness' : 'Loudness, short sound', master: of(before), file: of(after) }
 }
 
-/** The spectra in octaves, which is as much as anybody listens to in a table: the loudest band of each. */
+/** The spectra in octaves, which is enough detail for a table: the loudest band of each. */
 export function octavesOf({ hz, master_dbfs, render_dbfs }: Loss['spectra']): LossLine[] {
   const octaves = new Map<number, { master: number | null; file: number | null }>()
   hz.forEach((band, at) => {

@@ -18,7 +18,7 @@ interface MilestonesCardProps {
 }
 
 /** How far each milestone is, counted in accepted cues. */
-export function MilestonesCard({ contracts, projectId, side, end = 'accepted cues count', of }: MilestonesCardProps) {
+export function MilestonesCard({ contracts, projectId, side, end = 'by accepted cues', of }: MilestonesCardProps) {
   const id = useId()
   const rows = contracts.flatMap((contract) =>
     contract.milestones
@@ -47,7 +47,7 @@ export function MilestonesCard({ contracts, projectId, side, end = 'accepted cue
             </span>
             <span className={`small ${classes.when}`}>
               <span className="dim">{when(milestone)}</span>
-              <span className="mid">{slip && slip.days > 0 ? slipInWords(slip, side) : standing(milestone, slip)}</span>
+              <span className="mid">{slip && slip.days > 0 ? slipInWords(slip, side) : progress(milestone, slip)}</span>
             </span>
             <span className={`small ${classes.end}`}>{money(milestone.left_minor, currency)}</span>
           </li>
@@ -62,10 +62,10 @@ function when({ due_on: due, done_at: done }: MilestoneMoney): string {
   return done === null ? dueDay(due) : shortDay(due)
 }
 
-function standing(
+function progress(
   { done_at: done, owed_minor: owed, paid_minor: paid }: MilestoneMoney,
   slip: Slip | undefined,
 ): string {
   if (done === null) return ''
-  return `accepted ${slip ? 'in time ' : ''}${owed > 0 && paid >= owed ? 'and paid' : ''}`.trim()
+  return `accepted ${slip ? 'on time ' : ''}${owed > 0 && paid >= owed ? 'and paid' : ''}`.trim()
 }

@@ -11,7 +11,7 @@ interface MoneyLineProps {
   currency: string
   /** Who reads: the team pays, the designer is paid. */
   side: 'team' | 'designer'
-  /** What the cue in the hand would make due. */
+  /** What the selected cue would make due. */
   wouldOweMinor?: number
   /** Where the lines behind the figures stand; left out on that page itself. */
   projectId?: string
@@ -23,7 +23,7 @@ export function MoneyLine({ figures, currency, side, wouldOweMinor = 0, projectI
   const parts = [
     { name: 'Paid', minor: paid_minor, look: classes.paid },
     { name: 'Due', minor: due_minor, look: classes.due },
-    { name: 'Open', minor: open_minor, look: classes.open },
+    { name: 'Remaining', minor: open_minor, look: classes.open },
     { name: 'Saved by cuts', minor: saved_minor, look: classes.saved },
   ]
   return (
@@ -51,7 +51,7 @@ export function MoneyLine({ figures, currency, side, wouldOweMinor = 0, projectI
                   <span className={`${classes.mark} ${look}`} aria-hidden="true" />
                   <span className="mid">{name}</span> {amount(minor, currency)}
                   {name === 'Due' && wouldOweMinor > 0 && (
-                    <span className="mid">({amount(due_minor + wouldOweMinor, currency)} once you pick)</span>
+                    <span className="mid">({amount(due_minor + wouldOweMinor, currency)} after the next approval)</span>
                   )}
                 </li>
               ),

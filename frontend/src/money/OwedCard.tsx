@@ -30,7 +30,7 @@ interface Sum {
   minor: number
 }
 
-/** For what a contract owes now: accepted cues together, each cut cue by itself. */
+/** The amounts that a contract owes now: accepted cues together, each cut cue by itself. */
 export function sumsOf({ milestones, kill_fee_in_work_bp: inWorkBp }: ContractMoney): Sum[] {
   const cues = milestones.flatMap((milestone) => milestone.cues)
   const unpaid = cues.filter(({ owed_minor, paid_minor }) => owed_minor !== paid_minor)
@@ -43,7 +43,7 @@ export function sumsOf({ milestones, kill_fee_in_work_bp: inWorkBp }: ContractMo
     sums.push({ text, minor: accepted.reduce((sum, one) => sum + one.owed_minor - one.paid_minor, 0) })
   }
   for (const one of unpaid.filter(({ cut_in }) => cut_in !== null)) {
-    const how = one.cut_in === 'in_work' ? `cut in work, ${percent(inWorkBp)}` : 'cut'
+    const how = one.cut_in === 'in_work' ? `cut in progress, ${percent(inWorkBp)}` : 'cut'
     sums.push({ text: `${one.cue.name}, ${how}`, minor: one.owed_minor - one.paid_minor })
   }
   return sums
@@ -54,7 +54,7 @@ function Owed({ contract, projectId }: { contract: ContractMoney; projectId: str
   const id = `owed-${contract.contract_id}`
   return (
     <Card aria-labelledby={id}>
-      <CardHead id={id} title="You are owed" end={release === 'per_cue' ? 'pays per cue' : 'pays per milestone'} />
+      <CardHead id={id} title="You are owed" end={release === 'per_cue' ? 'paid per cue' : 'paid per milestone'} />
       <div className={classes.owed}>
         <p className={classes.figure}>{money(figures.due_minor, currency)}</p>
         {sumsOf(contract).map(({ text, minor }) => (
@@ -64,7 +64,7 @@ function Owed({ contract, projectId }: { contract: ContractMoney; projectId: str
         ))}
         {rounds.map((round) => (
           <p key={round.id} className="small mid">
-            {round.cue.name}, round {round.number} of {round.included}: wait until the studio agrees to{' '}
+            {round.cue.name}, round {round.number} of {round.included}: waiting until the studio agrees to{' '}
             {money(round.amount_minor, currency)}.
           </p>
         ))}

@@ -28,7 +28,7 @@ export type WorkedDay = Schemas['WorkedDayRead']
 export type WorkedDayAdd = Schemas['WorkedDayAdd']
 export type WorkLogAdd = Schemas['WorkLogAdd']
 
-/** Whatever is done to money, every screen that sums it up is asked anew. */
+/** After any change to money, every screen that sums it up is refetched. */
 const MONEY = 'money'
 
 export const moneyQuery = (projectId: string) =>

@@ -29,5 +29,5 @@ test('late days say with whom they went', () => {
   const slip = { days: 4, designer_days: 1, studio_days: 3 }
   expect(slipInWords(slip, 'team')).toBe('4 days late: 1 with the designer, 3 with you')
   expect(slipInWords(slip, 'designer')).toBe('4 days late: 3 with the studio, 1 with you')
-  expect(slipInWords({ days: 0, designer_days: 0, studio_days: 0 }, 'team')).toBe('in time')
+  expect(slipInWords({ days: 0, designer_days: 0, studio_days: 0 }, 'team')).toBe('on time')
 })

@@ -17,10 +17,10 @@ function written(amountMinor: number, currency: string, style: 'currency' | 'dec
 /** "$697.50". */
 export const money = (amountMinor: number, currency: string): string => written(amountMinor, currency, 'currency')
 
-/** "697.50", where the currency is said beside it. */
+/** "697.50", where the currency is shown next to it. */
 export const amount = (amountMinor: number, currency: string): string => written(amountMinor, currency, 'decimal')
 
-/** What somebody typed as an amount, in whole minor units; null where it is none. */
+/** A typed amount in whole minor units; null if it is none. */
 export function minorOf(typed: string, currency: string): number | null {
   const { digits } = formatOf(currency, 'decimal')
   const found = /^([−-]?)(\d{1,10})(?:\.(\d+))?$/.exec(typed.replaceAll(/[,\s]/g, ''))
@@ -51,7 +51,7 @@ export function slipInWords(
   { days, designer_days: designer, studio_days: studio }: { days: number; designer_days: number; studio_days: number },
   side: 'team' | 'designer',
 ): string {
-  if (days === 0) return 'in time'
+  if (days === 0) return 'on time'
   const late = `${days} ${days === 1 ? 'day' : 'days'} late`
   const [you, they] = side === 'team' ? [studio, designer] : [designer, studio]
   const whose = side === 'team' ? 'the designer' : 'the studio'

@@ -75,7 +75,7 @@ export function PartsPage() {
           keys={[
             { keys: ['j', 'k'], label: 'next, previous' },
             { keys: ['Space'], label: 'play' },
-            { keys: ['?'], label: 'all keys' },
+            { keys: ['?'], label: 'shortcuts' },
           ]}
         />
       </div>
@@ -91,11 +91,7 @@ export function PartsPage() {
           <Palette />
           <Reasons />
           <Panel title="Empty">
-            <EmptyState
-              head="Nothing waits for you."
-              level={3}
-              action={<Button keys="p">Hear the accepted palette</Button>}
-            >
+            <EmptyState head="Nothing to do." level={3} action={<Button keys="p">Hear the accepted palette</Button>}>
               The next sounds are due on Friday: 3 cues of Alpha.
             </EmptyState>
           </Panel>
@@ -123,7 +119,7 @@ function States() {
     <Panel title="States: icon, word, colour; resting states keep a quiet word">
       <div className={classes.chips}>
         {(Object.keys(STATES) as StateKind[]).map((kind) => (
-          <State key={kind} kind={kind} reason={kind === 'waived' ? 'Flat tops are style in this gun.' : undefined} />
+          <State key={kind} kind={kind} reason={kind === 'waived' ? 'Clipping is intended in this gun.' : undefined} />
         ))}
         <State kind="accepted">5 of 8 accepted</State>
         <State kind="to_review" pill />
@@ -198,11 +194,11 @@ function Findings() {
         actions={
           <>
             <Button icon="play">The spot</Button>
-            <Button icon="spanner">Mend: −1.7 dB</Button>
+            <Button icon="spanner">Fix: −1.7 dB</Button>
           </>
         }
       >
-        The limit is −0.1. Lower the file by 0.1 dB or more, or use the mend.
+        The limit is −0.1. Lower the file by 0.1 dB or more, or use the auto-fix.
       </Finding>
       <Finding severity="warning" head="Is there reverb in it?" where="0.6 s tail">
         The engine adds reverb to impacts. This one seems to bring its own: score 0.81. The approver decides.

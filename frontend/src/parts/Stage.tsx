@@ -17,7 +17,7 @@ const TAKES = [
 
 const DOOR = peaksOf(SAMPLES.door, 1200)
 
-/** Alternates, wave, strips and transport together, as the review room has them; and a mend's before. */
+/** Alternates, wave, strips and transport together, as the review room has them; and a fix's before. */
 export function Stage() {
   const [player, state] = usePlayer()
   const [sources] = useState<Source[]>(() =>
@@ -129,7 +129,7 @@ export function Stage() {
       </div>
       <Waveform
         plain
-        label="airlock_cycle before the mend"
+        label="airlock_cycle, original"
         peaks={DOOR}
         durationS={2.41}
         heightPx={84}

@@ -142,5 +142,5 @@ export const CUE_COLUMNS: Column<Cue>[] = [
   },
   { id: 'newest', head: 'Newest version', width: '124px', cell: ({ peaks }) => <WaveThumb peaks={peaks} /> },
   { id: 'state', head: 'State', width: '150px', narrow: 'state', cell: ({ state }) => <State kind={state} /> },
-  { id: 'stands', head: 'What stands', narrow: 'stands', cell: ({ stands }) => stands },
+  { id: 'stands', head: 'Latest', narrow: 'stands', cell: ({ stands }) => stands },
 ]

@@ -4,7 +4,7 @@ import { rootRoute } from '@/app/roots'
 import { guestSession } from '@/app/session'
 import { Shell } from '@/app/shell/Shell'
 
-/** The page of all parts in the shell, with nobody signed in. */
+/** The page of all parts in the shell, without a sign-in. */
 export function partsRoute() {
   const frame = createRoute({
     getParentRoute: () => rootRoute,

@@ -1,4 +1,4 @@
-/** What the game's CI told of one build. */
+/** The report of the game's CI on one build. */
 export const build = (label: string, rejected: number, warnings: number, files = 12) => ({
   id: `b${label}`,
   label,

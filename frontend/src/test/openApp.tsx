@@ -9,7 +9,6 @@ import { draw } from './draw'
 /** Open the product at an address, as a browser would, with nothing remembered. */
 export function openApp(path: string) {
   queryClient.clear()
-  localStorage.clear()
   const app = createRouter({
     ...router.options,
     history: createMemoryHistory({ initialEntries: [path] }),

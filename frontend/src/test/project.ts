@@ -2,7 +2,7 @@ import type { Answers } from './server'
 
 const WHO = {
   producer: { id: 'x1', name: 'Producer' },
-  decider: { id: 'x2', name: 'Audio director' },
+  approver: { id: 'x2', name: 'Audio director' },
   designer: { id: 'x3', name: 'Sound designer' },
   composer: { id: 'x4', name: 'Composer' },
 }
@@ -106,7 +106,7 @@ const PARTS = {
     is_team: true,
     is_producer: true,
     is_liaison: false,
-    is_decider: false,
+    is_approver: false,
     engagement_kind: null,
     nda_open: false,
   },
@@ -114,7 +114,7 @@ const PARTS = {
     is_team: true,
     is_producer: false,
     is_liaison: false,
-    is_decider: false,
+    is_approver: false,
     engagement_kind: null,
     nda_open: false,
   },
@@ -122,7 +122,7 @@ const PARTS = {
     is_team: false,
     is_producer: false,
     is_liaison: false,
-    is_decider: false,
+    is_approver: false,
     engagement_kind: 'contract',
     nda_open: false,
   },
@@ -136,8 +136,8 @@ export const aProject = (part: Part = 'producer', more: Record<string, unknown> 
   created_at: '2026-11-01T10:00:00Z',
   archived_at: null,
   studio: { id: 's1', name: 'Shield Wing studio' },
-  decider: WHO.decider,
-  liaisons: [WHO.decider],
+  approver: WHO.approver,
+  liaisons: [WHO.approver],
   engagements: [
     { id: 'e1', designer: WHO.designer, kind: 'contract', created_at: '2026-11-02T10:00:00Z', ended_at: null },
   ],
@@ -176,7 +176,7 @@ export const aCue = (name: string, category: string) => ({
 
 export const members = [
   { person: WHO.producer, email: 'producer@studio.example', roles: ['producer'], since: '2026-11-01T10:00:00Z' },
-  { person: WHO.decider, email: 'director@studio.example', roles: ['liaison'], since: '2026-11-01T10:00:00Z' },
+  { person: WHO.approver, email: 'director@studio.example', roles: ['liaison'], since: '2026-11-01T10:00:00Z' },
   { person: WHO.composer, email: 'composer@studio.example', roles: ['reviewer'], since: '2026-11-01T10:00:00Z' },
 ]
 
@@ -197,7 +197,7 @@ const me = (part: Part) => ({
   ],
 })
 
-/** Everything that the pages of a project ask for, for somebody who is this in it. */
+/** Everything that the pages of a project request, for a person with this role. */
 export const inProject = (part: Part = 'producer', more: Answers = {}): Answers => ({
   'GET /v1/session': { signed_in: true, demo: false, person: me(part).person },
   'GET /v1/me': me(part),
@@ -205,6 +205,7 @@ export const inProject = (part: Part = 'producer', more: Answers = {}): Answers 
   'GET /v1/projects/p1': aProject(part),
   'GET /v1/projects/p1/overview': anOverview(),
   'GET /v1/projects/p1/spec': aSpec(),
+  'GET /v1/studios/s1/invitations': [],
   'GET /v1/projects/p1/sound-list': { revision: 1, cues: [aCue('shield_hit', 'impact'), aCue('theme', 'music')] },
   'GET /v1/projects/p1/placeholders/countdown': {
     target: 'game',
@@ -229,8 +230,8 @@ export const inProject = (part: Part = 'producer', more: Answers = {}): Answers 
   'GET /v1/projects/p1/tokens': [],
   'GET /v1/projects/p1/builds': { items: [], next: null },
   'GET /v1/projects/p1/invitations': [],
-  'GET /v1/projects/p1/decider-history': [
-    { person: WHO.decider, reason: 'Knows the game', changer: WHO.producer, created_at: '2026-11-01T10:00:00Z' },
+  'GET /v1/projects/p1/approver-history': [
+    { person: WHO.approver, reason: 'Knows the game', changer: WHO.producer, created_at: '2026-11-01T10:00:00Z' },
   ],
   'GET /v1/studios/s1/people': members,
   'GET /v1/studios/s1/outbox': { can_send: false, mails: [] },

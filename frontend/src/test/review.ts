@@ -5,7 +5,7 @@ import { type Asked, serve } from './server'
 export const PROJECT = 'project-1'
 const AT = '2026-11-20T10:00:00Z'
 const DESIGNER = { id: 'designer', name: 'Sound designer' }
-export const DECIDER = { id: 'decider', name: 'Audio director' }
+export const APPROVER = { id: 'approver', name: 'Audio director' }
 const THUMB = { points: 2, min: [-90, -20], max: [90, 20], rms: [40, 8] }
 
 export function aFinding(finding: Partial<ReviewFinding> = {}): ReviewFinding {
@@ -55,7 +55,7 @@ export function aTake(id: string, take: Partial<ReviewTake> = {}): ReviewTake {
     findings: [],
     waived: false,
     waiver_reason: null,
-    mend_of_id: null,
+    fix_of_id: null,
     renders: [],
     draft_change: null,
     open_comments: 0,
@@ -108,8 +108,8 @@ export function aReview(item: QueueItem, review: Partial<CueReview> = {}): CueRe
     accepted: false,
     approved_variations: item.approved_variations,
     accepted_after: item.accepted_after,
-    decider: DECIDER,
-    may_decide: true,
+    approver: APPROVER,
+    may_approve: true,
     takes: item.takes.toReversed(),
     comments: [],
     verdicts: [],
@@ -132,17 +132,17 @@ export function aDraft(take: ReviewTake, cue: ReviewCue, text: string): ChangeRe
     start_s: null,
     end_s: null,
     reverses: false,
-    written_by: DECIDER,
+    written_by: APPROVER,
     created_at: AT,
-    sending_id: null,
+    feedback_id: null,
     sent_at: null,
   }
 }
 
 export function aMe(project: Partial<Me['projects'][number]> = {}): Me {
   return {
-    person: DECIDER,
-    email: 'decider@studio.example',
+    person: APPROVER,
+    email: 'approver@studio.example',
     email_verified_at: null,
     is_operator: false,
     studios: [{ id: 'studio-1', name: 'Studio', roles: ['liaison'] }],
@@ -156,7 +156,7 @@ export function aMe(project: Partial<Me['projects'][number]> = {}): Me {
         part: 'team',
         is_producer: false,
         is_liaison: true,
-        is_decider: true,
+        is_approver: true,
         engagement_kind: null,
         nda_open: false,
         ...project,
@@ -177,9 +177,9 @@ export const somePeaks = {
   rms: [0.2, 0],
 }
 
-/** A server that is told one answer after another, and says what it was asked of one path. */
+/** A server with queued answers, which records the requests to one path. */
 export function aServer() {
-  const { asked, answers } = serve({ 'GET /v1/session': { signed_in: true, demo: false, person: DECIDER } })
+  const { asked, answers } = serve({ 'GET /v1/session': { signed_in: true, demo: false, person: APPROVER } })
   const server = {
     asked,
     on: (what: string, answer: unknown) => {

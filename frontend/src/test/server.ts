@@ -22,7 +22,7 @@ const isReply = (value: unknown): value is Reply => typeof value === 'object' &&
 
 /**
  * Stand at the edge of the network: `'GET /v1/me': {…}`, a function of what was asked, a refusal, or `answer(…, 201)`.
- * What nobody described is a 404, and everything that was asked is kept.
+ * Undescribed requests are a 404, and all requests are recorded.
  */
 export function serve(answers: Answers): { asked: Asked[]; answers: Answers } {
   const asked: Asked[] = []

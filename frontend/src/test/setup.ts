@@ -3,6 +3,7 @@ import '@testing-library/jest-dom/vitest'
 import { cleanup, configure } from '@testing-library/react'
 import { afterEach, beforeEach, vi } from 'vitest'
 
+import { forgetDrafts } from '@/app/drafts'
 import { dismissToast } from '@/app/toast'
 
 // How long an answer takes says how busy the machine is; one that never comes still fails, with what stands there.
@@ -12,6 +13,8 @@ configure({ asyncUtilTimeout: 10_000 })
 beforeEach(() => {
   document.cookie = 'soundlist_csrf=token-of-the-page'
   sessionStorage.clear()
+  localStorage.clear()
+  forgetDrafts()
   dismissToast()
 })
 afterEach(() => {

@@ -4,7 +4,7 @@ import { type Answers, type Asked, serve } from './server'
 
 type Schemas = components['schemas']
 type Cue = Schemas['CueRead']
-type Standing = Schemas['Standing']
+type CueProgress = Schemas['CueProgress']
 
 const AT = '2026-11-20T10:00:00Z'
 
@@ -40,7 +40,7 @@ export function aCue(number: number, name: string, cue: Partial<Cue> = {}): Cue 
   }
 }
 
-export function aStanding(cue: Cue, standing: Partial<Standing> = {}): Standing {
+export function aProgress(cue: Cue, progress: Partial<CueProgress> = {}): CueProgress {
   return {
     cue_id: cue.id,
     status: cue.state === 'cut' ? 'cut' : 'to_make',
@@ -56,11 +56,11 @@ export function aStanding(cue: Cue, standing: Partial<Standing> = {}): Standing 
     open_question: null,
     waived: false,
     not_to_spec: false,
-    ...standing,
+    ...progress,
   }
 }
 
-export function aNewestTake(id: string): NonNullable<Standing['newest_take']> {
+export function aNewestTake(id: string): NonNullable<CueProgress['newest_take']> {
   return {
     id,
     number: 1,
@@ -86,7 +86,7 @@ export class ListServer {
 
   constructor(
     cues: Cue[],
-    standings: Partial<Record<string, Partial<Standing>>> = {},
+    progressList: Partial<Record<string, Partial<CueProgress>>> = {},
     part: 'team' | 'designer' = 'team',
   ) {
     // Drafts are kept by cue: ids are of one test alone.
@@ -108,15 +108,15 @@ export class ListServer {
             part,
             is_producer: part === 'team',
             is_liaison: false,
-            is_decider: false,
+            is_approver: false,
             engagement_kind: part === 'team' ? null : 'contract',
           },
         ],
       },
       'GET /v1/review-queue/count': { cues: 0, is_all: true },
       [`GET ${this.at}/sound-list`]: () => ({ revision: this.revision, cues: this.cues, next: null }),
-      [`GET ${this.at}/sound-list/standing`]: () => ({
-        cues: this.cues.map((cue) => aStanding(cue, standings[cue.name])),
+      [`GET ${this.at}/sound-list/progress`]: () => ({
+        cues: this.cues.map((cue) => aProgress(cue, progressList[cue.name])),
         next: null,
       }),
       [`GET ${this.at}/sound-list/counts`]: { counts: {}, files_to_review: 3 },

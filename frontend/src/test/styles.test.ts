@@ -1,4 +1,4 @@
-import { readdirSync, readFileSync } from 'node:fs'
+import { existsSync, readdirSync, readFileSync } from 'node:fs'
 import { dirname, join, normalize } from 'node:path'
 
 import { expect, test } from 'vitest'
@@ -43,4 +43,29 @@ test('every class of a sheet is asked for', () => {
     [...classesOf(sheet)].filter((name) => !used.has(name)).map((name) => `${sheet}: nobody asks for ${name}`),
   )
   expect(idle).toEqual([])
+})
+
+const MANTINE = 'node_modules/@mantine/core'
+
+/** The modules of Mantine that one of them needs, itself included. */
+function neededBy(module: string, found = new Set<string>()): Set<string> {
+  if (found.has(module) || !existsSync(module)) return found
+  found.add(module)
+  for (const [, path = ''] of readFileSync(module, 'utf8').matchAll(/from\s*"(\.[^"]+)"/g)) {
+    neededBy(join(dirname(module), path), found)
+  }
+  return found
+}
+
+test('the sheet of every Mantine component in use is loaded', () => {
+  const used = SOURCES.flatMap((path) =>
+    [...readFileSync(path, 'utf8').matchAll(/import \{([^}]*)\} from '@mantine\/core'/g)].flatMap(([, names = '']) =>
+      [...names.matchAll(/\b[A-Z]\w+/g)].map(([name]) => name),
+    ),
+  )
+  const modules = used.flatMap((name) => [...neededBy(`${MANTINE}/esm/components/${name}/${name}.mjs`)])
+  const sheets = new Set(modules.flatMap((path) => /(\w+)\.module\.mjs$/.exec(path)?.[1] ?? []))
+  const loaded = readFileSync('src/app/mantineStyles.ts', 'utf8')
+  expect([...sheets]).toContain('Input')
+  expect([...sheets].filter((name) => !loaded.includes(`/${name}.layer.css`))).toEqual([])
 })

@@ -1,4 +1,4 @@
-import type { Mend } from '@/mending'
+import type { Fix } from '@/fixing'
 
 import { aFinding, aMe, aPreview, aServer, PROJECT, somePeaks } from './review'
 
@@ -17,7 +17,7 @@ export const LOUD = aFinding({
   unit: 'dBFS',
   start_s: 0.418,
   end_s: 0.418,
-  mend: 'lowers the level by 0.10 dB',
+  auto_fix: 'lowers the level by 0.10 dB',
 })
 export const LATE = aFinding({
   check: 'head-silence',
@@ -26,7 +26,7 @@ export const LATE = aFinding({
   fix: 'trim 407.0 ms or more from the start',
   start_s: 0,
   end_s: 0.412,
-  mend: 'trims 407.0 ms from the start',
+  auto_fix: 'trims 407.0 ms from the start',
 })
 
 /** A version as it is delivered, for a cue. */
@@ -43,11 +43,13 @@ export const aVersion = (take: object = {}) => ({
   late: false,
   file_name: 'airlock_cycle.wav',
   note: '',
-  mend_of_id: null,
+  fix_of_id: null,
   master_sha256: 'a',
   master_bytes: 347_000,
   received_at: AT,
   state_since: AT,
+  discarded_at: null,
+  sure: null,
   guesses: [],
   already_here: false,
   ...take,
@@ -71,7 +73,7 @@ export const aCheck = (check: object = {}) => ({
   ...check,
 })
 
-export const aMend = (mend: Partial<Mend> = {}): Mend => ({
+export const aFix = (fix: Partial<Fix> = {}): Fix => ({
   take_id: 't1',
   state: 'made',
   says: '407.0 ms trimmed from the start, level lowered by 1.62 dB.',
@@ -103,8 +105,8 @@ export const aMend = (mend: Partial<Mend> = {}): Mend => ({
   new_take_id: null,
   used_by: null,
   used_at: null,
-  mended_from: null,
-  ...mend,
+  fixed_from: null,
+  ...fix,
 })
 
 const sound = (id: string, durationS: number) => ({
@@ -123,20 +125,20 @@ export const someSounds = (more: object = {}) => ({
     facts: { sample_rate_hz: 48_000, bit_depth: 24 },
     file_bytes: 347_000,
   },
-  mend: sound('m1', 0.4),
+  fix: sound('m1', 0.4),
   renders: [],
   ...more,
 })
 const BANDS = { hz: [100, 1_000, 10_000], dbfs: [-30.1, -12.4, null] }
 
-/** A server with one version that came back, seen by its designer; every answer can be given anew. */
+/** A server with one version that came back, seen by its designer; every answer can be overridden. */
 export function aTakeServer() {
   const server = aServer()
     .on('GET /v1/me', asDesigner())
     .on('GET /v1/takes/t1', aVersion())
     .on('GET /v1/takes/t1/check', aCheck())
     .on('GET /v1/takes/t1/sounds', someSounds())
-    .on('GET /v1/takes/t1/mend', aMend())
+    .on('GET /v1/takes/t1/fix', aFix())
     .on('GET /v1/takes/t1/history', [])
   for (const [id, durationS] of [
     ['s1', 0.8],
@@ -151,7 +153,7 @@ export function aTakeServer() {
 }
 
 const asDesigner = () => ({
-  ...aMe({ part: 'designer', is_liaison: false, is_decider: false, engagement_kind: 'contract' }),
+  ...aMe({ part: 'designer', is_liaison: false, is_approver: false, engagement_kind: 'contract' }),
   person: DESIGNER,
   studios: [],
 })

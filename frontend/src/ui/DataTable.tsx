@@ -30,7 +30,7 @@ interface DataTableProps<T> {
   columns: readonly Column<T>[]
   groups: readonly RowGroup<T>[]
   keyOf: (row: T) => string
-  /** The row in the hand. */
+  /** The selected row. */
   selected?: string
   /** Rows picked for doing one thing to all. */
   picked?: ReadonlySet<string>

@@ -11,7 +11,7 @@ interface FindingProps {
   where?: string
   /** The limit and what follows from it, then what to do. */
   children: ReactNode
-  /** The spot, Mend, the check's page. */
+  /** The spot, Fix, the check's page. */
   actions?: ReactNode
 }
 

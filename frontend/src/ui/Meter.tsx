@@ -15,7 +15,7 @@ interface MeterProps {
   thin?: boolean
 }
 
-/** A bar of parts of a whole; the words beside it say the same. */
+/** A bar of parts of a whole; the text next to it says the same. */
 export function Meter({ label, whole, parts, thin = false }: MeterProps) {
   return (
     <span role="img" aria-label={label} className={thin ? `${classes.meter} ${classes.thin}` : classes.meter}>

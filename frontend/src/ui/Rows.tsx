@@ -3,7 +3,7 @@ import type { ComponentPropsWithRef } from 'react'
 import classes from './Rows.module.css'
 
 interface RowProps extends ComponentPropsWithRef<'li'> {
-  /** In the hand: tinted, with the edge of now. */
+  /** Selected: tinted, with the edge of now. */
   selected?: boolean
   dense?: boolean
 }

@@ -10,7 +10,7 @@ export interface SetBlock {
 
 interface SetBlocksProps {
   blocks: SetBlock[]
-  /** In words beside the blocks, "4 of 4" where nothing else is said. */
+  /** As text next to the blocks, "4 of 4" where nothing else is said. */
   words?: string
 }
 

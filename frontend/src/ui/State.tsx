@@ -16,12 +16,12 @@ interface Face {
 
 /** Every state there is, of a cue, a take, a file on its way or a build. */
 export const STATES = {
-  to_make: { word: 'To make', icon: 'ring', tone: 'idle', resting: true },
+  to_make: { word: 'To do', icon: 'ring', tone: 'idle', resting: true },
   checking: { word: 'Checking', icon: 'turning', tone: 'idle', resting: true },
   to_review: { word: 'To review', icon: 'headphones', tone: 'review' },
   returned: { word: 'Returned', icon: 'back', tone: 'bad' },
   refused: { word: 'Refused', icon: 'back', tone: 'bad' },
-  not_sent: { word: 'Not sent', icon: 'back', tone: 'bad' },
+  not_sent: { word: 'Not uploaded', icon: 'back', tone: 'bad' },
   question: { word: 'Question', icon: 'question', tone: 'warn' },
   unmatched: { word: 'Unmatched', icon: 'question', tone: 'warn' },
   warning: { word: 'Warning', icon: 'triangle', tone: 'warn' },
@@ -33,12 +33,12 @@ export const STATES = {
   placeholder: { word: 'Placeholder', icon: 'dashedSquare', tone: 'warn' },
   cut: { word: 'Cut', icon: 'struckRing', tone: 'idle', resting: true },
   waiting: { word: 'Waiting', icon: 'ring', tone: 'idle', resting: true },
-  sending: { word: 'Sending', icon: 'upload', tone: 'idle' },
-  line_lost: { word: 'Line lost, waits', icon: 'pause', tone: 'warn' },
+  sending: { word: 'Uploading', icon: 'upload', tone: 'idle' },
+  line_lost: { word: 'Reconnecting', icon: 'pause', tone: 'warn' },
   paused: { word: 'Paused', icon: 'pause', tone: 'idle' },
   conforming: { word: 'Conforming', icon: 'tick', tone: 'ok' },
   already_here: { word: 'Already here', icon: 'tick', tone: 'ok', resting: true },
-  unjudged: { word: 'Check broke', icon: 'triangle', tone: 'warn' },
+  unjudged: { word: 'Check failed', icon: 'triangle', tone: 'warn' },
   passed: { word: 'Passed', icon: 'tick', tone: 'ok' },
   late: { word: 'Late', icon: 'clock', tone: 'bad' },
 } as const satisfies Record<string, Face>

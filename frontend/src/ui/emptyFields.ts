@@ -5,6 +5,6 @@ export function emptyFields(form: HTMLFormElement): Record<string, string> {
   )
   empty[0]?.focus()
   return Object.fromEntries(
-    empty.map((field) => [field.name, `${field.labels?.[0]?.textContent?.trim() ?? 'This'} is missing.`]),
+    empty.map((field) => [field.name, `${field.labels?.[0]?.textContent?.trim() ?? 'This'} is required.`]),
   )
 }

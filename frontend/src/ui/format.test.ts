@@ -24,7 +24,7 @@ describe('levels', () => {
   test.each([
     [1.4, '+1.4 dB'],
     [-2.1, '−2.1 dB'],
-    [0.04, 'as sent'],
+    [0.04, 'as delivered'],
   ])('a gain of %s is written %s', (db, text) => {
     expect(format.gain(db)).toBe(text)
   })

@@ -27,7 +27,7 @@ export function level(value: number | null | undefined, unit: LevelUnit = 'dB'):
 /** A gain, signed either way: "+1.4 dB", "−2.1 dB", and "as sent" for none. */
 export function gain(db: number): string {
   const text = figure(db, 1)
-  if (text === '0.0') return 'as sent'
+  if (text === '0.0') return 'as delivered'
   return `${db > 0 ? '+' : ''}${text} dB`
 }
 

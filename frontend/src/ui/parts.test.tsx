@@ -95,11 +95,11 @@ test('a card head has its title, its count and its note', () => {
 
 test('an empty state says what is so, what comes and what to do', () => {
   draw(
-    <EmptyState head="Nothing waits for you." action={<Button>Hear the palette</Button>}>
+    <EmptyState head="Nothing to do" action={<Button>Hear the palette</Button>}>
       The next sounds are due on Friday.
     </EmptyState>,
   )
-  expect(screen.getByRole('heading', { name: 'Nothing waits for you.', level: 2 })).toBeInTheDocument()
+  expect(screen.getByRole('heading', { name: 'Nothing to do', level: 2 })).toBeInTheDocument()
   expect(screen.getByText('The next sounds are due on Friday.')).toBeInTheDocument()
   expect(screen.getByRole('button', { name: 'Hear the palette' })).toBeInTheDocument()
 })
@@ -176,11 +176,11 @@ test('a meter says in words what it draws, and never overflows', () => {
 test('the verdict bar says who decides and what follows', () => {
   draw(
     <VerdictBar who="You advise." follows="The audio director decides.">
-      <Button variant="primary">I would take A</Button>
+      <Button variant="primary">I’d pick A</Button>
     </VerdictBar>,
   )
   const bar = screen.getByRole('region', { name: 'Verdict' })
-  expect(bar).toHaveTextContent('You advise.The audio director decides.I would take A')
+  expect(bar).toHaveTextContent('You advise.The audio director decides.I’d pick A')
 })
 
 test.each([

@@ -1,6 +1,6 @@
 import { type RefObject, useEffect, useRef } from 'react'
 
-/** Takes the focus when it appears: for a field that somebody has just asked for, never for one that a page begins with. */
+/** Takes the focus when it appears: for a field that the person has just opened, never for a page's first field. */
 export function useFocusOnMount<T extends HTMLElement>(wanted = true): RefObject<T | null> {
   const ref = useRef<T>(null)
   useEffect(() => {

@@ -4,7 +4,7 @@ export interface Picked {
   path: string
 }
 
-/** Files that systems leave about, which nobody meant to deliver. */
+/** Files that systems leave in folders, not meant for delivery. */
 export function isClutter(path: string): boolean {
   return path.split('/').some((part) => part.startsWith('.') || ['__MACOSX', 'Thumbs.db', 'desktop.ini'].includes(part))
 }

@@ -147,7 +147,7 @@ test('a page that cannot hash sends as it did', async () => {
 test('a file that was moved away is told in words', async () => {
   const file = fileOf(2 * PART)
   vi.spyOn(file, 'slice').mockReturnValue({ arrayBuffer: () => Promise.reject(new Error('gone')) } as unknown as Blob)
-  await expect(sent(transportOf(), file).end).resolves.toMatch(/^refused: It cannot be read any more/)
+  await expect(sent(transportOf(), file).end).resolves.toMatch(/^refused: The file can’t be read any more/)
 })
 
 test('whether parts are taken is asked once', async () => {

@@ -43,21 +43,21 @@ export function partsTransport({ endpoint, metadata, otherwise, put = putByXhr }
 
   const send = async (upload: Upload, events: TransportEvents, place: Place, stop: AbortSignal): Promise<void> => {
     const id = place.known() ?? place.keep(await create(endpoint, metadata(upload), upload.file, stop))
-    const standing = await ask(id, [])
+    const progress = await ask(id, [])
     const lengthOf = (number: number) =>
-      Math.min(standing.part_bytes, upload.file.size - (number - 1) * standing.part_bytes)
-    const here = new Set(standing.here)
+      Math.min(progress.part_bytes, upload.file.size - (number - 1) * progress.part_bytes)
+    const here = new Set(progress.here)
     let sent = [...here].reduce((sum, number) => sum + lengthOf(number), 0)
     if (sent > 0) events.onResumed(sent)
-    for (let number = 1; number <= standing.parts; number += 1) {
+    for (let number = 1; number <= progress.parts; number += 1) {
       if (here.has(number)) continue
       stop.throwIfAborted()
-      const start = (number - 1) * standing.part_bytes
+      const start = (number - 1) * progress.part_bytes
       const bytes = await read(upload.file.slice(start, start + lengthOf(number)))
       const { links } = await ask(id, [{ number, sha256: await sha256Of(bytes) }])
       const before = sent
-      const tell = (some: number) => events.onProgress(before + some)
-      const status = links[0] === undefined ? 0 : await put(links[0], bytes, tell, stop)
+      const report = (some: number) => events.onProgress(before + some)
+      const status = links[0] === undefined ? 0 : await put(links[0], bytes, report, stop)
       stop.throwIfAborted()
       if (status < 200 || status >= 300) {
         strikes += 1
@@ -105,7 +105,7 @@ export function partsTransport({ endpoint, metadata, otherwise, put = putByXhr }
   }
 }
 
-/** What the next try mends: it asks for new links, begins anew, or finds that the server takes the bytes itself. */
+/** Errors that the next try fixes: it requests new links, starts over, or finds that the server takes the bytes itself. */
 const PASSING = ['upload-not-found', 'upload-unfinished', 'upload-busy', 'parts-not-taken', 'checksum-mismatch']
 
 function fail(problem: ApiProblem, place: Place, events: TransportEvents): void {
@@ -150,7 +150,7 @@ async function sha256Of(bytes: ArrayBuffer): Promise<string> {
 
 function read(bytes: Blob): Promise<ArrayBuffer> {
   return bytes.arrayBuffer().catch(() => {
-    const detail = 'It cannot be read any more: it was changed or moved. Choose it again.'
+    const detail = 'The file can’t be read any more. It was changed or moved. Choose it again.'
     throw new ApiProblem(400, { code: 'file-unreadable', detail })
   })
 }
@@ -188,7 +188,7 @@ function placeOf(endpoint: string, given: Record<string, string>, { file, path }
   }
 }
 
-/** By XMLHttpRequest: fetch does not tell how much of a body has gone. */
+/** By XMLHttpRequest: fetch does not report the upload's progress. */
 const putByXhr: Put = ({ url, headers }, bytes, onProgress, stop) =>
   new Promise((resolve) => {
     const request = new XMLHttpRequest()

@@ -1,7 +1,7 @@
 import { ApiProblem } from '@/api/problem'
 
 import type { Picked } from './drops'
-import { type FileKind, judge, kindOf, SNIFF_BYTES } from './sniff'
+import { type Accepts, ANY_WAV, judge, kindOf, SNIFF_BYTES } from './sniff'
 
 export type UploadState =
   'waiting' | 'sending' | 'line_lost' | 'paused' | 'finished' | 'stopped' | 'not_sent' | 'already_here'
@@ -42,7 +42,7 @@ export interface QueueOptions {
   /** Called when all bytes are there: this makes the take. */
   onFinished: (upload: Upload, uploadId: string) => Promise<void>
   atATime?: number
-  accepts?: readonly FileKind[]
+  accepts?: Accepts
   now?: () => number
 }
 
@@ -58,7 +58,9 @@ export interface Figures {
 
 const RETRY_S = [1, 2, 4, 8, 15]
 const SPEED_WINDOW_MS = 5_000
-const TELL_EVERY_MS = 100
+const NOTIFY_EVERY_MS = 100
+/** So few files are read and listed in one go that the page stays quick while a thousand are dropped. */
+const ADDED_AT_ONCE = 50
 const GOING: readonly UploadState[] = ['waiting', 'sending', 'line_lost', 'paused']
 
 interface Running {
@@ -75,14 +77,14 @@ export class UploadQueue {
   #running = new Map<string, Running>()
   #failures = new Map<string, number>()
   #listeners = new Set<() => void>()
-  #telling: ReturnType<typeof setTimeout> | undefined
+  #pendingNotice: ReturnType<typeof setTimeout> | undefined
   #samples: { at: number; sentBytes: number }[] = []
   #nextId = 1
   #paused = false
   readonly #options: Required<QueueOptions>
 
   constructor(options: QueueOptions) {
-    this.#options = { atATime: 4, accepts: ['wav', 'rf64'], now: () => performance.now(), ...options }
+    this.#options = { atATime: 4, accepts: ANY_WAV, now: () => performance.now(), ...options }
   }
 
   get = (): readonly Upload[] => this.#uploads
@@ -90,6 +92,11 @@ export class UploadQueue {
   subscribe = (listener: () => void): (() => void) => {
     this.#listeners.add(listener)
     return () => this.#listeners.delete(listener)
+  }
+
+  /** Judge the next files by a spec that has changed. */
+  accept(accepts: Accepts): void {
+    this.#options.accepts = accepts
   }
 
   isPaused = (): boolean => this.#paused
@@ -109,8 +116,16 @@ export class UploadQueue {
     }
   }
 
-  /** Put files in line. What is here already, by name and size, is said to be so and not sent twice. */
+  /** Queue files, some at a time. What is here already, by name and size, is shown as such and not sent twice. */
   async add(picked: readonly Picked[], cueId: string | null = null): Promise<void> {
+    for (let start = 0; start < picked.length; start += ADDED_AT_ONCE) {
+      if (start > 0) await nextTask()
+      await this.#addSome(picked.slice(start, start + ADDED_AT_ONCE), cueId)
+    }
+    this.#notify()
+  }
+
+  async #addSome(picked: readonly Picked[], cueId: string | null): Promise<void> {
     const judged = await Promise.all(
       picked.map(async ({ file }) => {
         const first = new Uint8Array(await file.slice(0, SNIFF_BYTES).arrayBuffer())
@@ -129,7 +144,7 @@ export class UploadQueue {
       }
     })
     this.#pump()
-    this.#tell()
+    this.#tellSoon()
   }
 
   pause(id?: string): void {
@@ -141,7 +156,7 @@ export class UploadQueue {
       }
     }
     this.#pump()
-    this.#tell()
+    this.#notify()
   }
 
   resume(id?: string): void {
@@ -151,7 +166,7 @@ export class UploadQueue {
         this.#set(upload.id, { state: 'waiting' })
     }
     this.#pump()
-    this.#tell()
+    this.#notify()
   }
 
   /** Stop one for good; what was sent of it is taken away. */
@@ -161,13 +176,13 @@ export class UploadQueue {
     this.#halt(id, true)
     this.#set(id, { state: 'stopped' })
     this.#pump()
-    this.#tell()
+    this.#notify()
   }
 
   /** Take a row off the list that is not on its way. */
   dismiss(id: string): void {
     this.#uploads = this.#uploads.filter((upload) => upload.id !== id || GOING.includes(upload.state))
-    this.#tell()
+    this.#notify()
   }
 
   /** The line is back: those that wait for it go on at once. */
@@ -177,7 +192,7 @@ export class UploadQueue {
 
   dispose(): void {
     for (const id of [...this.#running.keys()]) this.#halt(id, false)
-    clearTimeout(this.#telling)
+    clearTimeout(this.#pendingNotice)
   }
 
   #holds(file: File, cueId: string | null): boolean {
@@ -216,7 +231,7 @@ export class UploadQueue {
       onResumed: (fromBytes) => {
         if (!current()) return
         this.#set(id, { resumedAtBytes: fromBytes, sentBytes: fromBytes })
-        this.#tell()
+        this.#notify()
       },
       onProgress: (sentBytes) => {
         if (!current()) return
@@ -254,16 +269,18 @@ export class UploadQueue {
     }
     if (this.#running.get(id) !== running) return
     this.#running.delete(id)
-    this.#set(id, { state: 'finished' })
+    this.#set(id, { state: 'finished', sentBytes: upload.file.size })
     this.#pump()
-    this.#tell()
+    // Small files finish faster than the page can draw.
+    if (this.#uploads.some(({ state }) => GOING.includes(state))) this.#tellSoon()
+    else this.#notify()
   }
 
   #refused(id: string, reason: string): void {
     this.#running.delete(id)
     this.#set(id, { state: 'not_sent', reason })
     this.#pump()
-    this.#tell()
+    this.#notify()
   }
 
   #lost(id: string, running: Running): void {
@@ -273,7 +290,7 @@ export class UploadQueue {
     running.retry = setTimeout(() => this.#retry(id), wait * 1000)
     this.#set(id, { state: 'line_lost' })
     this.#samples = []
-    this.#tell()
+    this.#notify()
   }
 
   #retry(id: string): void {
@@ -288,7 +305,7 @@ export class UploadQueue {
       running.stop(false)
       this.#start(id)
     }
-    this.#tell()
+    this.#notify()
   }
 
   #halt(id: string, forget: boolean): void {
@@ -313,13 +330,16 @@ export class UploadQueue {
   }
 
   #tellSoon(): void {
-    this.#telling ??= setTimeout(() => this.#tell(), TELL_EVERY_MS)
+    this.#pendingNotice ??= setTimeout(() => this.#notify(), NOTIFY_EVERY_MS)
   }
 
-  #tell(): void {
-    clearTimeout(this.#telling)
-    this.#telling = undefined
+  #notify(): void {
+    clearTimeout(this.#pendingNotice)
+    this.#pendingNotice = undefined
     this.#uploads = [...this.#uploads]
     for (const listener of this.#listeners) listener()
   }
 }
+
+/** Let the browser draw and answer clicks first. */
+const nextTask = () => new Promise<void>((resolve) => setTimeout(resolve))

@@ -10,10 +10,10 @@ const NAMES: Record<FileKind, string> = {
   ogg: 'an Ogg',
   mp4: 'an MP4',
   'lfs-pointer': 'a Git LFS pointer',
-  unknown: 'no sound that is known here',
+  unknown: 'an unknown format',
 }
 
-/** How many bytes of the beginning are enough to tell. */
+/** How many bytes of the beginning are enough to identify a format. */
 export const SNIFF_BYTES = 64
 
 /** Say what a file is by its first bytes, whatever its name says. */
@@ -33,6 +33,29 @@ export function kindOf(first: Uint8Array): FileKind {
   return 'unknown'
 }
 
+/** What a project's delivery spec takes; null where it takes any. */
+export interface Accepts {
+  kinds: readonly FileKind[]
+  sampleRatesHz: readonly number[] | null
+  bitDepths: readonly number[] | null
+}
+
+export const ANY_WAV: Accepts = { kinds: ['wav', 'rf64'], sampleRatesHz: null, bitDepths: null }
+
+const either = (items: readonly string[]) =>
+  items.length < 2 ? (items[0] ?? '') : `${items.slice(0, -1).join(', ')} or ${items.at(-1)}`
+
+/** "a WAV or FLAC, 44.1 or 48 kHz, 16 bit". */
+function wanted({ kinds, sampleRatesHz, bitDepths }: Accepts): string {
+  const containers = kinds.filter((kind) => kind !== 'rf64').map((kind) => kind.toUpperCase())
+  const kilohertz = sampleRatesHz?.map((hz) => `${hz / 1000}`)
+  return [
+    `a ${either(containers)}`,
+    ...(kilohertz ? [`${either(kilohertz)} kHz`] : []),
+    ...(bitDepths ? [`${either(bitDepths.map(String))} bit`] : []),
+  ].join(', ')
+}
+
 export type Judged = { send: 'sound' | 'archive' } | { refused: string }
 
 const SOUND_ENDINGS = /\.(wav|wave|flac|aiff?|mp3|ogg|m4a|mp4)$/i
@@ -42,27 +65,22 @@ const SOUND_ENDINGS = /\.(wav|wave|flac|aiff?|mp3|ogg|m4a|mp4)$/i
  *
  * Only what is surely not wanted is stopped here; whatever could be a master is sent, and the worker judges it.
  */
-export function judge(
-  name: string,
-  size: number,
-  kind: FileKind,
-  accepts: readonly FileKind[] = ['wav', 'rf64'],
-): Judged {
+export function judge(name: string, size: number, kind: FileKind, accepts: Accepts = ANY_WAV): Judged {
   const ending = /\.([^./]+)$/.exec(name)?.[1]?.toLowerCase() ?? ''
-  if (size === 0) return { refused: 'It is empty, 0 bytes. Export it again. Nothing was sent.' }
+  if (size === 0) return { refused: 'The file is empty (0 bytes). Export it again. Nothing was uploaded.' }
   if (kind === 'zip') {
     return ending === 'zip'
       ? { send: 'archive' }
-      : { refused: `This is a ZIP named .${ending}. Name it .zip. Nothing was sent.` }
+      : { refused: `This is a ZIP named .${ending}. Rename it to .zip. Nothing was uploaded.` }
   }
   if (kind === 'lfs-pointer') {
-    return { refused: 'This is a Git LFS pointer, not the sound. Run git lfs pull first. Nothing was sent.' }
+    return { refused: 'This is a Git LFS pointer, not the sound. Run git lfs pull first. Nothing was uploaded.' }
   }
-  if (accepts.includes(kind)) return { send: 'sound' }
+  if (accepts.kinds.includes(kind)) return { send: 'sound' }
   if (kind !== 'unknown') {
     const named = kind === ending || (kind === 'aiff' && ending === 'aif') ? '' : ` named .${ending}`
-    return { refused: `This is ${NAMES[kind]}${named}. Export a WAV, 48 or 96 kHz, 24 bit. Nothing was sent.` }
+    return { refused: `This is ${NAMES[kind]}${named}. Export ${wanted(accepts)}. Nothing was uploaded.` }
   }
   if (SOUND_ENDINGS.test(name)) return { send: 'sound' }
-  return { refused: 'This is no sound and no ZIP. Nothing was sent.' }
+  return { refused: 'Not an audio file or ZIP. Nothing was uploaded.' }
 }

@@ -1,6 +1,6 @@
-import { type DetailedError, Upload as TusUpload } from 'tus-js-client'
+import type { DetailedError, Upload as TusUpload } from 'tus-js-client'
 
-import { csrfToken, problemOf } from '@/api'
+import { csrfToken, problemOf, signedInAgain } from '@/api'
 
 import type { Transport, TransportEvents, Upload } from './queue'
 
@@ -21,8 +21,9 @@ export function bodyOf(text: string): unknown {
 function fail(error: Error | DetailedError, events: TransportEvents): void {
   const response = 'originalResponse' in error ? error.originalResponse : null
   const status = response?.getStatus() ?? 0
-  // A lock that the dropped line still holds is gone in a moment, and a server that breaks comes back.
-  if (status === 0 || status >= 500 || [408, 409, 423, 429].includes(status)) events.onLost()
+  if (status === 401) void signedInAgain()
+  // A lock of the dropped connection expires in a moment, and a failing server comes back.
+  if (status === 0 || status >= 500 || [401, 408, 409, 423, 429].includes(status)) events.onLost()
   else events.onRefused(problemOf(status, bodyOf(response?.getBody() ?? '')).detail)
 }
 
@@ -34,7 +35,8 @@ export function tusTransport({ endpoint, metadata }: TusOptions): Transport {
       const given = metadata(upload)
       const bound = JSON.stringify(given)
       let startAt: number | null = null
-      const tus = new TusUpload(upload.file, {
+      let tus: TusUpload | null = null
+      const options: TusUpload['options'] = {
         endpoint,
         metadata: { ...given, filename: upload.file.name },
         retryDelays: null,
@@ -62,17 +64,25 @@ export function tusTransport({ endpoint, metadata }: TusOptions): Transport {
           if (!stopped) fail(error, events)
         },
         onSuccess: () => {
-          if (!stopped) events.onFinished(uploadIdOf(tus.url))
+          if (!stopped) events.onFinished(uploadIdOf(tus?.url ?? null))
         },
-      })
-      void tus.findPreviousUploads().then((before) => {
-        const last = before[0]
+      }
+      const isStopped = () => stopped
+      const begin = async () => {
+        // Small files, which most are, go without it.
+        const { Upload: Tus } = await import('tus-js-client')
+        if (isStopped()) return
+        tus = new Tus(upload.file, options)
+        const [last] = await tus.findPreviousUploads()
         if (last) tus.resumeFromPreviousUpload(last)
-        if (!stopped) tus.start()
+        if (!isStopped()) tus.start()
+      }
+      begin().catch(() => {
+        if (!stopped) events.onLost()
       })
       return (forget) => {
         stopped = true
-        void tus.abort(forget).catch(() => undefined)
+        void tus?.abort(forget).catch(() => undefined)
       }
     },
   }

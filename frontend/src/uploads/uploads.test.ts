@@ -6,6 +6,7 @@ import { ApiProblem } from '@/api'
 
 import { filesOfDrop, filesOfField, isClutter } from './drops'
 import { type QueueOptions, type Transport, type TransportEvents, type Upload, UploadQueue } from './queue'
+import { SMALL_BYTES, smallFilesTransport } from './small'
 import { judge, kindOf } from './sniff'
 import { uploadIdOf } from './tus'
 
@@ -49,17 +50,30 @@ describe('what goes on its way', () => {
   })
 
   test.each([
-    ['vo_oath.wav', 100, 'mp3', 'This is an MP3 named .wav. Export a WAV, 48 or 96 kHz, 24 bit. Nothing was sent.'],
-    ['vo_oath.mp3', 100, 'mp3', 'This is an MP3. Export a WAV, 48 or 96 kHz, 24 bit. Nothing was sent.'],
-    ['laser.wav', 0, 'unknown', 'It is empty, 0 bytes. Export it again. Nothing was sent.'],
-    ['laser.wav', 100, 'zip', 'This is a ZIP named .wav. Name it .zip. Nothing was sent.'],
-    ['notes.txt', 100, 'unknown', 'This is no sound and no ZIP. Nothing was sent.'],
+    ['vo_oath.wav', 100, 'mp3', 'This is an MP3 named .wav. Export a WAV. Nothing was uploaded.'],
+    ['vo_oath.mp3', 100, 'mp3', 'This is an MP3. Export a WAV. Nothing was uploaded.'],
+    ['laser.wav', 0, 'unknown', 'The file is empty (0 bytes). Export it again. Nothing was uploaded.'],
+    ['laser.wav', 100, 'zip', 'This is a ZIP named .wav. Rename it to .zip. Nothing was uploaded.'],
+    ['notes.txt', 100, 'unknown', 'Not an audio file or ZIP. Nothing was uploaded.'],
   ] as const)('%s of %s bytes, which is %s, is stopped in words', (name, size, kind, refused) => {
     expect(judge(name, size, kind)).toEqual({ refused })
   })
 
+  test.each([
+    [{ kinds: ['wav', 'rf64'], sampleRatesHz: [44_100], bitDepths: [16] }, 'a WAV, 44.1 kHz, 16 bit'],
+    [
+      { kinds: ['wav', 'rf64', 'flac'], sampleRatesHz: [44_100, 48_000, 96_000], bitDepths: [16, 24] },
+      'a WAV or FLAC, 44.1, 48 or 96 kHz, 16 or 24 bit',
+    ],
+  ] as const)('a refused file is answered by the spec of its project', (accepts, wanted) => {
+    expect(judge('vo_oath.mp3', 100, 'mp3', accepts)).toEqual({
+      refused: `This is an MP3. Export ${wanted}. Nothing was uploaded.`,
+    })
+  })
+
   test('a FLAC goes where the project takes FLAC', () => {
-    expect(judge('laser.flac', 100, 'flac', ['wav', 'flac'])).toEqual({ send: 'sound' })
+    const accepts = { kinds: ['wav', 'flac'], sampleRatesHz: null, bitDepths: null } as const
+    expect(judge('laser.flac', 100, 'flac', accepts)).toEqual({ send: 'sound' })
   })
 })
 
@@ -163,6 +177,39 @@ describe('the queue', () => {
     await settled()
     expect(made.map(({ path }) => path)).toEqual(['b.wav'])
     expect(states(queue)).toMatchObject({ 'b.wav': 'finished', 'e.wav': 'sending', 'f.wav': 'waiting' })
+  })
+
+  test('many are listed some at a time, so that the page can draw between', async () => {
+    vi.useRealTimers()
+    const queue = queueOf()
+    const picked = Array.from({ length: 120 }, (_, index) => wav(`${index}.wav`))
+    const later = picked[50]?.file as File
+    const listed: number[] = []
+    vi.spyOn(later, 'slice').mockImplementation(() => {
+      listed.push(queue.get().length)
+      return new File([bytes('RIFF....WAVEfmt ')], '50.wav')
+    })
+    const tasks = vi.spyOn(globalThis, 'setTimeout')
+    await queue.add(picked)
+    expect(listed).toEqual([50])
+    expect(tasks.mock.calls.filter(([, wait]) => wait === undefined)).toHaveLength(2)
+    expect(queue.get()).toHaveLength(120)
+    queue.dispose()
+  })
+
+  test('finished files are shown together while more go, and the last at once', async () => {
+    const queue = queueOf()
+    await queue.add([wav('a.wav'), wav('b.wav'), wav('c.wav')])
+    await vi.advanceTimersByTimeAsync(100)
+    const told = vi.fn()
+    queue.subscribe(told)
+    for (const name of ['a.wav', 'b.wav']) transport.of(name).events.onFinished(name)
+    await settled()
+    expect(told).not.toHaveBeenCalled()
+    transport.of('c.wav').events.onFinished('c')
+    await settled()
+    expect(told).toHaveBeenCalledTimes(1)
+    expect(queue.figures()).toMatchObject({ finished: 3 })
   })
 
   test('a lost line waits longer each time, goes on by itself, and says from where', async () => {
@@ -338,4 +385,68 @@ test.each([
   [null, ''],
 ])('the id in %s is %s', (url, id) => {
   expect(uploadIdOf(url)).toBe(id)
+})
+
+describe('small files', () => {
+  const uploadOf = (size: number, kind: Upload['kind'] = 'sound') => ({ kind, file: { size } }) as unknown as Upload
+  const eventsOf = () => ({
+    onProgress: vi.fn(),
+    onResumed: vi.fn(),
+    onFinished: vi.fn(),
+    onLost: vi.fn(),
+    onRefused: vi.fn(),
+  })
+
+  test.each([
+    ['a small sound in one request', uploadOf(SMALL_BYTES), 1],
+    ['a larger one by what resumes', uploadOf(SMALL_BYTES + 1), 0],
+    ['a ZIP by what resumes', uploadOf(100, 'archive'), 0],
+  ])('%s', async (_, upload, times) => {
+    const otherwise = new HandTransport()
+    const send = vi.fn(() => Promise.resolve('u1'))
+    const events = eventsOf()
+    smallFilesTransport({ send, otherwise }).start(upload, events)
+    await Promise.resolve()
+    expect([send.mock.calls.length, otherwise.started.length]).toEqual([times, 1 - times])
+    expect(events.onFinished).toHaveBeenCalledTimes(times)
+  })
+
+  test.each([
+    [0, 'onLost'],
+    [503, 'onLost'],
+    [429, 'onLost'],
+    [404, 'onRefused'],
+    [413, 'onRefused'],
+  ] as const)('status %s calls %s', async (status, called) => {
+    const events = eventsOf()
+    const send = () => Promise.reject(new ApiProblem(status, { code: 'any', detail: 'why' }))
+    smallFilesTransport({ send, otherwise: new HandTransport() }).start(uploadOf(1), events)
+    await vi.waitFor(() => expect(events[called]).toHaveBeenCalledTimes(1))
+  })
+
+  test.each([
+    [0, 1],
+    [408, 1],
+    [503, 0],
+  ])('after status %s it resumes from then on: %s', async (status, resumes) => {
+    const otherwise = new HandTransport()
+    const events = eventsOf()
+    const send = () => Promise.reject(new ApiProblem(status, { code: 'any', detail: 'why' }))
+    const transport = smallFilesTransport({ send, otherwise })
+    const upload = uploadOf(1)
+    transport.start(upload, events)
+    await vi.waitFor(() => expect(events.onLost).toHaveBeenCalledTimes(1))
+    transport.start(upload, events)
+    expect(otherwise.started).toHaveLength(resumes)
+  })
+
+  test('one that was stopped says nothing more', async () => {
+    const events = eventsOf()
+    smallFilesTransport({ send: () => Promise.resolve('u1'), otherwise: new HandTransport() }).start(
+      uploadOf(1),
+      events,
+    )(true)
+    await new Promise((resolve) => setTimeout(resolve))
+    expect(events.onFinished).not.toHaveBeenCalled()
+  })
 })

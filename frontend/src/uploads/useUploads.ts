@@ -1,14 +1,22 @@
 import { useEffect, useState, useSyncExternalStore } from 'react'
 
+import { connection } from '@/api'
+
 import { filesOfDrop, type Picked } from './drops'
 import type { Figures, Upload, UploadQueue } from './queue'
 
-/** The rows of a queue and its figures, and the queue told when the line is back. */
+/** The rows of a queue and its figures, and notifies the queue when the connection is back. */
 export function useUploads(queue: UploadQueue): { uploads: readonly Upload[]; figures: Figures; paused: boolean } {
   const uploads = useSyncExternalStore(queue.subscribe, queue.get)
   useEffect(() => {
     window.addEventListener('online', queue.lineIsBack)
-    return () => window.removeEventListener('online', queue.lineIsBack)
+    const unsubscribe = connection.subscribe(() => {
+      if (!connection.isAway()) queue.lineIsBack()
+    })
+    return () => {
+      window.removeEventListener('online', queue.lineIsBack)
+      unsubscribe()
+    }
   }, [queue])
   return { uploads, figures: queue.figures(), paused: queue.isPaused() }
 }

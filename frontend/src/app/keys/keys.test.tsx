@@ -69,17 +69,17 @@ test('a link with the focus keeps Enter, a button Space too', async () => {
 
 test('a sequence wants both presses, soon after each other', () => {
   const today = vi.fn()
-  const mend = vi.fn()
-  draw(<Hears hotkeys={[key('g t', today), key('t', mend)]} />)
+  const fix = vi.fn()
+  draw(<Hears hotkeys={[key('g t', today), key('t', fix)]} />)
   fireEvent.keyDown(window, { key: 'g' })
   fireEvent.keyDown(window, { key: 't' })
-  expect([today.mock.calls.length, mend.mock.calls.length]).toEqual([1, 0])
+  expect([today.mock.calls.length, fix.mock.calls.length]).toEqual([1, 0])
   fireEvent.keyDown(window, { key: 't' })
-  expect([today.mock.calls.length, mend.mock.calls.length]).toEqual([1, 1])
+  expect([today.mock.calls.length, fix.mock.calls.length]).toEqual([1, 1])
   fireEvent.keyDown(window, { key: 'g' })
   fireEvent.keyDown(window, { key: 'x' })
   fireEvent.keyDown(window, { key: 't' })
-  expect([today.mock.calls.length, mend.mock.calls.length]).toEqual([1, 2])
+  expect([today.mock.calls.length, fix.mock.calls.length]).toEqual([1, 2])
 })
 
 test('a sequence that is left too long is forgotten', () => {

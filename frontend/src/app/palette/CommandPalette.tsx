@@ -30,7 +30,7 @@ export function CommandPalette({ opened, onClose }: { opened: boolean; onClose: 
   return (
     <Modal.Root opened={opened} onClose={onClose} size={560} yOffset="12vh" transitionProps={{ duration: 0 }}>
       <Modal.Overlay backgroundOpacity={0.2} />
-      <Modal.Content aria-label="Find or do" className={classes.content}>
+      <Modal.Content aria-label="Search or run a command" className={classes.content}>
         {opened && (
           <KeyScope>
             <PaletteBody onClose={onClose} />
@@ -123,14 +123,14 @@ function PaletteBody({ onClose }: { onClose: () => void }) {
           data-autofocus
           className={classes.input}
           role="combobox"
-          aria-label="Find or do"
+          aria-label="Search or run a command"
           aria-expanded={lines.length > 0}
           aria-controls={listId}
           aria-activedescendant={selected && optionId(selected)}
           aria-autocomplete="list"
           autoComplete="off"
           spellCheck={false}
-          placeholder="Find or do"
+          placeholder="Search or run a command"
           value={query}
           onChange={(event) => {
             setQuery(event.currentTarget.value)
@@ -175,8 +175,8 @@ function PaletteBody({ onClose }: { onClose: () => void }) {
         {lines.length > 0
           ? `${lines.length} ${lines.length === 1 ? 'result' : 'results'}`
           : asking
-            ? 'Looking.'
-            : `Nothing matches “${query.trim()}”.`}
+            ? 'Searching…'
+            : `No results for “${query.trim()}”.`}
       </p>
     </>
   )

@@ -45,7 +45,7 @@ const searchSounds: SearchProvider['search'] = (query) =>
 
 test('sounds come first, then what can be done; arrows and Enter are enough', async () => {
   const { close } = open(searchSounds)
-  await userEvent.type(await screen.findByRole('combobox', { name: 'Find or do' }), 'hit')
+  await userEvent.type(await screen.findByRole('combobox', { name: 'Search or run a command' }), 'hit')
   await screen.findByRole('option', { name: /suit_hit/ })
   const groups = screen.getAllByRole('group')
   expect(groups.map((group) => group.getAttribute('aria-label'))).toEqual(['Sounds', 'Do'])
@@ -77,7 +77,7 @@ test('the arrows go round', async () => {
 test('nothing found is said in words', async () => {
   open(searchSounds)
   await userEvent.type(await screen.findByRole('combobox'), 'ufo')
-  await waitFor(() => expect(screen.getByRole('status')).toHaveTextContent('Nothing matches “ufo”.'))
+  await waitFor(() => expect(screen.getByRole('status')).toHaveTextContent('No results for “ufo”.'))
 })
 
 test('an answer that comes too late is not shown', async () => {
@@ -95,6 +95,6 @@ test('an answer that comes too late is not shown', async () => {
   expect(signals[0]?.aborted).toBe(true)
   answers[0]?.([{ id: '1', title: 'shield_hit', open: vi.fn() }])
   answers[1]?.([])
-  await waitFor(() => expect(screen.getByRole('status')).toHaveTextContent('Nothing matches “shix”.'))
+  await waitFor(() => expect(screen.getByRole('status')).toHaveTextContent('No results for “shix”.'))
   expect(screen.queryByText('shield_hit')).not.toBeInTheDocument()
 })

@@ -34,7 +34,7 @@ export interface Found {
   open: () => void
 }
 
-/** Asked at every change of the query; the signal ends a question that nobody waits for any more. */
+/** Asked at every change of the query; the signal aborts a search that is no longer needed. */
 export interface SearchProvider {
   id: string
   /** Heading of its results: "Sounds", "Said". */

@@ -12,11 +12,11 @@ import { WhoMenu } from './WhoMenu'
 /** The frame of the pages before an account, and of what went wrong before anyone was known. */
 export function GuestFrame({ children = <Outlet /> }: { children?: ReactNode }) {
   const [showingKeys, setShowingKeys] = useState(false)
-  useHotkeys([{ keys: '?', label: 'All keys', group: 'Everywhere', run: () => setShowingKeys(true) }])
+  useHotkeys([{ keys: '?', label: 'Keyboard shortcuts', group: 'Everywhere', run: () => setShowingKeys(true) }])
   return (
     <>
       <header className={classes.bar}>
-        <ShellLink path="/" className={classes.mark} aria-label="Soundlist, start">
+        <ShellLink path="/" className={classes.mark} aria-label="Soundlist home">
           <Mark />
           <span className="strong">Soundlist</span>
         </ShellLink>

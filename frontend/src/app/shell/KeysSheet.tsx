@@ -16,7 +16,7 @@ export function KeysSheet({ opened, onClose }: { opened: boolean; onClose: () =>
     groups.set(group, [...(groups.get(group) ?? []), hotkey])
   }
   return (
-    <Dialog title="All keys" opened={opened} onClose={onClose} size={620}>
+    <Dialog title="Keyboard shortcuts" opened={opened} onClose={onClose} size={620}>
       <div className={classes.groups}>
         {[...groups].map(([group, keys]) => (
           <section key={group} aria-label={group}>
@@ -41,8 +41,8 @@ export function KeysSheet({ opened, onClose }: { opened: boolean; onClose: () =>
         mt="lg"
         checked={on}
         onChange={(event) => setOn(event.currentTarget.checked)}
-        label="Single keys work"
-        description="Off: only Escape, and keys with Ctrl or Cmd, do something."
+        label="Single-key shortcuts"
+        description="When off, only Escape and shortcuts with Ctrl or Cmd work."
       />
     </Dialog>
   )

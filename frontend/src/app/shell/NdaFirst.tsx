@@ -15,7 +15,7 @@ export const isClosed = (pathname: string, projectId: string): boolean => {
 
 /** In the place of every page of a project until its NDA is agreed: what waits, for whom, and the way to read it. */
 export function NdaFirst({ projectId, go }: { projectId: string; go: (path: string) => void }) {
-  useTitle('NDA first')
+  useTitle('NDA required')
   const { data: contracts, isPending } = useQuery({
     queryKey: ['contracts', projectId],
     queryFn: () =>
@@ -23,25 +23,25 @@ export function NdaFirst({ projectId, go }: { projectId: string; go: (path: stri
   })
   const nda = contracts?.findLast(({ kind, state }) => kind === 'nda' && state !== 'ended')
   const path = `/projects/${projectId}/contracts`
-  if (isPending) return <h1 className="visually-hidden">NDA first</h1>
+  if (isPending) return <h1 className="visually-hidden">NDA required</h1>
   if (nda === undefined || nda.state === 'draft') {
     return (
-      <Closed head="The studio’s NDA is not here yet." action="To the contracts" onAction={() => go(path)}>
-        This project opens once its non-disclosure agreement is agreed. When the studio sends it, a mail tells you;
-        there is nothing for you to do until then.
+      <Closed head="Waiting for the studio’s NDA" action="Go to contracts" onAction={() => go(path)}>
+        This project opens once both sides have signed its non-disclosure agreement. You get an email when the studio
+        sends it. There is nothing for you to do until then.
       </Closed>
     )
   }
   const isMine = nda.waits_for.includes('designer')
   return (
     <Closed
-      head={isMine ? 'Read and accept the NDA first.' : 'Your NDA waits for the studio.'}
+      head={isMine ? 'Read and sign the NDA to see this project' : 'Waiting for the studio to sign the NDA'}
       action="Read the NDA"
       onAction={() => go(`${path}/${nda.id}`)}
     >
       {isMine
-        ? 'Brief, sound list and delivery spec of this project open once you and the studio have accepted its non-disclosure agreement.'
-        : 'You accepted it. Brief, sound list and delivery spec open with the studio’s yes.'}
+        ? 'You can see the brief, sound list and delivery spec once you and the studio have signed the non-disclosure agreement.'
+        : 'You have signed. You can see the brief, sound list and delivery spec once the studio signs too.'}
     </Closed>
   )
 }

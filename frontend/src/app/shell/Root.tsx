@@ -29,7 +29,7 @@ export function Root() {
   return (
     <>
       <a className={classes.skip} href="#main">
-        To the page
+        Skip to content
       </a>
       <Outlet />
       <ToastRegion />

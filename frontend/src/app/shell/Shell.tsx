@@ -7,6 +7,7 @@ import { useHotkeys } from '../keys'
 import { CommandPalette, useCommands } from '../palette'
 import type { Session } from '../session'
 import { ProjectName } from '../title'
+import { AwayNote } from './AwayNote'
 import { KeysSheet } from './KeysSheet'
 import { isClosed, NdaFirst } from './NdaFirst'
 import { useScheme } from './scheme'
@@ -27,8 +28,8 @@ export function Shell({ session }: { session: Session }) {
   const go = (path: string) => void router.navigate({ href: path })
 
   useHotkeys([
-    { keys: 'mod+k', label: 'Find or do', group: 'Everywhere', run: () => setFinding(true) },
-    { keys: '?', label: 'All keys', group: 'Everywhere', run: () => setShowingKeys(true) },
+    { keys: 'mod+k', label: 'Search or run a command', group: 'Everywhere', run: () => setFinding(true) },
+    { keys: '?', label: 'Keyboard shortcuts', group: 'Everywhere', run: () => setShowingKeys(true) },
     ...screens.map(({ label, path, letter }) => ({
       keys: `g ${letter}`,
       label: `Go to ${label}`,
@@ -60,7 +61,7 @@ export function Shell({ session }: { session: Session }) {
       also: ['theme', 'colours'],
       run: () => setScheme(nextScheme),
     },
-    { id: 'keys', label: 'Show all keys', icon: 'question', keys: '?', run: () => setShowingKeys(true) },
+    { id: 'keys', label: 'Show keyboard shortcuts', icon: 'question', keys: '?', run: () => setShowingKeys(true) },
   ])
 
   return (
@@ -72,6 +73,7 @@ export function Shell({ session }: { session: Session }) {
         onFind={() => setFinding(true)}
         onKeys={() => setShowingKeys(true)}
       />
+      <AwayNote />
       <main id="main" tabIndex={-1} className={classes.main}>
         {data.project && data.ndaOpen && isClosed(pathname, data.project.id) ? (
           <NdaFirst projectId={data.project.id} go={go} />
@@ -80,6 +82,7 @@ export function Shell({ session }: { session: Session }) {
         )}
       </main>
       <CommandPalette opened={finding} onClose={() => setFinding(false)} />
+      {data.signInAgain}
       <KeysSheet opened={showingKeys} onClose={() => setShowingKeys(false)} />
     </ProjectName>
   )

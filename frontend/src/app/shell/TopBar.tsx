@@ -24,7 +24,7 @@ export function TopBar({ data, screens, findKeys, onFind, onKeys }: TopBarProps)
   const here = screenOf(screens, useLocation().pathname)
   return (
     <header className={classes.bar}>
-      <ShellLink path={home} className={classes.mark} aria-label={`Soundlist, ${screens[0]?.label ?? 'start'}`}>
+      <ShellLink path={home} className={classes.mark} aria-label={`Soundlist, ${screens[0]?.label ?? 'home'}`}>
         <Mark />
       </ShellLink>
       {data.person && <ProjectSwitcher data={data} />}
@@ -41,7 +41,7 @@ export function TopBar({ data, screens, findKeys, onFind, onKeys }: TopBarProps)
       )}
       <button type="button" className={classes.find} aria-keyshortcuts="Control+K Meta+K" onClick={onFind}>
         <Icon name="search" />
-        <span className={classes.findWords}>Find or do</span>
+        <span className={classes.findWords}>Search or run a command</span>
         <kbd className={classes.findKeys} aria-hidden="true">
           {findKeys}
         </kbd>

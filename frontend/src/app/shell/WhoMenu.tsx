@@ -10,7 +10,7 @@ import { useScheme } from './scheme'
 import classes from './Shell.module.css'
 
 const SCHEMES = [
-  { value: 'auto', label: 'As the system' },
+  { value: 'auto', label: 'System' },
   { value: 'light', label: 'Light' },
   { value: 'dark', label: 'Dark' },
 ] as const
@@ -40,7 +40,7 @@ export function WhoMenu({ data, onKeys }: { data: ShellData; onKeys: () => void 
           <Menu.Label>{person.name === person.role ? person.role : `${person.name}, ${person.role}`}</Menu.Label>
         )}
         {switcher}
-        <Menu.Label>Colours</Menu.Label>
+        <Menu.Label>Theme</Menu.Label>
         <Menu.RadioGroup value={scheme.chosen} onChange={(value) => scheme.set(value as MantineColorScheme)}>
           {SCHEMES.map(({ value, label }) => (
             <Menu.RadioItem key={value} value={value}>
@@ -50,11 +50,11 @@ export function WhoMenu({ data, onKeys }: { data: ShellData; onKeys: () => void 
         </Menu.RadioGroup>
         <Menu.Divider />
         <Menu.Item rightSection={<Key keys="?" />} onClick={onKeys}>
-          All keys
+          Keyboard shortcuts
         </Menu.Item>
         {person && (
           <>
-            {side === 'studio' && <Menu.Item onClick={() => go('/studio')}>Studio, people, outbox</Menu.Item>}
+            {side === 'studio' && <Menu.Item onClick={() => go('/studio')}>Studio, people and emails</Menu.Item>}
             {operates && <Menu.Item onClick={() => go('/operations')}>Jobs and storage</Menu.Item>}
             <Menu.Item onClick={() => go('/account')}>Account</Menu.Item>
             <Menu.Divider />

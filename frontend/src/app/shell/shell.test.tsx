@@ -120,15 +120,15 @@ test('g l goes to the list; the head takes the focus and the title follows', asy
 test('the first stop of the keyboard leads past the bar', async () => {
   await open(PRODUCER)
   await userEvent.tab()
-  expect(screen.getByRole('link', { name: 'To the page' })).toHaveFocus()
-  expect(screen.getByRole('link', { name: 'To the page' })).toHaveAttribute('href', '#main')
+  expect(screen.getByRole('link', { name: 'Skip to content' })).toHaveFocus()
+  expect(screen.getByRole('link', { name: 'Skip to content' })).toHaveAttribute('href', '#main')
   expect(screen.getByRole('main')).toHaveAttribute('id', 'main')
 })
 
 test('the palette goes to another project', async () => {
   const router = await open(PRODUCER)
   await userEvent.keyboard('{Control>}k{/Control}')
-  await userEvent.type(await screen.findByRole('combobox', { name: 'Find or do' }), 'deep')
+  await userEvent.type(await screen.findByRole('combobox', { name: 'Search or run a command' }), 'deep')
   await userEvent.keyboard('{Enter}')
   await waitFor(() => expect(router.state.location.pathname).toBe('/projects/p2'))
 })
@@ -142,7 +142,7 @@ test('the menu says who one is, and lets one out', async () => {
 
 test('an address that nobody knows keeps the frame and the ways on', async () => {
   await open(PRODUCER, '/no/such/place')
-  expect(screen.getByRole('heading', { name: 'Nothing stands at this address.', level: 1 })).toBeInTheDocument()
+  expect(screen.getByRole('heading', { name: 'Page not found', level: 1 })).toBeInTheDocument()
   expect(screen.getByRole('link', { name: 'All projects' })).toHaveAttribute('href', '/projects')
   expect(tabs()).toHaveLength(5)
 })
@@ -151,7 +151,7 @@ test('a page that breaks says so and can be tried again', async () => {
   vi.spyOn(console, 'error').mockImplementation(() => undefined)
   await open(PRODUCER, '/broken')
   const alert = await screen.findByRole('alert')
-  expect(alert).toHaveTextContent('This page did not open.')
+  expect(alert).toHaveTextContent('This page could not be loaded.')
   expect(alert).toHaveTextContent('a figure was missing')
   expect(within(alert).getByRole('button', { name: 'Try again' })).toBeInTheDocument()
 })
@@ -159,7 +159,7 @@ test('a page that breaks says so and can be tried again', async () => {
 test('before anyone is let in, nothing of the page is shown', async () => {
   vi.spyOn(console, 'error').mockImplementation(() => undefined)
   await open(PRODUCER, '/projects/p1/today', () => Promise.reject(new Error('the server is away')))
-  expect(await screen.findByRole('alert')).toHaveTextContent('This page did not open.')
+  expect(await screen.findByRole('alert')).toHaveTextContent('This page could not be loaded.')
   expect(screen.queryByRole('heading', { name: 'Today' })).not.toBeInTheDocument()
 })
 

@@ -40,7 +40,7 @@ function ToastLine({ toast }: { toast: Toast }) {
   ])
 
   return (
-    // Pointing at it or standing in it stops its clock; there is nothing to press on the line itself.
+    // Pointing at it or progress in it stops its clock; there is nothing to press on the line itself.
     // eslint-disable-next-line jsx-a11y/no-static-element-interactions
     <div
       className={`${classes.toast} on-ink`}

@@ -19,7 +19,7 @@ function tieOf(project: Me['projects'][number]): string {
   if (project.part === 'designer') {
     return project.engagement_kind ? `sound designer, ${KIND_WORDS[project.engagement_kind]}` : 'sound designer'
   }
-  if (project.is_decider) return 'approver'
+  if (project.is_approver) return 'approver'
   return project.is_liaison ? 'liaison' : 'team'
 }
 
@@ -41,7 +41,7 @@ export function AccountPage() {
         <PasswordCard demo={session?.demo === true} />
         {session?.demo !== true && <SignInsCard />}
         <Card aria-labelledby="belong">
-          <CardHead id="belong" title="Where you belong" />
+          <CardHead id="belong" title="Your studios and projects" />
           <Rows>
             {me.studios.map((studio) => (
               <Row key={studio.id}>
@@ -60,7 +60,7 @@ export function AccountPage() {
             {me.studios.length + me.projects.length === 0 && (
               <Row>
                 <span className="mid">
-                  No studio and no project yet. A studio invites you by mail, or open your own.
+                  You are not in a studio or project yet. Wait for an email invitation, or create your own studio.
                 </span>
               </Row>
             )}
@@ -76,16 +76,16 @@ function NameCard({ me }: { me: Me }) {
   const rename = useRename()
   return (
     <Card aria-labelledby="name-card">
-      <CardHead id="name-card" title="Name" note="as others see it" />
+      <CardHead id="name-card" title="Name" note="shown to others" />
       <div className={classes.inside}>
         <Form
-          action="Save the name"
+          action="Save name"
           busy={rename.isPending}
           error={rename.error}
           onSubmit={(value) => {
             const before = me.person.name
             rename.mutate(value('name'), {
-              onSuccess: ({ name }) => showToast(`You are ${name} now.`, () => rename.mutate(before)),
+              onSuccess: ({ name }) => showToast(`Your name is now ${name}.`, () => rename.mutate(before)),
             })
           }}
         >
@@ -103,19 +103,17 @@ function PasswordCard({ demo }: { demo: boolean }) {
     return (
       <Card aria-labelledby="password-card">
         <CardHead id="password-card" title="Password" />
-        <p className={`mid ${classes.inside} ${classes.note}`}>
-          The people of the demo have none: this machine lets its visitor in without.
-        </p>
+        <p className={`mid ${classes.inside} ${classes.note}`}>Demo accounts have no password.</p>
       </Card>
     )
   }
   return (
     <Card aria-labelledby="password-card">
-      <CardHead id="password-card" title="Password" note="a new one ends your other sign-ins" />
+      <CardHead id="password-card" title="Password" note="changing it signs you out everywhere else" />
       <div className={classes.inside}>
         <Form
           key={round}
-          action="Change the password"
+          action="Change password"
           busy={change.isPending}
           error={change.error}
           onSubmit={(value) =>
@@ -124,19 +122,19 @@ function PasswordCard({ demo }: { demo: boolean }) {
               {
                 onSuccess: () => {
                   setRound(round + 1)
-                  showToast('The password is changed; your other sign-ins have ended.')
+                  showToast('Password changed. You are signed out on your other devices.')
                 },
               },
             )
           }
         >
-          <Field name="current" label="Password now" type="password" autoComplete="current-password" />
+          <Field name="current" label="Current password" type="password" autoComplete="current-password" />
           <Field
             name="new"
             label="New password"
             type="password"
             autoComplete="new-password"
-            hint="10 characters or more; four unrelated words make a good one."
+            hint="At least 10 characters. Four unrelated words make a good password."
           />
         </Form>
       </div>
@@ -149,23 +147,23 @@ function StudioCard() {
   const [round, setRound] = useState(0)
   return (
     <Card aria-labelledby="studio-card">
-      <CardHead id="studio-card" title="Open a studio" note="with you as its producer" />
+      <CardHead id="studio-card" title="Create a studio" note="you become its producer" />
       <div className={classes.inside}>
         <Form
           key={round}
-          action="Open the studio"
+          action="Create studio"
           busy={open.isPending}
           error={open.error}
           onSubmit={(value) =>
             open.mutate(value('name'), {
               onSuccess: ({ name }) => {
                 setRound(round + 1)
-                showToast(`${name} is open.`)
+                showToast(`${name} created.`)
               },
             })
           }
         >
-          <Field name="name" label="Name of the studio" autoComplete="organization" />
+          <Field name="name" label="Studio name" autoComplete="organization" />
         </Form>
       </div>
     </Card>

@@ -10,7 +10,7 @@ import { type DemoPart, demoPartOf } from './parts'
 
 const PARTS: { part: DemoPart; label: string }[] = [
   { part: 'producer', label: 'Producer' },
-  { part: 'decider', label: 'Approver' },
+  { part: 'approver', label: 'Approver' },
   { part: 'designer', label: 'Sound designer' },
 ]
 
@@ -22,10 +22,10 @@ function usePlayPart(): (part: DemoPart, href?: string) => Promise<void> {
     try {
       await answered(api.PUT('/v1/demo/part/{part}', { params: { path: { part } } }))
     } catch {
-      showToast('The part was not changed: the server did not answer.')
+      showToast('Could not switch roles: the server can’t be reached.')
       return
     }
-    // What is on the screen stays until the new page stands; asking for it anew as somebody else would be refused.
+    // The current page stays until the new one is ready; refetching it as another person would be refused.
     const forget = () => client.removeQueries({ type: 'inactive', fetchStatus: 'idle' })
     forget()
     client.setQueryData(meQuery.queryKey, await answered(api.GET('/v1/me')))
@@ -50,7 +50,7 @@ export function DemoSwitch({ projectId }: { projectId: string | undefined }) {
   }
   return (
     <>
-      <Menu.Label>Play the demo as</Menu.Label>
+      <Menu.Label>View the demo as</Menu.Label>
       <Menu.RadioGroup value={now ?? null} onChange={(part) => void play(part as DemoPart)}>
         {PARTS.map(({ part, label }) => (
           <Menu.RadioItem key={part} value={part} closeMenuOnClick>

@@ -26,8 +26,8 @@ export function JoinPage() {
       <Sheet>
         <h1>Invitation</h1>
         <ProblemNote
-          detail={sentence(problem?.detail ?? 'The invitation could not be read.')}
-          fix={sentence(problem?.fix || 'Ask whoever invited you for a new link.')}
+          detail={sentence(problem?.detail ?? 'The invitation could not be loaded.')}
+          fix={sentence(problem?.fix || 'Ask the person who invited you for a new link.')}
         />
       </Sheet>
     )
@@ -68,7 +68,7 @@ export function JoinPage() {
             label="Password"
             type="password"
             autoComplete={invitation.has_account ? 'current-password' : 'new-password'}
-            hint={invitation.has_account ? `Of the account of ${invitation.email}.` : '10 characters or more.'}
+            hint={invitation.has_account ? `The password of ${invitation.email}.` : 'At least 10 characters.'}
           />
         )}
       </Form>

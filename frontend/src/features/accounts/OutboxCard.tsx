@@ -19,31 +19,31 @@ export function OutboxCard({ studioId }: { studioId: string }) {
     <Card aria-labelledby="outbox">
       <CardHead
         id="outbox"
-        title="Outbox"
+        title="Sent emails"
         count={waiting > 0 ? waiting : undefined}
         note={
           outbox === undefined
             ? undefined
             : outbox.can_send
-              ? 'links go to their recipients only'
-              : 'no mail server is set: copy the links and send them yourself'
+              ? 'only recipients see the links'
+              : 'no mail server is set up: copy the links and send them yourself'
         }
       />
       <CardProblem error={error ?? send.error} />
       {outbox?.mails.length === 0 && (
         <div className={classes.empty}>
-          <EmptyState head="No mail yet." level={3}>
-            Invitations, verdicts and answers are written here first.
+          <EmptyState head="No emails yet." level={3}>
+            Invitations, decisions and answers sent by email are listed here.
           </EmptyState>
         </div>
       )}
-      <Rows aria-label="Mails" className={classes.mails}>
+      <Rows aria-label="Emails" className={classes.mails}>
         {outbox?.mails.map((mail) => (
           <MailRow
             key={mail.id}
             mail={mail}
             canSend={outbox.can_send}
-            onSend={() => send.mutate(mail.id, { onSuccess: () => showToast('The mail is tried again.') })}
+            onSend={() => send.mutate(mail.id, { onSuccess: () => showToast('Sending the email again.') })}
           />
         ))}
       </Rows>
@@ -55,7 +55,7 @@ function MailRow({ mail, canSend, onSend }: { mail: Mail; canSend: boolean; onSe
   const { recipient, subject, text, link, created_at, sent_at, failure } = mail
   const copy = async (copied: string) => {
     await navigator.clipboard.writeText(copied)
-    showToast('The link is copied.')
+    showToast('Link copied.')
   }
   return (
     <Row className={classes.mailRow}>

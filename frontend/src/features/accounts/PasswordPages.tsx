@@ -7,31 +7,32 @@ import { Field, Form, Sheet } from './Form'
 
 /** Ask for a mail with a link; the answer never says whether the address is known. */
 export function ForgottenPasswordPage() {
-  useTitle('Forgotten password')
+  useTitle('Forgot password?')
   const asking = useAskReset()
   if (asking.isSuccess) {
     return (
       <Sheet>
-        <h1>Look into your mail</h1>
+        <h1>Check your inbox</h1>
         <p className="mid">
-          If {asking.variables} has an account, a link to set a new password is on its way. It works for an hour, once.
+          If {asking.variables} has an account, we have sent it a link to set a new password. The link works once,
+          within an hour.
         </p>
         <p className="small mid" style={{ marginTop: 'var(--sl-4)' }}>
-          Nothing comes?{' '}
+          No email?{' '}
           <button type="button" className="link" onClick={() => asking.reset()}>
-            Ask again
+            Send it again
           </button>{' '}
-          If this server has no mail server, whoever runs it can read the link with <code>soundlist mails</code>.
+          If this server has no mail server, its administrator can read the link with <code>soundlist mails</code>.
         </p>
       </Sheet>
     )
   }
   return (
     <Sheet>
-      <h1>Forgotten password</h1>
-      <p className="mid">A link to set a new one comes by mail.</p>
+      <h1>Forgot password?</h1>
+      <p className="mid">We’ll email you a link to set a new one.</p>
       <Form
-        action="Mail me the link"
+        action="Email me a link"
         busy={asking.isPending}
         error={asking.error}
         onSubmit={(value) => asking.mutate(value('email'))}
@@ -41,7 +42,7 @@ export function ForgottenPasswordPage() {
           </Link>
         }
       >
-        <Field name="email" label="Mail address" type="email" autoComplete="username" />
+        <Field name="email" label="Email" type="email" autoComplete="username" />
       </Form>
     </Sheet>
   )
@@ -55,9 +56,9 @@ export function NewPasswordPage() {
   return (
     <Sheet>
       <h1>New password</h1>
-      <p className="mid">It signs you in here and ends every other sign-in.</p>
+      <p className="mid">You will be signed in here and signed out everywhere else.</p>
       <Form
-        action="Set the password"
+        action="Set password"
         busy={setting.isPending}
         error={setting.error}
         onSubmit={(value) =>
@@ -65,7 +66,7 @@ export function NewPasswordPage() {
         }
         other={
           <Link className="link small mid" to="/forgotten-password">
-            Ask for a new link
+            Request a new link
           </Link>
         }
       >
@@ -74,7 +75,7 @@ export function NewPasswordPage() {
           label="New password"
           type="password"
           autoComplete="new-password"
-          hint="10 characters or more."
+          hint="At least 10 characters."
         />
       </Form>
     </Sheet>

@@ -1,6 +1,7 @@
 import { Checkbox, Menu } from '@mantine/core'
 import { useState } from 'react'
 
+import { keepDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
@@ -35,7 +36,7 @@ export function CardProblem({ error }: { error: unknown }) {
   return (
     <div className={classes.problem}>
       <ProblemNote
-        detail={sentence(refusal?.detail ?? 'The server did not answer.')}
+        detail={sentence(refusal?.detail ?? 'Can’t reach Soundlist.')}
         fix={refusal?.fix ? sentence(refusal.fix) : undefined}
       />
     </div>
@@ -68,7 +69,7 @@ export function PeopleCard({ studioId, meId, isProducer }: PeopleCardProps) {
   }
   return (
     <Card aria-labelledby="people">
-      <CardHead id="people" title="People" count={people?.length} note="designers belong to projects, not here" />
+      <CardHead id="people" title="People" count={people?.length} note="designers are listed in their projects" />
       <CardProblem error={error ?? setRoles.error ?? remove.error} />
       <Rows aria-labelledby="people">
         {people?.map((member) => (
@@ -88,7 +89,9 @@ export function PeopleCard({ studioId, meId, isProducer }: PeopleCardProps) {
                   setRoles.reset()
                   remove.mutate(member.person.id, {
                     onSuccess: () =>
-                      showToast(`${member.person.name} left the studio. A new invitation brings them back.`),
+                      showToast(
+                        `${member.person.name} was removed from the studio. Invite them again to bring them back.`,
+                      ),
                   })
                 }}
               />
@@ -143,7 +146,7 @@ function RolesMenu({ member, onChange, onRemove }: RolesMenuProps) {
         {asking ? (
           <Menu.Item onClick={onRemove}>Take {member.person.name} out of the studio now</Menu.Item>
         ) : (
-          <Menu.Item onClick={() => setAsking(true)}>Take out of the studio …</Menu.Item>
+          <Menu.Item onClick={() => setAsking(true)}>Remove from the studio…</Menu.Item>
         )}
       </Menu.Dropdown>
     </Menu>
@@ -158,13 +161,14 @@ export function InvitationsCard({ studioId }: { studioId: string }) {
   const [round, setRound] = useState(0)
   return (
     <Card aria-labelledby="invite">
-      <CardHead id="invite" title="Invite to the studio" />
+      <CardHead id="invite" title="Invite a team member" />
       <div className={classes.inside}>
         <p className="small mid" style={{ paddingTop: 'var(--sl-3)' }}>
-          For the game team. A sound designer is invited to a project, on its page.
+          For the game team. Invite sound designers on the project’s People page.
         </p>
         <Form
           key={round}
+          draftKey={`invite:${studioId}`}
           action="Invite"
           busy={invite.isPending}
           error={invite.error}
@@ -173,6 +177,7 @@ export function InvitationsCard({ studioId }: { studioId: string }) {
               { email: value('email'), roles },
               {
                 onSuccess: ({ email }) => {
+                  keepDraft(`invite:${studioId}`, null)
                   setRound(round + 1)
                   showToast(`${email} is invited.`)
                 },
@@ -180,7 +185,7 @@ export function InvitationsCard({ studioId }: { studioId: string }) {
             )
           }
         >
-          <Field name="email" label="Mail address" type="email" autoComplete="off" />
+          <Field name="email" label="Email" type="email" autoComplete="off" />
           <Checkbox.Group label="Roles" value={roles} onChange={(chosen) => chosen.length > 0 && setRoles(chosen)}>
             <div className={classes.roles}>
               {ROLES.map((role) => (
@@ -198,7 +203,7 @@ export function InvitationsCard({ studioId }: { studioId: string }) {
       </div>
       <CardProblem error={error ?? withdraw.error} />
       {invitations.length > 0 && (
-        <Rows aria-label="Invitations that wait">
+        <Rows aria-label="Pending invitations">
           {invitations.map(({ id, email, roles: asked, created_at, expires_at }) => (
             <Row key={id}>
               <span className="grow">
@@ -210,8 +215,8 @@ export function InvitationsCard({ studioId }: { studioId: string }) {
               </span>
               <Button
                 variant="quiet"
-                aria-label={`Withdraw the invitation of ${email}`}
-                onClick={() => withdraw.mutate(id, { onSuccess: () => showToast(`${email} is no longer invited.`) })}
+                aria-label={`Withdraw the invitation to ${email}`}
+                onClick={() => withdraw.mutate(id, { onSuccess: () => showToast(`Invitation to ${email} withdrawn.`) })}
               >
                 Withdraw
               </Button>

@@ -17,11 +17,11 @@ const WORDS: Record<Quota['kind'], { name: string; atLimit: string }> = {
   },
   cues: { name: 'Cues', atLimit: 'No cue can be added or imported.' },
   projects: { name: 'Projects', atLimit: 'No project can be created.' },
-  people: { name: 'Members', atLimit: 'Nobody else can join the studio. Designers do not count.' },
-  tokens: { name: 'Tokens', atLimit: 'A token can be created once another is revoked.' },
+  people: { name: 'Members', atLimit: 'No one else can join the studio. Designers don’t count.' },
+  tokens: { name: 'Tokens', atLimit: 'Revoke a token to create another.' },
   open_uploads: {
     name: 'Unfinished uploads',
-    atLimit: 'New uploads are refused until others finish or are cleared away.',
+    atLimit: 'New uploads are refused until others finish or expire.',
   },
 }
 
@@ -30,7 +30,7 @@ export function QuotasCard({ studioId }: { studioId: string }) {
   const { data: quotas, error } = useQuotas(studioId)
   return (
     <Card aria-labelledby="quotas">
-      <CardHead id="quotas" title="Limits" note="of the whole studio" />
+      <CardHead id="quotas" title="Limits" note="for the whole studio" />
       <CardProblem error={error} />
       <Rows aria-labelledby="quotas">
         {quotas?.map((quota) => (
@@ -38,7 +38,8 @@ export function QuotasCard({ studioId }: { studioId: string }) {
         ))}
       </Rows>
       <p className={`small mid ${classes.foot}`}>
-        Nothing is deleted at a limit. The server’s administrator can raise one with <code>soundlist quota</code>.
+        Nothing is deleted when a limit is reached. The server’s administrator can raise it with{' '}
+        <code>soundlist quota</code>.
       </p>
     </Card>
   )

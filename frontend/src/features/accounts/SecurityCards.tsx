@@ -26,7 +26,7 @@ export function AddressCard({ me }: { me: Me }) {
   const isVerified = me.email_verified_at !== null
   return (
     <Card aria-labelledby="address-card">
-      <CardHead id="address-card" title="Mail address" />
+      <CardHead id="address-card" title="Email" />
       <div className={classes.inside}>
         <p className={classes.address}>
           <span className="strong">{me.email}</span>
@@ -36,13 +36,13 @@ export function AddressCard({ me }: { me: Me }) {
           <div className={classes.unverified}>
             <p className="mid">
               {way.by_mail
-                ? 'Verify it before you accept a contract: the other party can then tell who accepted.'
-                : 'You can accept contracts without it; their record then says that your address was not verified.'}
+                ? 'Verify it before you sign a contract, so the other party knows who signed.'
+                : 'You can sign contracts without it. Their record then shows that your email was not verified.'}
             </p>
             {!way.by_mail && (
               <p className="small mid">
-                This server sends no mail. Its administrator can read the link with{' '}
-                <code>soundlist mails {me.email}</code> and hand it to you.
+                This server sends no email. Its administrator can read the link with{' '}
+                <code>soundlist mails {me.email}</code> and pass it to you.
               </p>
             )}
             <CardProblem error={asking.error} />
@@ -54,7 +54,7 @@ export function AddressCard({ me }: { me: Me }) {
                     onSuccess: () =>
                       showToast(
                         way.by_mail
-                          ? `A link is on its way to ${me.email}.`
+                          ? `We have sent a link to ${me.email}.`
                           : 'The link is ready. Ask the server’s administrator for it.',
                       ),
                   })
@@ -65,8 +65,8 @@ export function AddressCard({ me }: { me: Me }) {
                     ? 'Send the link again'
                     : 'Send a verification link'
                   : asking.isSuccess
-                    ? 'Make a new link'
-                    : 'Make a verification link'}
+                    ? 'Create a new link'
+                    : 'Create a verification link'}
               </Button>
             </div>
           </div>
@@ -84,14 +84,18 @@ export function SignInsCard() {
   const others = signIns?.filter(({ is_current }) => !is_current) ?? []
   return (
     <Card aria-labelledby="sign-ins">
-      <CardHead id="sign-ins" title="Signed in" note="14 days unused, or 30 days in all, end a sign-in" />
+      <CardHead
+        id="sign-ins"
+        title="Active sessions"
+        note="sessions end after 14 days without use, or 30 days in total"
+      />
       <CardProblem error={error ?? end.error ?? endOthers.error} />
-      <Rows aria-label="Signed in">
+      <Rows aria-label="Active sessions">
         {signIns?.map((signIn) => (
           <SignInRow
             key={signIn.id}
             signIn={signIn}
-            onEnd={() => end.mutate(signIn.id, { onSuccess: () => showToast('That browser is signed out.') })}
+            onEnd={() => end.mutate(signIn.id, { onSuccess: () => showToast('Signed out of that browser.') })}
           />
         ))}
       </Rows>
@@ -99,7 +103,7 @@ export function SignInsCard() {
         <div className={`${classes.inside} ${classes.note}`}>
           <Button
             onClick={() =>
-              endOthers.mutate(undefined, { onSuccess: () => showToast('Every other browser is signed out.') })
+              endOthers.mutate(undefined, { onSuccess: () => showToast('Signed out of all other browsers.') })
             }
           >
             Sign out all others

@@ -22,9 +22,9 @@ export function SignInPage() {
       <h1>Sign in</h1>
       {session?.demo && (
         <p className="mid">
-          This is the demo, which needs no account:{' '}
+          This is the demo. You need no account:{' '}
           <Link className="link" to="/" reloadDocument>
-            go on as {session.person?.name}
+            continue as {session.person?.name}
           </Link>
           .
         </p>
@@ -41,26 +41,26 @@ export function SignInPage() {
         }
         other={
           <Link className="link small mid" to="/forgotten-password">
-            Forgotten password
+            Forgot password?
           </Link>
         }
       >
-        <Field name="email" label="Mail address" type="email" autoComplete="username" />
+        <Field name="email" label="Email" type="email" autoComplete="username" />
         <Field name="password" label="Password" type="password" autoComplete="current-password" />
       </Form>
       <p className="small mid" style={{ marginTop: 'var(--sl-5)' }}>
         {way?.open === false ? (
-          'New people come by invitation. '
+          'You need an invitation to join. '
         ) : (
           <>
-            A game team without an account?{' '}
+            New game team?{' '}
             <Link className="link" to="/sign-up">
-              Open a studio
+              Create a studio
             </Link>
             .{' '}
           </>
         )}
-        Sound designers come by the link that a studio mails them.
+        Sound designers join with the link in a studio’s email.
       </p>
     </Sheet>
   )

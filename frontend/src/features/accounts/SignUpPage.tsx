@@ -9,31 +9,31 @@ import { Field, Form, refusalOf, sentence, Sheet } from './Form'
 
 const toSignIn = (
   <Link className="link small mid" to="/sign-in">
-    I have an account
+    I already have an account
   </Link>
 )
 
-/** What an account asks for beside its address. */
+/** The fields of an account besides its address. */
 function AccountFields({ email }: { email?: string }) {
   return (
     <>
-      <Field name="studio_name" label="Name of the studio" autoComplete="organization" />
+      <Field name="studio_name" label="Studio name" autoComplete="organization" />
       <Field name="name" label="Your name" autoComplete="name" />
       <Field
         name="email"
-        label="Mail address"
+        label="Email"
         type="email"
         autoComplete="username"
         defaultValue={email}
         readOnly={email !== undefined}
-        hint={email === undefined ? undefined : 'Verified by the link in your mail.'}
+        hint={email === undefined ? undefined : 'Verified by the link in your email.'}
       />
       <Field
         name="password"
         label="Password"
         type="password"
         autoComplete="new-password"
-        hint="10 characters or more; four unrelated words make a good one."
+        hint="At least 10 characters. Four unrelated words make a good password."
       />
     </>
   )
@@ -41,13 +41,13 @@ function AccountFields({ email }: { email?: string }) {
 
 /** Open an account and a studio, in the way that this server takes. */
 export function SignUpPage() {
-  useTitle('Open a studio')
+  useTitle('Create a studio')
   const { data: way, error } = useQuery(signUpQuery)
   if (error) {
     return (
       <Sheet>
-        <h1>Open a studio</h1>
-        <ProblemNote detail={sentence(refusalOf(error)?.detail ?? 'The server did not answer.')} />
+        <h1>Create a studio</h1>
+        <ProblemNote detail={sentence(refusalOf(error)?.detail ?? 'Can’t reach Soundlist.')} />
       </Sheet>
     )
   }
@@ -55,10 +55,10 @@ export function SignUpPage() {
   if (!way.open) {
     return (
       <Sheet>
-        <h1>Open a studio</h1>
+        <h1>Create a studio</h1>
         <p className="mid">
-          This server takes new people by invitation only. A studio on it can invite you by mail; whoever runs the
-          server can open it to everybody.
+          Sign-up is by invitation only. Ask a studio on this server for an invitation, or its administrator to allow
+          sign-ups.
         </p>
         <p style={{ marginTop: 'var(--sl-4)' }}>{toSignIn}</p>
       </Sheet>
@@ -72,10 +72,10 @@ function AtOnce() {
   const signUp = useSignUp()
   return (
     <Sheet>
-      <h1>Open a studio</h1>
-      <p className="mid">You become its producer: you open projects and invite the others.</p>
+      <h1>Create a studio</h1>
+      <p className="mid">You become its producer: you create projects and invite others.</p>
       <Form
-        action="Open the studio"
+        action="Create studio"
         busy={signUp.isPending}
         error={signUp.error}
         onSubmit={(value) =>
@@ -102,14 +102,14 @@ function AskByMail() {
   if (asking.isSuccess) {
     return (
       <Sheet>
-        <h1>Check your mail</h1>
+        <h1>Check your inbox</h1>
         <p className="mid">
-          A mail to {asking.variables} says how to go on. Its link works once, within a day. No mail after a few
-          minutes: look into the spam folder.
+          We have sent an email to {asking.variables} with a link to continue. The link works once, within a day. If
+          nothing arrives in a few minutes, check your spam folder.
         </p>
         <p className="small mid" style={{ marginTop: 'var(--sl-4)' }}>
           <button type="button" className="link" onClick={() => asking.reset()}>
-            Use another address, or send it again
+            Use another email, or send it again
           </button>
         </p>
         <p style={{ marginTop: 'var(--sl-4)' }}>{toSignIn}</p>
@@ -118,16 +118,16 @@ function AskByMail() {
   }
   return (
     <Sheet>
-      <h1>Open a studio</h1>
-      <p className="mid">You become its producer. A link to go on comes by mail.</p>
+      <h1>Create a studio</h1>
+      <p className="mid">You become its producer. We’ll email you a link to continue.</p>
       <Form
-        action="Mail me the link"
+        action="Email me a link"
         busy={asking.isPending}
         error={asking.error}
         onSubmit={(value) => asking.mutate(value('email'))}
         other={toSignIn}
       >
-        <Field name="email" label="Mail address" type="email" autoComplete="username" />
+        <Field name="email" label="Email" type="email" autoComplete="username" />
       </Form>
     </Sheet>
   )
@@ -135,7 +135,7 @@ function AskByMail() {
 
 /** The page of the mailed link that opens an account. */
 export function FinishSignUpPage() {
-  useTitle('Open a studio')
+  useTitle('Create a studio')
   const { secret } = useParams({ from: '/guest/sign-up/$secret' })
   const router = useRouter()
   const { data: begun, error } = useQuery(signUpLinkQuery(secret))
@@ -144,9 +144,9 @@ export function FinishSignUpPage() {
     const problem = refusalOf(error)
     return (
       <Sheet>
-        <h1>Open a studio</h1>
+        <h1>Create a studio</h1>
         <ProblemNote
-          detail={sentence(problem?.detail ?? 'The link could not be read.')}
+          detail={sentence(problem?.detail ?? 'The link could not be checked.')}
           fix={sentence(problem?.fix || 'sign up again for a new link')}
         />
         <p style={{ marginTop: 'var(--sl-4)' }}>
@@ -160,10 +160,10 @@ export function FinishSignUpPage() {
   if (begun === undefined) return <Sheet>{null}</Sheet>
   return (
     <Sheet>
-      <h1>Open a studio</h1>
-      <p className="mid">You become its producer: you open projects and invite the others.</p>
+      <h1>Create a studio</h1>
+      <p className="mid">You become its producer: you create projects and invite others.</p>
       <Form
-        action="Open the studio"
+        action="Create studio"
         busy={finish.isPending}
         error={finish.error}
         onSubmit={(value) =>

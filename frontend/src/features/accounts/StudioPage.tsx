@@ -21,8 +21,8 @@ export function StudioPage() {
   if (studio === undefined) {
     return (
       <div className="page">
-        <EmptyState level={1} head="You belong to no studio.">
-          A studio’s producer invites you by mail. Your own one is opened on the account page.
+        <EmptyState level={1} head="You are not in a studio.">
+          A studio’s producer can invite you by email, or you can create your own studio on the Account page.
         </EmptyState>
       </div>
     )
@@ -35,8 +35,8 @@ export function StudioPage() {
           <h1>{studio.name}</h1>
           <p className="mid">
             {isProducer
-              ? 'Its people, who is invited, the mails it sends and its limits.'
-              : 'Its people. A producer invites and changes them.'}
+              ? 'People, invitations, emails and limits.'
+              : 'The people of the studio. Producers manage them.'}
           </p>
         </div>
         {me.studios.length > 1 && (

@@ -10,7 +10,7 @@ import { CardProblem } from './PeopleCards'
 
 /** The page of the mailed link that verifies an address; a press, since mail filters open links by themselves. */
 export function VerifyPage() {
-  useTitle('Verify your address')
+  useTitle('Verify your email')
   const { secret } = useParams({ from: '/shell/verify-address/$secret' })
   const { data: me } = useQuery(meQuery)
   const verify = useVerifyEmail(secret)
@@ -18,11 +18,11 @@ export function VerifyPage() {
   if (verify.isSuccess) {
     return (
       <Sheet>
-        <h1>Address verified</h1>
-        <p className="mid">{me.email} is verified. You can accept contracts with it.</p>
+        <h1>Email verified</h1>
+        <p className="mid">{me.email} is verified. You can sign contracts with it.</p>
         <p style={{ marginTop: 'var(--sl-4)' }}>
           <Link className="link" to="/">
-            Go on
+            Continue
           </Link>
         </p>
       </Sheet>
@@ -30,7 +30,7 @@ export function VerifyPage() {
   }
   return (
     <Sheet>
-      <h1>Verify your address</h1>
+      <h1>Verify your email</h1>
       <p className="mid">You are signed in as {me.email}.</p>
       <CardProblem error={verify.error} />
       <div style={{ marginTop: 'var(--sl-4)' }}>

@@ -17,7 +17,7 @@ const PROJECT = {
   part: 'team',
   is_producer: true,
   is_liaison: false,
-  is_decider: false,
+  is_approver: false,
   engagement_kind: null,
 }
 const PRODUCER = {
@@ -78,7 +78,7 @@ const AT_ONCE = { open: true, by_mail: false }
 const NOBODY = { signed_in: false, demo: false, person: null }
 const signedIn = (me: typeof PRODUCER | typeof DESIGNER, demo = false) => ({ signed_in: true, demo, person: me.person })
 
-/** The answers that every page of somebody signed in asks for. */
+/** The answers that every page of a signed-in person requests. */
 const as = (me: typeof PRODUCER | typeof DESIGNER, more: Answers = {}, demo = false): Answers => ({
   'GET /v1/session': signedIn(me, demo),
   'GET /v1/me': me,
@@ -102,7 +102,7 @@ describe('the guard', () => {
     const app = openApp('/account')
     await screen.findByRole('heading', { name: 'Sign in' })
     expect(app.search()).toEqual({ next: '/account' })
-    await user.type(screen.getByLabelText('Mail address'), PRODUCER.email)
+    await user.type(screen.getByLabelText('Email'), PRODUCER.email)
     await user.type(screen.getByLabelText('Password'), 'a few words of mine')
     await user.click(screen.getByRole('button', { name: 'Sign in' }))
     await screen.findByRole('heading', { name: 'Account' })
@@ -140,13 +140,13 @@ describe('signing in', () => {
     })
     const user = userEvent.setup()
     openApp('/sign-in')
-    await user.type(await screen.findByLabelText('Mail address'), 'me@sound.example')
+    await user.type(await screen.findByLabelText('Email'), 'me@sound.example')
     await user.type(screen.getByLabelText('Password'), 'not it at all')
     await user.click(screen.getByRole('button', { name: 'Sign in' }))
     expect(await screen.findByRole('alert')).toHaveTextContent(
       'Address and password do not belong together. Check both, or ask for a new password.',
     )
-    expect(screen.getByLabelText('Mail address')).toHaveValue('me@sound.example')
+    expect(screen.getByLabelText('Email')).toHaveValue('me@sound.example')
     expect(screen.getByLabelText('Password')).toHaveValue('not it at all')
   })
 
@@ -155,9 +155,9 @@ describe('signing in', () => {
     const user = userEvent.setup()
     openApp('/sign-in')
     await user.click(await screen.findByRole('button', { name: 'Sign in' }))
-    expect(await screen.findByText('Mail address is missing.')).toBeInTheDocument()
-    expect(screen.getByText('Password is missing.')).toBeInTheDocument()
-    expect(screen.getByLabelText('Mail address')).toHaveFocus()
+    expect(await screen.findByText('Email is required.')).toBeInTheDocument()
+    expect(screen.getByText('Password is required.')).toBeInTheDocument()
+    expect(screen.getByLabelText('Email')).toHaveFocus()
     expect(asked.filter(({ method }) => method === 'POST')).toEqual([])
   })
 
@@ -165,23 +165,23 @@ describe('signing in', () => {
     serve({
       'GET /v1/session': NOBODY,
       'GET /v1/sign-up': AT_ONCE,
-      'POST /v1/sign-up': refusal(422, 'password-too-weak', 'choose a password of 10 characters or more', {
-        errors: [{ where: 'password', message: 'choose a password of 10 characters or more' }],
+      'POST /v1/sign-up': refusal(422, 'password-too-weak', 'choose a password of At least 10 characters', {
+        errors: [{ where: 'password', message: 'choose a password of At least 10 characters' }],
       }),
     })
     const user = userEvent.setup()
     openApp('/sign-up')
-    await user.type(await screen.findByLabelText('Name of the studio'), 'Blue Hull')
+    await user.type(await screen.findByLabelText('Studio name'), 'Blue Hull')
     await user.type(screen.getByLabelText('Your name'), 'Producer')
-    await user.type(screen.getByLabelText('Mail address'), 'p@hull.example')
+    await user.type(screen.getByLabelText('Email'), 'p@hull.example')
     await user.type(screen.getByLabelText('Password'), 'short')
-    await user.click(screen.getByRole('button', { name: 'Open the studio' }))
+    await user.click(screen.getByRole('button', { name: 'Create studio' }))
     await waitFor(() =>
       expect(screen.getByLabelText('Password')).toHaveAccessibleDescription(
-        expect.stringContaining('Choose a password of 10 characters or more.'),
+        expect.stringContaining('Choose a password of At least 10 characters.'),
       ),
     )
-    expect(screen.getByLabelText('Name of the studio')).toHaveValue('Blue Hull')
+    expect(screen.getByLabelText('Studio name')).toHaveValue('Blue Hull')
   })
 
   test('a forgotten password: the page says the same whoever asks', async () => {
@@ -192,8 +192,8 @@ describe('signing in', () => {
     })
     const user = userEvent.setup()
     openApp('/forgotten-password')
-    await user.type(await screen.findByLabelText('Mail address'), 'who@sound.example')
-    await user.click(screen.getByRole('button', { name: 'Mail me the link' }))
+    await user.type(await screen.findByLabelText('Email'), 'who@sound.example')
+    await user.click(screen.getByRole('button', { name: 'Email me a link' }))
     expect(await screen.findByText(/If who@sound\.example has an account/)).toBeInTheDocument()
     expect(asked.at(-1)?.body).toEqual({ email: 'who@sound.example' })
   })
@@ -209,7 +209,7 @@ describe('signing in', () => {
     const user = userEvent.setup()
     openApp('/new-password/s3cret')
     await user.type(await screen.findByLabelText('New password'), 'three new words here')
-    await user.click(screen.getByRole('button', { name: 'Set the password' }))
+    await user.click(screen.getByRole('button', { name: 'Set password' }))
     expect(await screen.findByRole('alert')).toHaveTextContent('This link was used or is too old. Ask for a new one.')
   })
 })
@@ -222,7 +222,7 @@ describe('the demo', () => {
         {
           'PUT /v1/demo/part/designer': () => {
             Object.assign(server.answers, as(DESIGNER, {}, true))
-            return { part: 'designer', parts: ['producer', 'decider', 'designer'] }
+            return { part: 'designer', parts: ['producer', 'approver', 'designer'] }
           },
         },
         true,
@@ -243,7 +243,7 @@ describe('the demo', () => {
     openApp('/account')
     await user.click(await screen.findByRole('button', { name: 'Producer: account and settings' }))
     await screen.findByRole('menuitem', { name: 'Account' })
-    expect(screen.queryByText('Play the demo as')).not.toBeInTheDocument()
+    expect(screen.queryByText('View the demo as')).not.toBeInTheDocument()
   })
 })
 
@@ -303,8 +303,8 @@ describe('the studio', () => {
     serve(studio())
     const user = userEvent.setup()
     openApp('/studio')
-    await user.click(await screen.findByRole('button', { name: 'Roles of Audio director: Liaison' }))
-    expect(await screen.findByRole('menuitemcheckbox', { name: /^Liaison/ })).toBeDisabled()
+    await user.click(await screen.findByRole('button', { name: 'Roles of Audio director: Audio lead' }))
+    expect(await screen.findByRole('menuitemcheckbox', { name: /^Audio lead/ })).toBeDisabled()
   })
 
   test('an invitation is sent with its roles; an address that is there already is said at the field', async () => {
@@ -316,8 +316,8 @@ describe('the studio', () => {
     )
     const user = userEvent.setup()
     openApp('/studio')
-    const card = await screen.findByRole('region', { name: 'Invite to the studio' })
-    await user.type(within(card).getByLabelText('Mail address'), 'director@studio.example')
+    const card = await screen.findByRole('region', { name: 'Invite a team member' })
+    await user.type(within(card).getByLabelText('Email'), 'director@studio.example')
     await user.click(within(card).getByLabelText('Implementer'))
     await user.click(within(card).getByRole('button', { name: 'Invite' }))
     expect(await within(card).findByText('Director@studio.example is a member already.')).toBeInTheDocument()
@@ -333,7 +333,7 @@ describe('the studio', () => {
     openApp('/studio')
     await user.click(await screen.findByRole('button', { name: /^Copy link of “Shield Wing: sounds to review”/ }))
     await expect(navigator.clipboard.readText()).resolves.toBe(MAIL.link)
-    expect(await screen.findByText('The link is copied.')).toBeInTheDocument()
+    expect(await screen.findByText('Link copied.')).toBeInTheDocument()
   })
 
   test('a producer sees how near each limit is, and what happens there', async () => {
@@ -344,7 +344,7 @@ describe('the studio', () => {
     const [masters, cues, tokens] = within(card).getAllByRole('listitem')
     expect(masters).toHaveTextContent('Almost full New uploads are refused. Finished uploads are never refused.')
     expect(cues).toHaveTextContent('Cues412 of 500,000 At the limit: no cue can be added or imported.')
-    expect(tokens).toHaveTextContent('5 of 5Limit reached A token can be created once another is revoked.')
+    expect(tokens).toHaveTextContent('5 of 5Limit reached Revoke a token to create another.')
     expect(within(card).getByRole('img', { name: 'Tokens: 5 of 5' })).toBeInTheDocument()
   })
 
@@ -353,7 +353,7 @@ describe('the studio', () => {
     const { asked } = serve(as(me, { 'GET /v1/studios/s1/people': PEOPLE }))
     openApp('/studio')
     expect(await screen.findByText('Audio director')).toBeInTheDocument()
-    expect(screen.queryByRole('region', { name: 'Outbox' })).not.toBeInTheDocument()
+    expect(screen.queryByRole('region', { name: 'Sent emails' })).not.toBeInTheDocument()
     expect(asked.some(({ path }) => /(outbox|invitations|quotas)$/.test(path))).toBe(false)
   })
 })
@@ -399,7 +399,7 @@ describe('a link into a studio', () => {
     })
     openApp('/join/s3cret')
     expect(await screen.findByRole('alert')).toHaveTextContent(
-      'This invitation is not there. Ask whoever invited you for a new link.',
+      'This invitation is not there. Ask the person who invited you for a new link.',
     )
   })
 })
@@ -408,7 +408,7 @@ describe('signing up', () => {
   test('a server that takes people by invitation says so, and asks for nothing', async () => {
     serve({ 'GET /v1/session': NOBODY, 'GET /v1/sign-up': { open: false, by_mail: true } })
     openApp('/sign-up')
-    expect(await screen.findByText(/takes new people by invitation only/)).toBeInTheDocument()
+    expect(await screen.findByText(/Sign-up is by invitation only/)).toBeInTheDocument()
     expect(screen.queryByRole('textbox')).toBeNull()
   })
 
@@ -420,9 +420,9 @@ describe('signing up', () => {
     })
     const user = userEvent.setup()
     openApp('/sign-up')
-    await user.type(await screen.findByLabelText('Mail address'), 'p@hull.example')
-    await user.click(screen.getByRole('button', { name: 'Mail me the link' }))
-    expect(await screen.findByRole('heading', { name: 'Check your mail' })).toBeInTheDocument()
+    await user.type(await screen.findByLabelText('Email'), 'p@hull.example')
+    await user.click(screen.getByRole('button', { name: 'Email me a link' }))
+    expect(await screen.findByRole('heading', { name: 'Check your inbox' })).toBeInTheDocument()
     expect(server.asked.find(({ method }) => method === 'POST')?.body).toEqual({ email: 'p@hull.example' })
   })
 
@@ -437,12 +437,12 @@ describe('signing up', () => {
     })
     const user = userEvent.setup()
     const app = openApp('/sign-up/s3cret')
-    expect(await screen.findByLabelText('Mail address')).toHaveValue('p@hull.example')
-    expect(screen.getByLabelText('Mail address')).toHaveAttribute('readonly')
-    await user.type(screen.getByLabelText('Name of the studio'), 'Blue Hull')
+    expect(await screen.findByLabelText('Email')).toHaveValue('p@hull.example')
+    expect(screen.getByLabelText('Email')).toHaveAttribute('readonly')
+    await user.type(screen.getByLabelText('Studio name'), 'Blue Hull')
     await user.type(screen.getByLabelText('Your name'), 'Producer')
     await user.type(screen.getByLabelText('Password'), 'four words of music')
-    await user.click(screen.getByRole('button', { name: 'Open the studio' }))
+    await user.click(screen.getByRole('button', { name: 'Create studio' }))
     await waitFor(() => expect(app.at()).not.toBe('/sign-up/s3cret'))
     expect(server.asked.find(({ method }) => method === 'POST')?.body).toEqual({
       studio_name: 'Blue Hull',
@@ -458,10 +458,10 @@ describe('the security of an account', () => {
     const server = serve(as(DESIGNER, { 'GET /v1/sign-up': byMail, 'POST /v1/me/email-verifications': null }))
     const user = userEvent.setup()
     openApp('/account')
-    const card = within(await screen.findByRole('region', { name: 'Mail address' }))
+    const card = within(await screen.findByRole('region', { name: 'Email' }))
     expect(card.getByText('Not verified')).toBeInTheDocument()
     await user.click(await card.findByRole('button', { name: 'Send a verification link' }))
-    expect(await screen.findByText(`A link is on its way to ${DESIGNER.email}.`)).toBeInTheDocument()
+    expect(await screen.findByText(`We have sent a link to ${DESIGNER.email}.`)).toBeInTheDocument()
     expect(await card.findByRole('button', { name: 'Send the link again' })).toBeInTheDocument()
     expect(server.asked.filter(({ path }) => path === '/v1/me/email-verifications')).toHaveLength(1)
   })
@@ -470,18 +470,18 @@ describe('the security of an account', () => {
     serve(as(DESIGNER, { 'GET /v1/sign-up': AT_ONCE, 'POST /v1/me/email-verifications': null }))
     const user = userEvent.setup()
     openApp('/account')
-    const card = within(await screen.findByRole('region', { name: 'Mail address' }))
+    const card = within(await screen.findByRole('region', { name: 'Email' }))
     expect(await card.findByText(`soundlist mails ${DESIGNER.email}`)).toBeInTheDocument()
-    expect(card.getByText(/^You can accept contracts without it/)).toBeInTheDocument()
-    await user.click(card.getByRole('button', { name: 'Make a verification link' }))
+    expect(card.getByText(/^You can sign contracts without it/)).toBeInTheDocument()
+    await user.click(card.getByRole('button', { name: 'Create a verification link' }))
     expect(await screen.findByText('The link is ready. Ask the server’s administrator for it.')).toBeInTheDocument()
-    expect(card.getByRole('button', { name: 'Make a new link' })).toBeInTheDocument()
+    expect(card.getByRole('button', { name: 'Create a new link' })).toBeInTheDocument()
   })
 
   test('a verified address asks for nothing', async () => {
     serve(as(PRODUCER))
     openApp('/account')
-    const card = within(await screen.findByRole('region', { name: 'Mail address' }))
+    const card = within(await screen.findByRole('region', { name: 'Email' }))
     expect(card.getByText('Verified')).toBeInTheDocument()
     expect(card.queryByRole('button')).toBeNull()
   })
@@ -490,7 +490,7 @@ describe('the security of an account', () => {
     const server = serve(as(PRODUCER, { 'DELETE /v1/me/sign-ins/n2': null, 'DELETE /v1/me/sign-ins': null }))
     const user = userEvent.setup()
     openApp('/account')
-    const card = within(await screen.findByRole('region', { name: 'Signed in' }))
+    const card = within(await screen.findByRole('region', { name: 'Active sessions' }))
     const rows = await card.findAllByRole('listitem')
     expect(rows[0]).toHaveTextContent(/Firefox on Linux.*192\.0\.2\.7.*This browser/)
     expect(rows[2]).toHaveTextContent(/Unknown browser/)
@@ -512,7 +512,7 @@ describe('the security of an account', () => {
     const press = await screen.findByRole('button', { name: 'Verify designer@sound.example' })
     expect(server.asked.filter(({ method }) => method === 'POST')).toEqual([])
     await user.click(press)
-    expect(await screen.findByRole('heading', { name: 'Address verified' })).toBeInTheDocument()
+    expect(await screen.findByRole('heading', { name: 'Email verified' })).toBeInTheDocument()
   })
 
   test('a link of another account says so', async () => {

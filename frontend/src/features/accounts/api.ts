@@ -16,14 +16,14 @@ export type Quota = Schemas['QuotaRead']
 
 const MINUTE_MS = 60_000
 
-/** Whether somebody is signed in; asking also gives this page the token that its writes must carry. */
+/** Whether the person is signed in; the request also fetches the token that this page's writes must carry. */
 export const sessionQuery = queryOptions({
   queryKey: ['session'],
   queryFn: () => answered(api.GET('/v1/session')),
   staleTime: MINUTE_MS,
 })
 
-/** Whoever signs in makes a new session, whose token the next write must carry. */
+/** A sign-in makes a new session, whose token the next write must carry. */
 function useEntrance<Body, Answer>(enter: (body: Body) => Promise<Answer>) {
   const client = useQueryClient()
   return useMutation({
@@ -41,7 +41,7 @@ export const useSignIn = () => useEntrance((body: Schemas['SignInAdd']) => answe
 
 export const useSignUp = () => useEntrance((body: Schemas['SignUpAdd']) => answered(api.POST('/v1/sign-up', { body })))
 
-/** Whether anybody may open an account here, and whether a link is mailed first. */
+/** Whether anyone may open an account here, and whether a link is mailed first. */
 export const signUpQuery = queryOptions({
   queryKey: ['sign-up'],
   queryFn: () => answered(api.GET('/v1/sign-up')),
@@ -167,7 +167,7 @@ export const useOutbox = (studioId: string, enabled: boolean) =>
     queryKey: outboxKey(studioId),
     queryFn: () => answered(api.GET('/v1/studios/{studio_id}/outbox', inStudio(studioId))),
     enabled,
-    // The worker writes and sends mails a moment after what they tell of.
+    // The worker writes and sends mails a moment after their event.
     refetchInterval: 2_000,
   })
 

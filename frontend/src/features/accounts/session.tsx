@@ -2,21 +2,24 @@ import { type QueryClient, useQuery, useQueryClient } from '@tanstack/react-quer
 import { redirect, useParams, useRouter } from '@tanstack/react-router'
 import { useEffect } from 'react'
 
-import { answered, api, ApiProblem } from '@/api'
+import { answered, api, ApiProblem, leaveSession } from '@/api'
 import { cameBack, deskQuery } from '@/app/desk'
+import { forgetDrafts, openDraftsOf } from '@/app/drafts'
+import { followChanges } from '@/app/liveChanges'
 import { keepLastProject, lastProject } from '@/app/lastProject'
 import { showToast } from '@/app/toast'
 import { NOBODY, type Session, type ShellData } from '@/app/session'
 import { countQuery, isParty } from '@/judging/api'
 import { counted } from '@/judging/words'
 
-import { meQuery, sessionQuery } from './api'
+import { type Me, meQuery, sessionQuery } from './api'
 import { DemoSwitch } from './DemoSwitch'
 import { partWord } from './parts'
+import { SignInAgain } from './SignInAgain'
 
 const isSignedOut = (error: unknown): boolean => error instanceof ApiProblem && error.status === 401
 
-/** Where one comes back to after signing in; the start needs no telling. */
+/** The page to return to after signing in; omitted for the start page. */
 const backTo = (href: string): { next?: string } => (href === '/' ? {} : { next: href })
 
 async function signOut(client: QueryClient, leave: () => Promise<void>): Promise<void> {
@@ -24,13 +27,18 @@ async function signOut(client: QueryClient, leave: () => Promise<void>): Promise
     await answered(api.POST('/v1/sign-out'))
   } catch (error) {
     if (!isSignedOut(error)) {
-      showToast('You are still signed in: the server did not answer.')
+      showToast('Could not sign you out: the server can’t be reached.')
       return
     }
   }
+  leaveSession()
+  forgetDrafts()
   await leave()
   client.clear()
 }
+
+const projectIdsOf = (client: QueryClient): ReadonlySet<string> =>
+  new Set(client.getQueryData<Me>(meQuery.queryKey)?.projects.map(({ id }) => id))
 
 function useShell(): ShellData {
   const client = useQueryClient()
@@ -59,6 +67,12 @@ function useShell(): ShellData {
     void router.navigate({ to: '/sign-in', search: backTo(href) })
   }, [signedOut, client, router])
 
+  const personId = me?.person.id
+  useEffect(
+    () => (personId === undefined ? undefined : followChanges(client, personId, () => projectIdsOf(client))),
+    [personId, client],
+  )
+
   if (me === undefined) return NOBODY
   const isDemo = session?.demo === true
   return {
@@ -71,11 +85,12 @@ function useShell(): ShellData {
     counts: { review: review && counted(review), desk: desk && cameBack(desk) + desk.unmatched },
     operates: me.is_operator || me.studios.some(({ roles }) => roles.includes('producer')),
     signOut: () => void signOut(client, () => router.navigate({ to: '/sign-in', search: {} })),
+    signInAgain: isDemo ? undefined : <SignInAgain me={me} />,
     switcher: isDemo ? <DemoSwitch projectId={project?.id} /> : undefined,
   }
 }
 
-/** Who is at the screen: asked of the server once a minute at most, and before every page of the shell. */
+/** The current person: requested from the server once a minute at most, and before every page of the shell. */
 export function createSession(client: QueryClient): Session {
   return {
     useShell,
@@ -86,7 +101,8 @@ export function createSession(client: QueryClient): Session {
         throw redirect({ to: '/sign-in', search: backTo(href) })
       }
       try {
-        await client.ensureQueryData(meQuery)
+        const me = await client.ensureQueryData(meQuery)
+        openDraftsOf(me.person.id)
       } catch (error) {
         if (!isSignedOut(error)) throw error
         client.clear()

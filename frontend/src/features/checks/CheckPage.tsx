@@ -29,8 +29,8 @@ export function CheckPage() {
   if (load === undefined) {
     return (
       <div className="page">
-        <EmptyState level={1} head={`No check is called ${check}.`}>
-          The finding itself says what was measured, the limit, and what to do.
+        <EmptyState level={1} head={`There is no check called ${check}.`}>
+          The finding shows what was measured, the limit and how to fix it.
         </EmptyState>
       </div>
     )

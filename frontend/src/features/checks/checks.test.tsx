@@ -52,5 +52,5 @@ test('a check’s page is there for whoever has the link', async () => {
 test('a check of another version says so', async () => {
   serve({})
   openApp('/checks/unheard-of')
-  expect(await screen.findByRole('heading', { name: 'No check is called unheard-of.' })).toBeInTheDocument()
+  expect(await screen.findByRole('heading', { name: 'There is no check called unheard-of.' })).toBeInTheDocument()
 })

@@ -31,7 +31,7 @@ export function AddClause({ library, draft, onAdd }: AddClauseProps) {
       {missing.length > 0 && (
         <div className={classes.library}>
           <Select
-            label="A clause of the library"
+            label="Clause from the library"
             value={key}
             onChange={({ currentTarget }) => setChosen(currentTarget.value)}
           >
@@ -49,15 +49,15 @@ export function AddClause({ library, draft, onAdd }: AddClauseProps) {
           </div>
         </div>
       )}
-      <form onSubmit={write} className={classes.inner} aria-label="A clause of your own">
+      <form onSubmit={write} className={classes.inner} aria-label="Custom clause">
         <TextInput
-          label="Title of a clause of your own"
+          label="Title of the custom clause"
           value={title}
           maxLength={120}
           onChange={({ currentTarget }) => setTitle(currentTarget.value)}
         />
         <Button type="submit" icon="plus" disabled={title.trim() === ''}>
-          Write it
+          Add clause
         </Button>
       </form>
     </div>

@@ -89,14 +89,14 @@ export function ClauseFields({
       {open && (
         <div className={classes.inner}>
           <TextInput
-            label="Title of the clause"
+            label="Clause title"
             value={clause.title}
             maxLength={120}
             onChange={({ currentTarget: { value } }) => onChange({ title: value })}
           />
           <Textarea
             label="Text"
-            description="Words in braces are filled in: {studio}, {designer}, {milestones}. **Bold**, *italic*, “- ” for a list."
+            description="Words in braces are filled in for you: {studio}, {designer}, {milestones}. **Bold**, *italic*, “- ” for a list."
             autosize
             minRows={4}
             value={clause.text}

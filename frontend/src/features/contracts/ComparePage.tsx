@@ -41,26 +41,28 @@ export function ComparePage() {
           <p className="mid" role="status">
             {compared.data &&
               (changed.length === 0
-                ? `Versions ${from} and ${to} say the same.`
+                ? `Versions ${from} and ${to} are identical.`
                 : `${plural(changed.length, 'paragraph')} of ${contract?.title ?? 'the contract'} differ between version ${from} and ${to}.`)}
           </p>
         </div>
         <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contractId}`}>
-          Back to the contract
+          Back to contract
         </ButtonLink>
       </div>
       <Refusal error={error ?? compared.error} />
       {numbers.length === 1 && (
-        <EmptyState head="There is one version only.">Each saved draft, and each sending, makes another.</EmptyState>
+        <EmptyState head="There is only one version.">
+          Every saved draft, and every time you send it, adds a version.
+        </EmptyState>
       )}
       {numbers.length > 1 && (
-        <Card aria-label="What is compared" className={classes.choose}>
+        <Card aria-label="Versions to compare" className={classes.choose}>
           <VersionSelect label="From" value={from} numbers={numbers} onChange={(value) => show({ from: value, to })} />
           <VersionSelect label="To" value={to} numbers={numbers} onChange={(value) => show({ from, to: value })} />
         </Card>
       )}
       {compared.data && (
-        <Card aria-label="The text" className={classes.sheet}>
+        <Card aria-label="Text" className={classes.sheet}>
           <div className={classes.text}>
             {compared.data.lines.map((line, index) => (
               <Line key={index} line={line} />

@@ -3,6 +3,7 @@ import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 import { type FormEvent, useState } from 'react'
 
+import { DraftNote, useDraft } from '@/app/drafts'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
 import { Button, ButtonLink } from '@/ui/Button'
@@ -15,7 +16,7 @@ import { type Contract, contractQuery, useDeed, useKeepAsTemplate, versionsQuery
 import classes from './Contracts.module.css'
 import { Refusal } from './Refusal'
 import { Text } from './Text'
-import { KIND_WORDS, PROOF_WORDS, standing } from './words'
+import { KIND_WORDS, PROOF_WORDS, progress } from './words'
 
 /** One contract: its text, who has said yes, and what the reader may do about it. */
 export function ContractPage() {
@@ -30,7 +31,7 @@ export function ContractPage() {
       </div>
     )
   }
-  const { kind, text } = standing(contract)
+  const { kind, text } = progress(contract)
   return (
     <div className="page stack">
       <div className={classes.head}>
@@ -44,16 +45,16 @@ export function ContractPage() {
           {text}
         </State>
       </div>
-      {contract.change_asked && (
+      {contract.change_requested && (
         <blockquote className={classes.asked}>
-          <p>{contract.change_asked.text}</p>
+          <p>{contract.change_requested.text}</p>
           <footer className="small mid">
-            {`${contract.change_asked.by} asks for this change${contract.change_asked.clause ? ` of ${clauseTitle(contract, contract.change_asked.clause)}` : ''}, ${day(contract.change_asked.at)}`}
+            {`${contract.change_requested.by} asks for this change${contract.change_requested.clause ? ` of ${clauseTitle(contract, contract.change_requested.clause)}` : ''}, ${day(contract.change_requested.at)}`}
           </footer>
         </blockquote>
       )}
       <div className={`columns ${classes.columns}`}>
-        <Card aria-label="The text" className={classes.sheet}>
+        <Card aria-label="Text" className={classes.sheet}>
           <Text blocks={contract.version.blocks} />
           <p className={`mono dim ${classes.hash}`}>{`SHA-256 ${contract.version.text_sha256}`}</p>
         </Card>
@@ -79,15 +80,15 @@ const clauseTitle = (contract: Contract, key: string): string =>
 
 function Steps({ contract, projectId }: { contract: Contract; projectId: string }) {
   const { may } = contract
-  if (!(may.change || may.accept || may.take_back || may.ask_change)) return null
+  if (!(may.change || may.accept || may.recall || may.request_change)) return null
   return (
     <Card aria-labelledby="next">
-      <CardHead id="next" title="Your step" />
+      <CardHead id="next" title="Next step" />
       <div className={classes.form}>
         {may.change && <SendIt contract={contract} projectId={projectId} />}
         {may.accept && <Accept contract={contract} />}
-        {may.ask_change && <AskChange contract={contract} />}
-        {may.take_back && <TakeBack contract={contract} />}
+        {may.request_change && <AskChange contract={contract} />}
+        {may.recall && <Recall contract={contract} />}
       </div>
     </Card>
   )
@@ -97,13 +98,11 @@ function SendIt({ contract, projectId }: { contract: Contract; projectId: string
   const send = useDeed(contract.id)
   return (
     <>
-      <p>
-        {`Sending puts the text before ${contract.designer.name} as PDF, with the list and the open questions of that moment.`}
-      </p>
+      <p>{`${contract.designer.name} receives the text as a PDF, with the current sound list and open questions.`}</p>
       <Refusal error={send.error} />
       <div className={classes.buttons}>
         <ButtonLink component={Link} icon="pencil" to={`/projects/${projectId}/contracts/${contract.id}/draft`}>
-          Change the draft
+          Edit draft
         </ButtonLink>
         {isOrder(contract) && (
           <ButtonLink component={Link} icon="lines" to={`/projects/${projectId}/contracts/${contract.id}/plan`}>
@@ -116,7 +115,7 @@ function SendIt({ contract, projectId }: { contract: Contract; projectId: string
           onClick={() =>
             send.mutate(
               { does: 'send', note: '' },
-              { onSuccess: () => showToast(`${contract.title} waits for both to accept.`) },
+              { onSuccess: () => showToast(`${contract.title} sent. Both sides can sign it now.`) },
             )
           }
         >
@@ -141,8 +140,8 @@ function Accept({ contract }: { contract: Contract }) {
   return (
     <form onSubmit={say} className={classes.inner} aria-label="Accept">
       <p>
-        Your name, the time and the address you send it from are kept with the text. It is agreed once both have
-        accepted.
+        Your name, email, the time and your IP address are recorded with the text. The contract takes effect once both
+        sides have signed.
       </p>
       <TextInput
         label="Your full name"
@@ -153,7 +152,7 @@ function Accept({ contract }: { contract: Contract }) {
       />
       <Refusal error={accept.error} />
       <Button type="submit" variant="primary" icon="tick" disabled={name.trim() === ''} aria-busy={accept.isPending}>
-        {`Accept version ${contract.version.number}`}
+        {`Sign version ${contract.version.number}`}
       </Button>
     </form>
   )
@@ -161,63 +160,71 @@ function Accept({ contract }: { contract: Contract }) {
 
 function AskChange({ contract }: { contract: Contract }) {
   const ask = useDeed(contract.id)
-  const [text, setText] = useState('')
+  const [text, setText, draft] = useDraft(`contract-change:${contract.id}`, '')
   const [clause, setClause] = useState<string | null>(null)
   const send = (event: FormEvent) => {
     event.preventDefault()
     if (ask.isPending || text.trim() === '') return
     ask.mutate(
       { does: 'ask for a change', text: text.trim(), clause },
-      { onSuccess: () => showToast('The studio has it back, with what you ask for.') },
+      {
+        onSuccess: () => {
+          draft.discard()
+          showToast('Your change request was sent to the studio.')
+        },
+      },
     )
   }
   return (
-    <form onSubmit={send} className={classes.inner} aria-label="Ask for a change">
+    <form onSubmit={send} className={classes.inner} aria-label="Request a change">
       <Select
-        label="Or ask for a change of"
-        placeholder="The whole text"
+        label="Or request a change to"
+        placeholder="The whole contract"
         data={contract.version.clauses.map(({ key, title }) => ({ value: key, label: title }))}
         value={clause}
         clearable
         onChange={setClause}
       />
       <Textarea
-        label="What you want otherwise"
+        label="Requested change"
         rows={3}
         resize="vertical"
         value={text}
         maxLength={2000}
         onChange={({ currentTarget }) => setText(currentTarget.value)}
       />
+      <DraftNote draft={draft} />
       <Refusal error={ask.error} />
       <Button type="submit" icon="back" disabled={text.trim() === ''} aria-busy={ask.isPending}>
-        Send it back
+        Request change
       </Button>
     </form>
   )
 }
 
-function TakeBack({ contract }: { contract: Contract }) {
+function Recall({ contract }: { contract: Contract }) {
   const take = useDeed(contract.id)
-  const [reason, setReason] = useState('')
+  const [reason, setReason, draft] = useDraft(`contract-back:${contract.id}`, '')
   return (
     <form
       className={classes.inner}
-      aria-label="Take it back"
+      aria-label="Recall"
       onSubmit={(event) => {
         event.preventDefault()
-        if (!take.isPending && reason.trim() !== '') take.mutate({ does: 'take back', reason: reason.trim() })
+        if (!take.isPending && reason.trim() !== '') {
+          take.mutate({ does: 'take back', reason: reason.trim() }, { onSuccess: draft.discard })
+        }
       }}
     >
       <TextInput
-        label="Or take it back, because"
+        label="Recall it, reason"
         value={reason}
         maxLength={2000}
         onChange={({ currentTarget }) => setReason(currentTarget.value)}
       />
       <Refusal error={take.error} />
       <Button type="submit" disabled={reason.trim() === ''} aria-busy={take.isPending}>
-        Take it back
+        Recall
       </Button>
     </form>
   )
@@ -227,8 +234,8 @@ function Said({ contract }: { contract: Contract }) {
   if (contract.acceptances.length === 0) return null
   return (
     <Card aria-labelledby="said">
-      <CardHead id="said" title="Accepted by" />
-      <Rows aria-label="Accepted by">
+      <CardHead id="said" title="Signed by" />
+      <Rows aria-label="Signed by">
         {contract.acceptances.map(({ party, name, email, email_proof, accepted_at }) => (
           <Row key={party} className={classes.row}>
             <div className="grow">
@@ -247,7 +254,7 @@ function Versions({ contract, projectId }: { contract: Contract; projectId: stri
   const { data: versions, error } = useQuery(versionsQuery(contract.id))
   return (
     <Card aria-labelledby="versions">
-      <CardHead id="versions" title="Versions and record" />
+      <CardHead id="versions" title="Versions and audit trail" />
       <Refusal error={error} />
       <Rows aria-label="Versions">
         {versions?.map(({ number, note, author, created_at, pdf_sha256 }) => (
@@ -276,7 +283,7 @@ function Versions({ contract, projectId }: { contract: Contract; projectId: stri
           </ButtonLink>
         )}
         <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contract.id}/record`}>
-          The record
+          Audit trail
         </ButtonLink>
       </div>
     </Card>
@@ -288,16 +295,16 @@ function KeepAsTemplate({ contract }: { contract: Contract }) {
   const [name, setName] = useState('')
   return (
     <Card aria-labelledby="keep">
-      <CardHead id="keep" title="Keep as a template" />
+      <CardHead id="keep" title="Save as template" />
       <form
         className={classes.form}
-        aria-label="Keep as a template"
+        aria-label="Save as template"
         onSubmit={(event) => {
           event.preventDefault()
           if (keep.isPending || name.trim() === '') return
           keep.mutate(name.trim(), {
             onSuccess: (kept) => {
-              showToast(`${kept.name} is a template of the studio now.`)
+              showToast(`Saved as the template ${kept.name}.`)
               setName('')
             },
           })
@@ -311,7 +318,7 @@ function KeepAsTemplate({ contract }: { contract: Contract }) {
         />
         <Refusal error={keep.error} />
         <Button type="submit" disabled={name.trim() === ''} aria-busy={keep.isPending}>
-          Keep it
+          Save template
         </Button>
       </form>
     </Card>
@@ -320,20 +327,22 @@ function KeepAsTemplate({ contract }: { contract: Contract }) {
 
 function End({ contract }: { contract: Contract }) {
   const end = useDeed(contract.id)
-  const [reason, setReason] = useState('')
+  const [reason, setReason, draft] = useDraft(`contract-end:${contract.id}`, '')
   return (
     <details className={classes.end}>
-      <summary>{contract.state === 'agreed' ? 'End this contract' : 'Give it up'}</summary>
+      <summary>{contract.state === 'agreed' ? 'End this contract' : 'Withdraw contract'}</summary>
       <form
         className={classes.inner}
         aria-label="End"
         onSubmit={(event) => {
           event.preventDefault()
-          if (!end.isPending && reason.trim() !== '') end.mutate({ does: 'end', reason: reason.trim() })
+          if (!end.isPending && reason.trim() !== '') {
+            end.mutate({ does: 'end', reason: reason.trim() }, { onSuccess: draft.discard })
+          }
         }}
       >
         <TextInput
-          label="Because"
+          label="Reason"
           value={reason}
           maxLength={2000}
           onChange={({ currentTarget }) => setReason(currentTarget.value)}

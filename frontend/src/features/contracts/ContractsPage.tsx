@@ -26,7 +26,7 @@ import {
 } from './api'
 import classes from './Contracts.module.css'
 import { Refusal } from './Refusal'
-import { isKind, KIND_MEANINGS, KIND_WORDS, KINDS, standing } from './words'
+import { isKind, KIND_MEANINGS, KIND_WORDS, KINDS, progress } from './words'
 
 const KIND_CHOICES = KINDS.map((kind) => ({ value: kind, label: `${KIND_WORDS[kind]}: ${KIND_MEANINGS[kind]}` }))
 
@@ -41,7 +41,7 @@ export function ContractsPage() {
     <div className="page stack">
       <div>
         <h1>Contracts</h1>
-        <p className="mid">{project?.mine.is_team === false ? 'What you and the studio agree.' : WHAT}</p>
+        <p className="mid">{project?.mine.is_team === false ? 'Your contracts with the studio.' : WHAT}</p>
       </div>
       <Refusal error={error ?? noContracts} />
       {project && contracts && (
@@ -62,8 +62,7 @@ export function ContractsPage() {
   )
 }
 
-const WHAT =
-  'What the studio and its designers agree. A project works without one; brief, contract and money come when wanted.'
+const WHAT = 'Contracts between the studio and its designers. They are optional: a project works without one.'
 
 function Listed({ contracts, project }: { contracts: readonly ContractBrief[]; project: Project }) {
   return (
@@ -71,16 +70,16 @@ function Listed({ contracts, project }: { contracts: readonly ContractBrief[]; p
       <CardHead id="contracts" title="Contracts" count={contracts.length} />
       {contracts.length === 0 && (
         <div className={classes.empty}>
-          <EmptyState head="No contract yet." level={3}>
+          <EmptyState head="No contracts yet." level={3}>
             {project.mine.is_producer
-              ? 'Begin one from the library of clauses: it is a start for both parties’ lawyers.'
-              : 'When the studio sends one, it stands here and a mail tells you.'}
+              ? 'Start one from the clause library. Have both parties’ lawyers review it.'
+              : 'When the studio sends one, it appears here and you get an email.'}
           </EmptyState>
         </div>
       )}
       <Rows aria-label="Contracts">
         {contracts.map((contract) => {
-          const { kind, text } = standing(contract)
+          const { kind, text } = progress(contract)
           const waits = contract.my_party !== null && contract.waits_for.includes(contract.my_party)
           return (
             <Row key={contract.id} className={classes.row}>
@@ -94,7 +93,7 @@ function Listed({ contracts, project }: { contracts: readonly ContractBrief[]; p
                     {contract.title}
                   </Link>
                 </p>
-                <p className="small mid">{`${KIND_WORDS[contract.kind]} with ${contract.designer.name}, begun ${day(contract.created_at)}`}</p>
+                <p className="small mid">{`${KIND_WORDS[contract.kind]} with ${contract.designer.name}, created ${day(contract.created_at)}`}</p>
               </div>
               <State kind={kind}>{text}</State>
             </Row>
@@ -148,15 +147,15 @@ function Begin({ project, contracts }: { project: Project; contracts: readonly C
   }
   return (
     <Card aria-labelledby="begin">
-      <CardHead id="begin" title="Begin a contract" />
+      <CardHead id="begin" title="New contract" />
       {designers.length === 0 ? (
         <div className={classes.empty}>
-          <EmptyState head="Nobody to agree with yet." level={3}>
-            Invite a designer under People first. The studio’s own people need no contract.
+          <EmptyState head="No designer to contract yet" level={3}>
+            Invite a designer on the People page first. In-house designers need no contract.
           </EmptyState>
         </div>
       ) : (
-        <form onSubmit={send} noValidate className={classes.form} aria-label="Begin a contract">
+        <form onSubmit={send} noValidate className={classes.form} aria-label="New contract">
           <Select
             label="With"
             data={designers.map(({ id, designer }) => ({ value: id, label: designer.name }))}
@@ -180,30 +179,33 @@ function Begin({ project, contracts }: { project: Project; contracts: readonly C
           />
           {kind === 'statement_of_work' && (
             <Select
-              label="Under the framework"
+              label="Framework agreement"
               data={frameworks.map(({ id, title: name }) => ({ value: id, label: name }))}
               value={framework ?? frameworks[0]?.id ?? null}
-              placeholder="No framework is agreed yet"
+              placeholder="No framework agreement is signed yet"
               onChange={setFramework}
             />
           )}
           <TextInput
-            label="Title; it may stay empty"
+            label="Title (optional)"
             value={title}
             maxLength={120}
             onChange={({ currentTarget }) => setTitle(currentTarget.value)}
           />
           <TextInput
             label="Currency"
-            description="Three letters, as USD or EUR"
+            description="Three letters, such as USD or EUR"
             value={currency}
             maxLength={3}
             onChange={({ currentTarget }) => setCurrency(currentTarget.value)}
           />
           {own.length > 0 && (
             <Select
-              label="From"
-              data={[{ value: '', label: 'The library' }, ...own.map(({ id, name }) => ({ value: id, label: name }))]}
+              label="Start from"
+              data={[
+                { value: '', label: 'Clause library' },
+                ...own.map(({ id, name }) => ({ value: id, label: name })),
+              ]}
               value={template ?? ''}
               allowDeselect={false}
               onChange={(value) => setTemplate(value === '' ? null : value)}
@@ -211,15 +213,15 @@ function Begin({ project, contracts }: { project: Project; contracts: readonly C
           )}
           {kind !== 'nda' && template === null && (
             <Checkbox
-              label="With music: ancillary rights, editions, soundtrack"
+              label="Includes music (ancillary rights, editions, soundtrack)"
               checked={music}
               onChange={({ currentTarget }) => setMusic(currentTarget.checked)}
             />
           )}
           <Refusal error={begin.error} />
-          <p className="small mid">A start for the lawyers of both parties, and no legal advice.</p>
+          <p className="small mid">A starting point for both parties’ lawyers, not legal advice.</p>
           <Button type="submit" variant="primary" aria-busy={begin.isPending}>
-            Begin the draft
+            Create draft
           </Button>
         </form>
       )}
@@ -231,11 +233,11 @@ function Nda({ project }: { project: Project }) {
   const ask = useAskForNda(project.id)
   return (
     <Card aria-labelledby="nda">
-      <CardHead id="nda" title="Before anything is shown" />
+      <CardHead id="nda" title="NDA" />
       <div className={classes.form}>
         <Checkbox
-          label="Ask designers for an NDA first"
-          description="Brief, list and spec open to a designer once both have accepted one."
+          label="Require an NDA before designers see the project"
+          description="A designer sees the brief, sound list and spec once both sides have signed."
           checked={project.nda_needed}
           onChange={({ currentTarget }) => ask.mutate(currentTarget.checked)}
         />
@@ -252,14 +254,14 @@ function Templates({ project }: { project: Project }) {
   const drop = useDropTemplate(studio)
   const read = async (file: File | undefined) => {
     if (!file) return
-    bring.mutate(await file.text(), { onSuccess: ({ name }) => showToast(`${name} is a template of the studio now.`) })
+    bring.mutate(await file.text(), { onSuccess: ({ name }) => showToast(`Template ${name} imported.`) })
   }
   return (
     <Card aria-labelledby="templates">
-      <CardHead id="templates" title="Templates" note="of the studio" count={templates?.length ?? 0} />
+      <CardHead id="templates" title="Templates" note="in this studio" count={templates?.length ?? 0} />
       {templates?.length === 0 && (
         <p className={`small mid ${classes.part}`}>
-          None yet. A contract’s page keeps its clauses as one, and a TOML file brings one in.
+          No templates yet. Save a contract as a template on its page, or import a TOML file.
         </p>
       )}
       <Rows aria-label="Templates">
@@ -292,7 +294,7 @@ function Templates({ project }: { project: Project }) {
       <div className={classes.form}>
         <Refusal error={error ?? bring.error ?? drop.error} />
         <label className={classes.file}>
-          <span className="small">Bring in a template (TOML)</span>
+          <span className="small">Import template (TOML)</span>
           <input
             type="file"
             accept=".toml"

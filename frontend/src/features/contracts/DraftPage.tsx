@@ -3,6 +3,7 @@ import { keepPreviousData, useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams } from '@tanstack/react-router'
 import { useEffect, useState } from 'react'
 
+import { DraftNote, useDraft } from '@/app/drafts'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
 import { Button, ButtonLink } from '@/ui/Button'
@@ -18,13 +19,13 @@ import { Refusal } from './Refusal'
 import { Text } from './Text'
 import { sentence } from './words'
 
-const SETTLED_MS = 400 // after the last key, the text beside is asked for
+const SETTLED_MS = 400 // after the last key, the preview is requested
 const RELEASES = [
-  { value: 'per_cue', label: 'With each accepted cue' },
-  { value: 'on_completion', label: 'With the last cue of a milestone' },
+  { value: 'per_cue', label: 'When each cue is accepted' },
+  { value: 'on_completion', label: 'When a milestone’s last cue is accepted' },
 ]
 
-/** The draft of a contract: clauses to strike and edit, and beside them the text that they make. */
+/** The draft of a contract: clauses to strike and edit, next to the text that they make. */
 export function DraftPage() {
   const { projectId, contractId } = useParams({ from: '/shell/projects/$projectId/contracts/$contractId/draft' })
   const { data: contract, error } = useQuery(contractQuery(contractId))
@@ -37,19 +38,19 @@ export function DraftPage() {
         <Refusal error={error} />
         {contract && (
           <ProblemNote
-            detail="This contract is no draft that you may change."
-            fix="A producer of the studio changes drafts; what was sent is taken back first."
+            detail="You can’t edit this contract."
+            fix="Only the studio’s producers edit drafts. Recall a sent contract before editing it."
           />
         )}
         <div>
           <ButtonLink component={Link} to={back}>
-            Back to the contract
+            Back to contract
           </ButtonLink>
         </div>
       </div>
     )
   }
-  return <Editor key={contract.version.number} contract={contract} back={back} />
+  return <Editor key={contractId} contract={contract} back={back} />
 }
 
 const draftOf = ({ title, currency, release_clause, holdback_bp, version }: Contract): Draft => ({
@@ -70,15 +71,21 @@ function useSettled<T>(value: T): T {
   return settled
 }
 
-function Editor({ contract, back }: { contract: Contract; back: string }) {
+function Editor({ contract: newest, back }: { contract: Contract; back: string }) {
+  const [contract] = useState(newest) // what is typed stays, and names the version that it began from
   const navigate = useNavigate()
-  const [draft, setDraft] = useState(() => draftOf(contract))
-  const [note, setNote] = useState('')
+  const [{ draft, note, basedOn }, setTyped, kept] = useDraft(`contract:${contract.id}`, () => ({
+    draft: draftOf(contract),
+    note: '',
+    basedOn: contract.version.number,
+  }))
+  const setDraft = (next: (now: Draft) => Draft) => setTyped((now) => ({ ...now, draft: next(now.draft) }))
+  const setNote = (next: string) => setTyped((now) => ({ ...now, note: next }))
   const settled = useSettled(draft)
   const shown = useQuery({ ...previewQuery(contract.id, settled), placeholderData: keepPreviousData })
   const { data: library } = useQuery(libraryQuery(contract.kind))
   const save = useDeed(contract.id)
-  const isChanged = JSON.stringify(draft) !== JSON.stringify(draftOf(contract))
+  const isChanged = !save.isSuccess && JSON.stringify(draft) !== JSON.stringify(draftOf(contract))
   const problems = shown.data?.problems ?? []
   const change = (key: string, changes: Partial<Clause>) =>
     setDraft((now) => ({
@@ -89,7 +96,7 @@ function Editor({ contract, back }: { contract: Contract; back: string }) {
   const move = (clause: Clause, by: -1 | 1) => {
     const changed = movedClause(draft, clause.key, by)
     const place = changed.clauses.findIndex(({ key }) => key === clause.key) + 1
-    setDraft(changed)
+    setDraft(() => changed)
     setPlaced(`${clause.title} is clause ${place} of ${changed.clauses.length}.`)
     // The browser lets go of a button that moves, or that is at the end of its way.
     requestAnimationFrame(() => {
@@ -104,10 +111,11 @@ function Editor({ contract, back }: { contract: Contract; back: string }) {
   }
   const keep = () =>
     save.mutate(
-      { does: 'save', body: { ...draft, note, based_on_version: contract.version.number } },
+      { does: 'save', body: { ...draft, note, based_on_version: basedOn } },
       {
         onSuccess: ({ version }) => {
-          showToast(`Kept as version ${version.number}.`)
+          kept.discard()
+          showToast(`Saved as version ${version.number}.`)
           void navigate({ to: back })
         },
       },
@@ -117,11 +125,11 @@ function Editor({ contract, back }: { contract: Contract; back: string }) {
       <div className={classes.head}>
         <div>
           <h1>{`Draft: ${contract.title}`}</h1>
-          <p className="mid">A start for the lawyers of both parties, and no legal advice.</p>
+          <p className="mid">A starting point for both parties’ lawyers, not legal advice.</p>
         </div>
         <div className={classes.buttons}>
           <ButtonLink component={Link} to={back}>
-            Back without saving
+            {isChanged ? 'Discard changes' : 'Back to contract'}
           </ButtonLink>
           <Button
             variant="primary"
@@ -129,21 +137,22 @@ function Editor({ contract, back }: { contract: Contract; back: string }) {
             disabled={!isChanged || problems.length > 0}
             onClick={keep}
           >
-            Save as a version
+            Save version
           </Button>
         </div>
       </div>
+      <DraftNote draft={kept} />
       <Refusal error={save.error} />
       {problems.length > 0 && (
         <ProblemNote
           detail={problems.map(({ message }) => sentence(message)).join(' ')}
-          fix="Mend it here; the draft is saved once nothing stands against it."
+          fix="Fix this to save the draft."
         />
       )}
       <div className={classes.editor}>
         <div className="stack">
           <Card aria-labelledby="facts">
-            <CardHead id="facts" title="How it is paid" />
+            <CardHead id="facts" title="Payment terms" />
             <div className={classes.form}>
               <TextInput
                 label="Title"
@@ -162,7 +171,7 @@ function Editor({ contract, back }: { contract: Contract; back: string }) {
               {contract.kind !== 'nda' && (
                 <>
                   <Select
-                    label="A cue’s share is due"
+                    label="Payment is due"
                     data={RELEASES}
                     value={draft.release_clause}
                     allowDeselect={false}
@@ -174,7 +183,7 @@ function Editor({ contract, back }: { contract: Contract; back: string }) {
                     }
                   />
                   <Percent
-                    label="Held back until all cues are accepted"
+                    label="Retention until all cues are accepted"
                     value={draft.holdback_bp ?? 0}
                     max={10_000}
                     onChange={(holdback_bp) => setDraft((now) => ({ ...now, holdback_bp }))}
@@ -182,7 +191,7 @@ function Editor({ contract, back }: { contract: Contract; back: string }) {
                 </>
               )}
               <TextInput
-                label="What this version changes; it may stay empty"
+                label="Version note (optional)"
                 value={note}
                 onChange={({ currentTarget }) => setNote(currentTarget.value)}
               />
@@ -213,7 +222,7 @@ function Editor({ contract, back }: { contract: Contract; back: string }) {
                 onTerm={(name, value) => setDraft((now) => ({ ...now, terms: { ...now.terms, [name]: value } }))}
               />
             ))}
-            <AddClause library={library?.clauses ?? []} draft={draft} onAdd={setDraft} />
+            <AddClause library={library?.clauses ?? []} draft={draft} onAdd={(next) => setDraft(() => next)} />
           </Card>
         </div>
         <Card aria-label="The text" className={`${classes.sheet} ${classes.live}`} aria-busy={shown.isFetching}>

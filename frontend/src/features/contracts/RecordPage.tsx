@@ -17,31 +17,31 @@ import { authorOf, eventOf, factsOf, sentence } from './words'
 export function RecordPage() {
   const { projectId, contractId } = useParams({ from: '/shell/projects/$projectId/contracts/$contractId/record' })
   const { data: record, error } = useQuery(recordQuery(contractId))
-  useTitle('The record')
+  useTitle('Audit trail')
   return (
     <div className="page stack">
       <div className={classes.head}>
         <div>
-          <h1>The record</h1>
+          <h1>Audit trail</h1>
           <p className="mid">
             {record ? `${record.title}. ` : ''}
-            Each entry carries the hash of the one before, so that nobody alters it unseen.
+            Each entry contains the hash of the one before it, so any later change can be detected.
           </p>
         </div>
         <div className={classes.buttons}>
           <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contractId}`}>
-            Back to the contract
+            Back to contract
           </ButtonLink>
           <ButtonLink variant="primary" icon="download" href={`/v1/contracts/${contractId}/record.json`}>
-            Keep a copy
+            Download a copy
           </ButtonLink>
         </div>
       </div>
       <Refusal error={error} />
       {record && record.faults.length > 0 && (
         <ProblemNote
-          detail={`This record is not the one that was written: ${record.faults.map(sentence).join(' ')}`}
-          fix="Hold the copy that you kept against it, and tell whoever runs this server."
+          detail={`This audit trail was altered: ${record.faults.map(sentence).join(' ')}`}
+          fix="Compare it with your own copy and contact the server’s administrator."
         />
       )}
       {record && (
@@ -50,12 +50,12 @@ export function RecordPage() {
             id="entries"
             title="Entries"
             count={record.length}
-            note={record.faults.length === 0 && record.length > 0 ? 'whole, looked at now' : undefined}
+            note={record.faults.length === 0 && record.length > 0 ? 'verified just now' : undefined}
           />
           {record.length === 0 && (
             <div className={classes.empty}>
-              <EmptyState head="Nothing is recorded yet." level={3}>
-                The record begins when the contract is sent for the first time.
+              <EmptyState head="No entries yet." level={3}>
+                The audit trail starts when the contract is first sent.
               </EmptyState>
             </div>
           )}

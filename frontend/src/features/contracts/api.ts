@@ -17,7 +17,7 @@ export type Clause = Schemas['ClauseRow']
 export type Draft = Schemas['DraftChange']
 export type LibraryClause = Schemas['LibraryClauseRead']
 export type Compared = Schemas['ComparedRead']
-export type Entry = Schemas['EntryRead']
+export type Entry = Schemas['RecordEntryRead']
 export type Template = Schemas['TemplateBrief']
 
 const of = (contractId: string) => ({ params: { path: { contract_id: contractId } } })
@@ -128,7 +128,7 @@ function done(contractId: string, deed: Deed): Promise<Contract> {
     case 'send':
       return answered(api.POST('/v1/contracts/{contract_id}/send', { ...it, body: { note: deed.note } }))
     case 'take back':
-      return answered(api.POST('/v1/contracts/{contract_id}/take-back', { ...it, body: { reason: deed.reason } }))
+      return answered(api.POST('/v1/contracts/{contract_id}/recall', { ...it, body: { reason: deed.reason } }))
     case 'ask for a change': {
       const body = { text: deed.text, clause_key: deed.clause }
       return answered(api.POST('/v1/contracts/{contract_id}/ask-change', { ...it, body }))

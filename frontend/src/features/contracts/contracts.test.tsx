@@ -29,7 +29,7 @@ const VERSION = {
   clauses: CLAUSES,
   terms: { rounds_included: 2 },
 }
-const MAY = { change: false, send: false, take_back: false, ask_change: false, accept: false, end: false }
+const MAY = { change: false, send: false, recall: false, request_change: false, accept: false, end: false }
 const CONTRACT = {
   id: 'c1',
   project_id: 'p1',
@@ -53,8 +53,8 @@ const CONTRACT = {
   studio_name: 'Shield Wing studio',
   version: VERSION,
   acceptances: [],
-  change_asked: null,
-  may: { ...MAY, ask_change: true, accept: true, end: true },
+  change_requested: null,
+  may: { ...MAY, request_change: true, accept: true, end: true },
 }
 const PROJECT = {
   id: 'p1',
@@ -90,18 +90,18 @@ describe('a designer', () => {
     expect(await screen.findByText('It includes 2 rounds.')).toBeVisible()
     expect(screen.getByText(/^SHA-256 a+$/)).toBeVisible()
     const form = within(screen.getByRole('form', { name: 'Accept' }))
-    expect(form.getByRole('button', { name: 'Accept version 2' })).toBeDisabled()
+    expect(form.getByRole('button', { name: 'Sign version 2' })).toBeDisabled()
     await userEvent.type(form.getByLabelText('Your full name'), 'N. Designer')
-    await userEvent.click(form.getByRole('button', { name: 'Accept version 2' }))
-    expect(await screen.findByText('for the designer, n@sound.example, address not proven')).toBeVisible()
+    await userEvent.click(form.getByRole('button', { name: 'Sign version 2' }))
+    expect(await screen.findByText('for the designer, n@sound.example, email not verified')).toBeVisible()
     const sent = asked.find(({ path }) => path.endsWith('/accept'))
     expect(sent?.body).toEqual({ name: 'N. Designer', text_sha256: 'a'.repeat(64) })
-    expect(screen.getByText('Waits for the studio')).toBeVisible()
+    expect(screen.getByText('Waiting for the studio to sign')).toBeVisible()
   })
 
   test('is told when the text moved on meanwhile, and keeps the name typed', async () => {
     const detail = 'the text that you read is not the one that stands now; nothing was accepted'
-    serve(given({ 'POST /v1/contracts/c1/accept': refusal(409, 'text-moved-on', detail) }))
+    serve(given({ 'POST /v1/contracts/c1/accept': refusal(409, 'text-changed', detail) }))
     openApp(PAGE)
     const name = await screen.findByLabelText('Your full name')
     await userEvent.type(name, 'N. Designer{Enter}')
@@ -114,14 +114,37 @@ describe('a designer', () => {
       given({ 'POST /v1/contracts/c1/ask-change': { ...CONTRACT, state: 'draft', waits_for: ['studio'], may: MAY } }),
     )
     openApp(PAGE)
-    const form = within(await screen.findByRole('form', { name: 'Ask for a change' }))
-    await userEvent.type(form.getByLabelText('What you want otherwise'), 'One round.')
-    await userEvent.click(form.getByRole('button', { name: 'Send it back' }))
+    const form = within(await screen.findByRole('form', { name: 'Request a change' }))
+    await userEvent.type(form.getByLabelText('Requested change'), 'One round.')
+    await userEvent.click(form.getByRole('button', { name: 'Request change' }))
     expect(await screen.findByText('Draft, with the studio')).toBeVisible()
     expect(asked.find(({ path }) => path.endsWith('/ask-change'))?.body).toEqual({
       text: 'One round.',
       clause_key: null,
     })
+  })
+
+  test('reads the milestones of a fixed plan in words', async () => {
+    const plan = [
+      { name: 'First batch', amount: '1,200.00 EUR', due_on: '2026-12-01', cues: 3 },
+      { name: 'Second batch', amount: '800.00 EUR', due_on: '', cues: 2 },
+    ]
+    const entry = { ...ENTRY, kind: 'planned', payload: { milestones: plan } }
+    const record = {
+      contract_id: 'c1',
+      title: 'Effects',
+      length: 1,
+      sha256: 'c'.repeat(64),
+      entries: [entry],
+      faults: [],
+    }
+    serve(given({ 'GET /v1/contracts/c1/record': record }))
+    openApp(`${PAGE}/record`)
+    expect(
+      await screen.findByText(
+        'First batch, amount 1,200.00 EUR, due on 2026-12-01, cues 3; Second batch, amount 800.00 EUR, cues 2',
+      ),
+    ).toBeVisible()
   })
 
   test('keeps a copy of the record, and sees when it is not whole', async () => {
@@ -130,7 +153,7 @@ describe('a designer', () => {
     openApp(`${PAGE}/record`)
     expect(await screen.findByText(/Entry 1 was altered\./)).toBeVisible()
     expect(screen.getByText('Sent to both parties')).toBeVisible()
-    const copy = screen.getByRole('link', { name: 'Keep a copy' })
+    const copy = screen.getByRole('link', { name: 'Download a copy' })
     expect(copy).toHaveAttribute('href', '/v1/contracts/c1/record.json')
   })
 
@@ -167,7 +190,9 @@ describe('before the NDA is agreed', () => {
     async (page) => {
       const { asked } = found([nda])
       openApp(`/projects/p1${page}`)
-      expect(await screen.findByRole('heading', { name: 'Read and accept the NDA first.', level: 1 })).toBeVisible()
+      expect(
+        await screen.findByRole('heading', { name: 'Read and sign the NDA to see this project', level: 1 }),
+      ).toBeVisible()
       expect(screen.queryByRole('alert')).toBeNull()
       expect(asked.filter(({ path }) => path.startsWith('/v1/projects/')).map(({ path }) => path)).toEqual([
         '/v1/projects/p1/contracts',
@@ -191,20 +216,20 @@ describe('before the NDA is agreed', () => {
     await screen.findByText('Agreed')
     await userEvent.click(screen.getByRole('link', { name: /Sound list/ }))
     expect(app.at()).toBe('/projects/p1/sound-list')
-    expect(screen.queryByRole('heading', { name: 'Read and accept the NDA first.' })).toBeNull()
+    expect(screen.queryByRole('heading', { name: 'Read and sign the NDA to see this project' })).toBeNull()
   })
 
   test('who accepted it is told that the studio is next', async () => {
     found([{ ...nda, waits_for: ['studio'] }])
     openApp('/projects/p1/desk')
-    expect(await screen.findByRole('heading', { name: 'Your NDA waits for the studio.' })).toBeVisible()
+    expect(await screen.findByRole('heading', { name: 'Waiting for the studio to sign the NDA' })).toBeVisible()
   })
 
   test('where none was sent there is nothing to do but wait', async () => {
     found([])
     openApp('/projects/p1/desk')
-    expect(await screen.findByRole('heading', { name: 'The studio’s NDA is not here yet.' })).toBeVisible()
-    expect(screen.getByRole('button', { name: 'To the contracts' })).toBeVisible()
+    expect(await screen.findByRole('heading', { name: 'Waiting for the studio’s NDA' })).toBeVisible()
+    expect(screen.getByRole('button', { name: 'Go to contracts' })).toBeVisible()
   })
 })
 
@@ -242,13 +267,17 @@ describe('a producer', () => {
         'GET /v1/contract-library/single': { kind: 'single', notice: '', clauses: [], variables: {} },
       }),
     )
-    openApp(`${PAGE}/draft`)
+    const app = openApp(`${PAGE}/draft`)
     expect(await screen.findByText('It includes 3 rounds.')).toBeVisible()
-    const save = screen.getByRole('button', { name: 'Save as a version' })
+    expect(screen.getByRole('link', { name: 'Back to contract' })).toBeVisible()
+    const save = screen.getByRole('button', { name: 'Save version' })
     expect(save).toBeDisabled()
     await userEvent.click(screen.getByRole('checkbox', { name: 'Bonus' }))
+    expect(screen.getByRole('link', { name: 'Discard changes' })).toBeVisible()
     await userEvent.click(save)
-    await screen.findByText('Kept as version 3.')
+    await screen.findByText('Saved as version 3.')
+    await vi.waitFor(() => expect(app.at()).toBe(PAGE))
+    expect(screen.queryByRole('link', { name: 'Discard changes' })).not.toBeInTheDocument()
     const body = asked.find(({ method }) => method === 'PUT')?.body
     expect(body).toMatchObject({ based_on_version: 2, clauses: [{ stands: true }, { key: 'bonus', stands: true }] })
   })
@@ -278,7 +307,7 @@ describe('a producer', () => {
     await press('Add from the library')
     expect(screen.getByLabelText('From when')).toHaveValue('release')
     expect(screen.queryByRole('button', { name: 'Add from the library' })).not.toBeInTheDocument()
-    await userEvent.type(screen.getByLabelText('Title of a clause of your own'), 'Tea{Enter}')
+    await userEvent.type(screen.getByLabelText('Title of the custom clause'), 'Tea{Enter}')
     await userEvent.type(screen.getByLabelText('Text'), 'At four.')
     await press('Move Tea up')
     expect(screen.getByText('Tea is clause 3 of 4.')).toBeInTheDocument()
@@ -287,8 +316,8 @@ describe('a producer', () => {
     await press('Remove Bonus')
     await press('Remove Rounds')
     await userEvent.click(screen.getByRole('button', { name: /^Undo/ }))
-    await userEvent.click(screen.getByRole('button', { name: 'Save as a version' }))
-    await screen.findByText('Kept as version 3.')
+    await userEvent.click(screen.getByRole('button', { name: 'Save version' }))
+    await screen.findByText('Saved as version 3.')
     expect(asked.find(({ method }) => method === 'PUT')?.body).toMatchObject({
       clauses: [{ key: 'rounds' }, { key: 'own_tea', title: 'Tea', text: 'At four.' }, { key: 'reel', stands: true }],
       terms: { reel_from: 'release', rounds_included: 2 },
@@ -301,7 +330,7 @@ describe('a producer', () => {
     openApp(`${PAGE}/draft`)
     expect(await screen.findByText('There is no variable {round}; is it {rounds_included}?')).toBeVisible()
     await userEvent.click(screen.getByRole('checkbox', { name: 'Bonus' }))
-    expect(screen.getByRole('button', { name: 'Save as a version' })).toBeDisabled()
+    expect(screen.getByRole('button', { name: 'Save version' })).toBeDisabled()
   })
 
   test('sees two versions word by word', async () => {

@@ -12,26 +12,26 @@ export const KIND_WORDS: Record<ContractKind, string> = {
 }
 
 export const KIND_MEANINGS: Record<ContractKind, string> = {
-  single: 'one text that holds all of it',
-  framework: 'rights and rates once, for many batches',
-  statement_of_work: 'one batch under a framework: cues, price, dates',
-  nda: 'what is shown before a contract stays between you',
+  single: 'one contract for everything',
+  framework: 'rights and rates agreed once, for many batches of work',
+  statement_of_work: 'one batch under a framework agreement: cues, price, dates',
+  nda: 'keeps what you share before a contract confidential',
 }
 
 export const KINDS = Object.keys(KIND_MEANINGS) as ContractKind[]
 export const isKind = (value: string | null): value is ContractKind => KINDS.some((kind) => kind === value)
 
 /** How a contract stands, and who is next. */
-export function standing(contract: ContractBrief): { kind: StateKind; text: string } {
+export function progress(contract: ContractBrief): { kind: StateKind; text: string } {
   const mine = contract.my_party !== null && contract.waits_for.includes(contract.my_party)
   switch (contract.state) {
     case 'draft':
       return { kind: 'waiting', text: mine ? 'Draft, with you' : 'Draft, with the studio' }
     case 'sent':
-      if (mine) return { kind: 'to_review', text: 'Waits for your yes' }
-      return { kind: 'waiting', text: `Waits for the ${contract.waits_for.join(' and the ')}` }
+      if (mine) return { kind: 'to_review', text: 'Needs your signature' }
+      return { kind: 'waiting', text: `Waiting for the ${contract.waits_for.join(' and the ')} to sign` }
     case 'agreed':
-      return { kind: 'accepted', text: contract.agreed_at ? `Agreed ${day(contract.agreed_at)}` : 'Agreed' }
+      return { kind: 'accepted', text: contract.agreed_at ? `Signed ${day(contract.agreed_at)}` : 'Agreed' }
     case 'ended':
       return { kind: 'cut', text: contract.ended_at ? `Ended ${day(contract.ended_at)}` : 'Ended' }
   }
@@ -44,7 +44,8 @@ export const sentence = (text: string): string => {
 }
 
 export function refusal(error: unknown): { detail: string; fix?: string } {
-  if (!(error instanceof ApiProblem)) return { detail: 'The page itself broke while sending. Nothing typed is lost.' }
+  if (!(error instanceof ApiProblem))
+    return { detail: 'Could not send. Something went wrong in the page; your text is kept.' }
   return { detail: sentence(error.detail), fix: error.fix === '' ? undefined : sentence(error.fix) }
 }
 
@@ -54,29 +55,29 @@ export const inWords = (name: string): string => {
   return words.charAt(0).toUpperCase() + words.slice(1)
 }
 
-/** How it was shown that whoever accepted reads the mail of their address. */
+/** How the address of the accepting person was verified. */
 export const PROOF_WORDS = {
-  mail: 'proven by a link mailed there',
-  operator: 'proven by a link that the server’s operator handed over',
-  none: 'address not proven',
+  mail: 'verified by email',
+  operator: 'verified by a link from the server’s administrator',
+  none: 'email not verified',
 } as const
 
 const EVENT_WORDS: Record<string, string> = {
   sent: 'Sent to both parties',
-  taken_back: 'Taken back',
-  change_asked: 'Change asked for',
+  taken_back: 'Recalled',
+  change_requested: 'Change requested',
   accepted_by: 'Accepted',
   agreed: 'Agreed',
   ended: 'Ended',
-  planned: 'Plan fixed',
-  adopted: 'Accepted before, and taken in',
-  reminded: 'Reminded of a verdict',
+  planned: 'Plan agreed',
+  adopted: 'Accepted earlier, added to the contract',
+  reminded: 'Reminder to review',
   delivered: 'Delivered',
-  judged: 'Judged',
+  judged: 'Reviewed',
   moved_away: 'Moved to another cue',
-  returned: 'Held back by a later check',
-  conforms_again: 'Conforms again',
-  waived: 'Let through by a waiver',
+  returned: 'Returned by a later check',
+  conforms_again: 'Passed a later check',
+  waived: 'Waived',
   accepted: 'Cue accepted',
   due: 'Due',
   paid: 'Paid',
@@ -85,12 +86,12 @@ const EVENT_WORDS: Record<string, string> = {
   refunded: 'Refunded',
 }
 
-/** What an entry of the record tells, in words. */
+/** An entry of the record as a sentence. */
 export const eventOf = ({ kind }: Entry): string => EVENT_WORDS[kind] ?? inWords(kind)
 
 const QUIET = new Set(['by', 'by_email', 'role', 'on_behalf_of', 'text_sha256', 'pdf_sha256'])
 
-/** Who did what an entry tells: name, role at that time, and on whose behalf. */
+/** The author of an entry: name, role at that time, and on whose behalf. */
 export function authorOf({ payload: { by, role, on_behalf_of: behalf } }: Entry): string {
   if (typeof by !== 'string') return ''
   const inRole = typeof role === 'string' ? ` (${role})` : ''
@@ -103,6 +104,16 @@ export function factsOf({ payload }: Entry): { name: string; value: string }[] {
     .filter(([name, value]) => !QUIET.has(name) && value !== '' && value !== null)
     .map(([name, value]) => ({
       name: inWords(name),
-      value: typeof value === 'object' ? JSON.stringify(value) : String(value as string | number | boolean),
+      value: valueInWords(value),
     }))
+}
+
+/** Milestones and the like in words: "First batch, amount 1,200.00 EUR, cues 3; Second batch, …". */
+function valueInWords(value: unknown): string {
+  if (Array.isArray(value)) return value.map(valueInWords).join('; ')
+  if (typeof value !== 'object' || value === null) return String(value)
+  return Object.entries(value)
+    .filter(([, one]) => one !== '' && one !== null)
+    .map(([name, one]) => (name === 'name' ? valueInWords(one) : `${inWords(name).toLowerCase()} ${valueInWords(one)}`))
+    .join(', ')
 }

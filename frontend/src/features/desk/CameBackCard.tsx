@@ -13,7 +13,7 @@ import {
 } from '@/audio'
 import { usePeaks } from '@/judging/api'
 import { spotOf, wordsOf, worstFirst } from '@/judging/findings'
-import { MendPanel, type Mending, useMending } from '@/mending'
+import { FixPanel, type Fixing, useFixing } from '@/fixing'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
@@ -63,21 +63,21 @@ export function CameBackCard({ projectId, back, count, player, playing, onSendOw
   }
   const several = items.length > 1 || hasMore
   useHotkeys([
-    { keys: 'j', label: 'Next that came back', group: 'Desk', run: () => move(1), disabled: !several },
-    { keys: 'k', label: 'The one before', group: 'Desk', run: () => move(-1), disabled: !several },
+    { keys: 'j', label: 'Next returned version', group: 'Desk', run: () => move(1), disabled: !several },
+    { keys: 'k', label: 'Previous returned version', group: 'Desk', run: () => move(-1), disabled: !several },
   ])
   return (
     <Card aria-labelledby="came-back">
       <CardHead
         id="came-back"
-        title="Came back"
+        title="Needs your fix"
         count={count > 0 ? count : undefined}
-        end={<span className="wide-only">returns by the checker use up no round</span>}
+        end={<span className="wide-only">automatic returns don’t count as revision rounds</span>}
       />
       {open === undefined && (
         <div className={classes.empty}>
-          <EmptyState head="Nothing came back." level={3}>
-            What the checker returns, and what the approver wants changed, stands here first.
+          <EmptyState head="Nothing to fix." level={3}>
+            Versions returned by the automatic check, and changes the approver asks for, appear here.
           </EmptyState>
         </div>
       )}
@@ -98,7 +98,7 @@ export function CameBackCard({ projectId, back, count, player, playing, onSendOw
       {hasMore && (
         <div className={classes.further}>
           <Button aria-busy={isFetching} onClick={showMore}>
-            More that came back
+            More to fix
           </Button>
         </div>
       )}
@@ -120,9 +120,9 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
   const changes = changesOf(item)
   const recheck = useRecheck(projectId)
   const take = { id, name: cue?.name ?? item.file_name, number, previewUrl: url }
-  const mending = useMending(take, player, playing, { mayUse: true, group: 'Desk' })
-  const isMade = mending.mend?.state === 'made'
-  useHotkeys([{ keys: 'Space', label: 'Play, pause', group: 'Desk', run: mending.toggle, disabled: url === null }])
+  const fixing = useFixing(take, player, playing, { mayUse: true, group: 'Desk' })
+  const isMade = fixing.fix?.state === 'made'
+  useHotkeys([{ keys: 'Space', label: 'Play, pause', group: 'Desk', run: fixing.toggle, disabled: url === null }])
   const marks = findings
     .filter(({ start_s }) => start_s !== null)
     .map((finding, index) => ({
@@ -146,7 +146,7 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
         </span>
       </div>
       {findings.length > 0 && (
-        <ul className={classes.findings} aria-label="What the check found">
+        <ul className={classes.findings} aria-label="Check results">
           {findings.map((finding) => (
             <FindingRow
               key={`${finding.code} ${finding.start_s}`}
@@ -161,7 +161,7 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
         </ul>
       )}
       {changes.length > 0 && (
-        <ol className={classes.changes} aria-label="What is to change">
+        <ol className={classes.changes} aria-label="Requested changes">
           {changes.map((change, index) => (
             <li key={index}>
               <span className={`${classes.pin} tone-change`} aria-hidden="true">
@@ -185,14 +185,14 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
       {item.round !== null && <p className="small mid">Round {item.round}.</p>}
       {status === 'unjudged' && (
         <p className={classes.fault}>
-          The check itself broke three times. That is our fault; nothing is wrong with your file, and no round counts.
+          The check failed three times. That is our fault, not your file’s, and no round is counted.
         </p>
       )}
-      <MendPanel
+      <FixPanel
         take={take}
         durationS={item.duration_s}
         peaksUrl={item.peaks_url}
-        mending={mending}
+        fixing={fixing}
         player={player}
         findings={marks}
         limitDbfs={item.limit_dbfs ?? undefined}
@@ -201,24 +201,24 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
           <>
             {status === 'unjudged' && (
               <Button variant="primary" icon="turn" onClick={() => recheck.mutate(id)} disabled={recheck.isPending}>
-                Check it again
+                Run the check again
               </Button>
             )}
             {cue && (
               <HotkeyButton
-                variant={status === 'unjudged' || isMendable(mending) ? 'plain' : 'primary'}
+                variant={status === 'unjudged' || isFixable(fixing) ? 'plain' : 'primary'}
                 icon="upload"
                 keys="s"
-                keyLabel="Send my own for what came back"
+                keyLabel="Upload a new version of the selected one"
                 keyGroup="Desk"
                 onPress={() => onSendOwn(cue.id)}
               >
-                Send my own
+                Upload new version
               </HotkeyButton>
             )}
             {url !== null && (
-              <Button icon={mending.isPlaying ? 'pause' : 'play'} keys="Space" onClick={mending.toggle}>
-                {mending.isPlaying ? 'Pause' : 'Play'}
+              <Button icon={fixing.isPlaying ? 'pause' : 'play'} keys="Space" onClick={fixing.toggle}>
+                {fixing.isPlaying ? 'Pause' : 'Play'}
               </Button>
             )}
             <Link className="link small" to="/takes/$takeId" params={{ takeId: id }}>
@@ -227,14 +227,13 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
           </>
         }
         follows={
-          number !== null &&
-          `What you send becomes version ${number + 1}, whatever its file is called; version ${number} stays as it is.`
+          number !== null && `Your file becomes version ${number + 1}, whatever its name. Version ${number} is kept.`
         }
       >
         <Wave item={item} marks={marks} changes={changes} player={player} isHeard={playing.sourceId === id} />
-      </MendPanel>
+      </FixPanel>
       {playing.error !== null && (playing.sourceId === id || isMade) && (
-        <ProblemNote detail="The sound could not be played." fix="Try again when the line is back." />
+        <ProblemNote detail="The sound could not be played." fix="Check your connection and try again." />
       )}
       <Refusal error={recheck.error} />
     </article>
@@ -258,7 +257,7 @@ function FindingRow({ finding, onHear }: { finding: Finding; onHear?: () => void
         {where !== '' &&
           (onHear ? (
             <button type="button" className={`link mono small ${classes.where}`} onClick={onHear}>
-              <span className="visually-hidden">Hear it at </span>
+              <span className="visually-hidden">Play from </span>
               {where}
             </button>
           ) : (
@@ -267,13 +266,13 @@ function FindingRow({ finding, onHear }: { finding: Finding; onHear?: () => void
       </span>
       <a className="link small mid" href={`/checks/${finding.check}`} target="_blank" rel="noreferrer">
         {finding.check}
-        <span className="visually-hidden">, what this check is, in a new tab</span>
+        <span className="visually-hidden">, about this check, in a new tab</span>
       </a>
     </li>
   )
 }
 
-const isMendable = ({ mend }: Mending): boolean => mend?.state === 'made' || mend?.state === 'offered'
+const isFixable = ({ fix }: Fixing): boolean => fix?.state === 'made' || fix?.state === 'offered'
 
 interface WaveProps {
   item: CameBack
@@ -288,7 +287,7 @@ function Wave({ item, marks, changes, player, isHeard }: WaveProps) {
   const peaks = usePeaks(item.peaks_url)
   if (durationS === null || url === null) {
     return (
-      <p className="small mid">There is no picture of this file: it could not be read as a sound, or is being drawn.</p>
+      <p className="small mid">No waveform: the file could not be read as audio, or the waveform is being drawn.</p>
     )
   }
   const from = (s: number) => hear(player, id, url, s)

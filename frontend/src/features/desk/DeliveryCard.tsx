@@ -3,6 +3,7 @@ import { useQuery } from '@tanstack/react-query'
 import { type ReactNode, useEffect, useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { keepDraft, useDraft } from '@/app/drafts'
 import { HotkeyButton } from '@/app/keys'
 import { showToast } from '@/app/toast'
 import { ended } from '@/judging/findings'
@@ -65,7 +66,7 @@ export function DeliveryCard({
                 icon={sending.paused ? 'play' : 'pause'}
                 onClick={() => (sending.paused ? queue.resume() : queue.pause())}
               >
-                {sending.paused ? 'Go on' : 'Pause'}
+                {sending.paused ? 'Resume' : 'Pause'}
               </Button>
             )}
             {!empty && (
@@ -91,9 +92,9 @@ export function DeliveryCard({
           <p>
             <span className="strong">Drop files, a folder or a ZIP anywhere on this page.</span>{' '}
             <span className="mid">
-              The name says which cue a file is for; what no name fits waits here until you say. A file named{' '}
-              <span className="mono">…__dry.wav</span> is no version: it is the dry stem of the one of that name. A line
-              that drops loses nothing.
+              Files are matched to cues by name. Files that match no cue wait here until you choose one. A file named{' '}
+              <span className="mono">…__dry.wav</span> is not a version: it is added as the dry stem of the version with
+              that name. Uploads resume if you lose your connection.
             </span>
           </p>
           <span className={classes.choose}>
@@ -107,7 +108,7 @@ export function DeliveryCard({
             >
               Choose files
             </HotkeyButton>
-            <Button onClick={onChooseFolder}>Choose a folder</Button>
+            <Button onClick={onChooseFolder}>Choose folder</Button>
           </span>
         </div>
       )}
@@ -139,7 +140,8 @@ function sumsOf(
 }
 
 function Foot({ projectId, delivery, going }: { projectId: string; delivery: Delivery; going: boolean }) {
-  const [note, setNote] = useState(delivery.note)
+  const draftKey = `delivery:${delivery.id}`
+  const [note, setNote] = useDraft(draftKey, delivery.note)
   const save = useSaveNote(projectId)
   const close = useCloseDelivery(projectId)
   const [asked, setAsked] = useState(false)
@@ -149,6 +151,7 @@ function Foot({ projectId, delivery, going }: { projectId: string; delivery: Del
   const keep = async () => {
     if (note.trim() === delivery.note) return
     await save.mutateAsync({ deliveryId: delivery.id, note: note.trim() })
+    keepDraft(draftKey, null)
   }
   const finish = async () => {
     if (going && !asked) {
@@ -158,7 +161,7 @@ function Foot({ projectId, delivery, going }: { projectId: string; delivery: Del
     try {
       await keep()
       await close.mutateAsync(delivery.id)
-      showToast(`Delivery ${delivery.number} is closed. The next file opens a new one.`)
+      showToast(`Delivery ${delivery.number} closed. The next file starts a new delivery.`)
     } catch {
       // The refusal stands below the field.
     }
@@ -174,16 +177,18 @@ function Foot({ projectId, delivery, going }: { projectId: string; delivery: Del
     >
       <TextInput
         className="grow"
-        label={`Note to delivery ${delivery.number}`}
-        placeholder="What is in it, and what to listen for"
+        label={`Note on delivery ${delivery.number}`}
+        placeholder="What is in it and what to listen for"
         value={note}
         onChange={(event) => setNote(event.currentTarget.value)}
         onBlur={() => void keep().catch(() => undefined)}
         error={error instanceof ApiProblem ? ended(error.detail) : undefined}
-        description={save.isSuccess && note.trim() === delivery.note ? 'Kept.' : undefined}
+        description={save.isSuccess && note.trim() === delivery.note ? 'Saved.' : undefined}
         inputWrapperOrder={['label', 'input', 'description', 'error']}
       />
-      <Button onClick={() => void finish()}>{asked ? 'Close it; the rest comes late' : 'Nothing more to come'}</Button>
+      <Button onClick={() => void finish()}>
+        {asked ? 'Close it; later files are marked late' : 'Close delivery'}
+      </Button>
     </form>
   )
 }

@@ -29,14 +29,14 @@ export function DeliveryLines({ rows: { open, done }, ...does }: LinesProps) {
       {shown.length > ALL_AT_ONCE ? <ManyLines rows={shown} {...does} /> : <Lines rows={shown} {...does} />}
       {done.length > 0 && (
         <div className={classes.folded}>
-          <State kind="conforming">{plural(done.length, 'file')} through the check</State>
+          <State kind="conforming">{plural(done.length, 'file')} checked</State>
           <button
             type="button"
             className="link small mid"
             aria-expanded={unfolded}
             onClick={() => setUnfolded(!unfolded)}
           >
-            {unfolded ? 'Fold them' : 'Show them'}
+            {unfolded ? 'Hide' : 'Show'}
           </button>
         </div>
       )}
@@ -49,7 +49,7 @@ type Does = Omit<LinesProps, 'rows'>
 function Lines({ rows, ...does }: { rows: readonly DeliveryRow[] } & Does) {
   if (rows.length === 0) return null
   return (
-    <ul aria-label="Files of this delivery">
+    <ul aria-label="Files in this delivery">
       {rows.map((row) => (
         <li key={row.id} className={classes.line} data-kind={row.state}>
           <Line row={row} {...does} />
@@ -79,7 +79,7 @@ function ManyLines({ rows, ...does }: { rows: readonly DeliveryRow[] } & Does) {
       role="region"
       aria-label={`${plural(rows.length, 'file')}, scrolls`}
     >
-      <ul aria-label="Files of this delivery" style={{ height: virtual.getTotalSize(), position: 'relative' }}>
+      <ul aria-label="Files in this delivery" style={{ height: virtual.getTotalSize(), position: 'relative' }}>
         {virtual.getVirtualItems().map((item) => {
           const row = rows[item.index]
           return (
@@ -126,7 +126,7 @@ function Line({ row, onStop, onDismiss, onRecheck }: { row: DeliveryRow } & Does
             square
             variant="quiet"
             icon="cross"
-            aria-label={`Take ${name} off the list`}
+            aria-label={`Remove ${name} from the list`}
             onClick={() => onDismiss(uploadId)}
           />
         )}

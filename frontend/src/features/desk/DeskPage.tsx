@@ -19,7 +19,7 @@ import classes from './Desk.module.css'
 import { useCameBack, useToMake } from './pages'
 import { Refusal } from './Refusal'
 import { labelsOf } from './rows'
-import { AskedCard, MendsCard, ToMakeCard, WithApproverCard } from './SideCards'
+import { AskedCard, FixesCard, ToMakeCard, WithApproverCard } from './SideCards'
 import { UnmatchedTray } from './UnmatchedTray'
 import { deskLine } from './words'
 
@@ -61,8 +61,8 @@ export function DeskPage() {
       <div className="page">
         <h1>Your desk</h1>
         {refusal?.status === 403 ? (
-          <EmptyState head="You have no desk in this project.">
-            The desk is for its sound designers. You are of the team: Today shows what waits for you.
+          <EmptyState head="This page is for the project’s sound designers">
+            You are on the game team. See Today for your tasks.
           </EmptyState>
         ) : (
           <Refusal error={problem} />
@@ -82,7 +82,7 @@ export function DeskPage() {
 
 function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk; uploads: DeliveryUploads }) {
   const [player, playing] = usePlayer()
-  const { data: unmatched = [] } = useUnmatched(projectId)
+  const { data: unmatched = [] } = useUnmatched(projectId, desk.unmatched)
   const { data: cues } = useCues(projectId)
   const { uploads: sending } = useUploads(uploads.queue)
   const [problem, setProblem] = useState<unknown>(null)
@@ -118,7 +118,7 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
             keys={[
               { keys: ['n'], label: 'deliver files' },
               { keys: ['Space'], label: 'play' },
-              { keys: ['?'], label: 'all keys' },
+              { keys: ['?'], label: 'shortcuts' },
             ]}
           />
         </div>
@@ -142,10 +142,16 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
             onChooseFolder={chooser.chooseFolder}
             problem={problem}
           >
-            <UnmatchedTray projectId={projectId} takes={unmatched} player={player} playing={playing} />
+            <UnmatchedTray
+              projectId={projectId}
+              takes={unmatched}
+              count={desk.unmatched}
+              player={player}
+              playing={playing}
+            />
           </DeliveryCard>
         </div>
-        <aside className="stack" aria-label="Beside the deliveries">
+        <aside className="stack" aria-label="Cues, reviews and questions">
           <OwedCards projectId={projectId} />
           <ToMakeCard
             projectId={projectId}
@@ -155,7 +161,7 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
             onDrop={(picked, cueId) => void add(picked, cueId)}
           />
           <WithApproverCard projectId={projectId} desk={desk} />
-          <MendsCard projectId={projectId} />
+          <FixesCard projectId={projectId} />
           <AskedCard
             projectId={projectId}
             questions={desk.questions}
@@ -165,7 +171,8 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
       </div>
       {over && (
         <p className={`${classes.over} on-ink`} role="status">
-          Let go: files, folders or a ZIP go into the delivery. On a cue of “To make” they are for that cue.
+          Drop files, folders or a ZIP to add them to the delivery. Drop them on a cue under “To do” to deliver that
+          cue.
         </p>
       )}
     </div>

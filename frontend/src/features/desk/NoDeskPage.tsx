@@ -1,13 +1,13 @@
 import { useTitle } from '@/app/title'
 import { EmptyState } from '@/ui/EmptyState'
 
-/** The desk of somebody whom no project engaged. */
+/** The desk of a person without an engagement. */
 export function NoDeskPage() {
   useTitle('Desk')
   return (
     <div className="page">
-      <EmptyState level={1} head="No project has you as its sound designer yet.">
-        A studio invites you by mail. The link in it shows the sound list at once.
+      <EmptyState level={1} head="You are not a sound designer in any project yet.">
+        A studio can invite you by email. The link shows the sound list right away.
       </EmptyState>
     </div>
   )

@@ -12,7 +12,7 @@ interface RefusalProps {
 export function Refusal({ error, about }: RefusalProps) {
   if (error === null || error === undefined) return null
   const problem = error instanceof ApiProblem ? error : null
-  const detail = ended(problem?.detail ?? 'The page itself broke.')
+  const detail = ended(problem?.detail ?? 'Something went wrong in the page.')
   return (
     <ProblemNote detail={about ? `${about}: ${detail}` : detail} fix={problem?.fix ? ended(problem.fix) : undefined} />
   )

@@ -4,12 +4,13 @@ import { Link } from '@tanstack/react-router'
 import { type DragEvent, useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { DraftNote, useDraft } from '@/app/drafts'
 import { HotkeyButton } from '@/app/keys'
 import { ShellLink } from '@/app/shell/ShellLink'
 import { showToast } from '@/app/toast'
 import { ended } from '@/judging/findings'
 import { unlessJudged } from '@/judging/words'
-import { mendsQuery } from '@/mending'
+import { fixesQuery } from '@/fixing'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ago, length, plural } from '@/ui/format'
@@ -40,11 +41,11 @@ export function ToMakeCard({ projectId, toMake, count, onChoose, onDrop }: ToMak
     <Card aria-labelledby="to-make">
       <CardHead
         id="to-make"
-        title="To make"
+        title="To do"
         count={count > 0 ? count : undefined}
-        end={count > 0 && <span className="wide-only">drop a file on its cue</span>}
+        end={count > 0 && <span className="wide-only">drop a file on a cue</span>}
       />
-      {count === 0 && <p className={`mid ${classes.plain}`}>Every cue of the list has its files.</p>}
+      {count === 0 && <p className={`mid ${classes.plain}`}>All cues have their files.</p>}
       <ul aria-labelledby="to-make">
         {shown.map((one) => (
           <ToMakeRow
@@ -74,7 +75,7 @@ export function ToMakeCard({ projectId, toMake, count, onChoose, onDrop }: ToMak
   )
 }
 
-function standing({ status, state, variations, missing }: ToMake) {
+function progress({ status, state, variations, missing }: ToMake) {
   if (state === 'concept') return <State kind="warning">Concept</State>
   if (status === 'question') return <State kind="question" />
   if (status === 'placeholder') return <State kind="placeholder" />
@@ -83,7 +84,7 @@ function standing({ status, state, variations, missing }: ToMake) {
 }
 
 function factsOf({ category, use, duration_s, loop, variations, state }: ToMake): string {
-  if (state === 'concept') return 'not settled; ask before you start'
+  if (state === 'concept') return 'not final; ask before you start'
   const facts = [
     use || category,
     duration_s === null ? '' : length(duration_s),
@@ -125,7 +126,7 @@ function ToMakeRow({ projectId, one, onChoose, onDrop }: RowProps) {
       <ShellLink className={`strong ${classes.cue}`} path={`/projects/${projectId}/sound-list/cues/${cue.id}`}>
         {cue.name}
       </ShellLink>
-      {over ? <span className="small strong">It is for {cue.name}</span> : standing(one)}
+      {over ? <span className="small strong">For {cue.name}</span> : progress(one)}
       <span className="small dim">{factsOf(one)}</span>
       <Button
         square
@@ -145,10 +146,10 @@ export function WithApproverCard({ projectId, desk }: { projectId: string; desk:
   const { items: cues, hasMore, isFetching, showMore } = useWithApprover(projectId, desk)
   return (
     <Card aria-labelledby="with-approver">
-      <CardHead id="with-approver" title="With the approver" end={`${accepted} of ${all} accepted`} />
+      <CardHead id="with-approver" title="In review" end={`${accepted} of ${all} accepted`} />
       <div className={classes.due}>
         {cues.length === 0 ? (
-          <span className="mid">Nothing waits for a verdict.</span>
+          <span className="mid">Nothing is in review.</span>
         ) : (
           <>
             <span className="mid">
@@ -157,7 +158,7 @@ export function WithApproverCard({ projectId, desk }: { projectId: string; desk:
                 <>
                   {' … '}
                   <button type="button" className="link small" aria-busy={isFetching} onClick={showMore}>
-                    More that wait
+                    More in review
                   </button>
                 </>
               )}
@@ -187,17 +188,17 @@ function waitsOf(cues: readonly Desk['with_approver'][number][]): string[] {
   })
 }
 
-/** What waits for the approver and could be better without a new export: the check warned, and a mend answers it. */
-export function MendsCard({ projectId }: { projectId: string }) {
-  const { data: offers } = useQuery(mendsQuery(projectId))
+/** What waits for the approver and could be better without a new export: the check warned, and a fix answers it. */
+export function FixesCard({ projectId }: { projectId: string }) {
+  const { data: offers } = useQuery(fixesQuery(projectId))
   const warned = offers?.filter(({ take_state: state }) => state === 'conforming') ?? []
   if (warned.length === 0) return null
   return (
-    <Card aria-labelledby="mends">
-      <CardHead id="mends" title="Could be mended" count={warned.length} end="the check warned" />
-      <ul aria-labelledby="mends">
+    <Card aria-labelledby="fixes">
+      <CardHead id="fixes" title="Auto-fix available" count={warned.length} end="warnings from the check" />
+      <ul aria-labelledby="fixes">
         {warned.map(({ take_id: id, cue, variation, number, says }) => (
-          <li key={id} className={classes.mend}>
+          <li key={id} className={classes.fix}>
             <p>
               <Link className="link strong" to="/takes/$takeId" params={{ takeId: id }}>
                 {cue.name}
@@ -216,7 +217,7 @@ export function MendsCard({ projectId }: { projectId: string }) {
 interface AskedCardProps {
   projectId: string
   questions: readonly AskedQuestion[]
-  /** The cue in the hand, which a question is about unless told otherwise. */
+  /** The selected cue, the default subject of a question. */
   cueId: string | null
 }
 
@@ -229,7 +230,7 @@ export function AskedCard({ projectId, questions, cueId }: AskedCardProps) {
     <Card aria-labelledby="asked">
       <CardHead
         id="asked"
-        title="You asked"
+        title="Your questions"
         note={open > 0 ? `${open} open` : undefined}
         end={
           !asking && (
@@ -248,7 +249,9 @@ export function AskedCard({ projectId, questions, cueId }: AskedCardProps) {
       />
       {asking && <AskForm projectId={projectId} cueId={cueId} onDone={() => setAsking(false)} />}
       {!asking && newest.length === 0 && (
-        <p className={`mid ${classes.plain}`}>Nothing yet. What falls, how heavy, where: an answer joins the cue.</p>
+        <p className={`mid ${classes.plain}`}>
+          No questions yet. Ask about source, material or size. Answers are added to the cue.
+        </p>
       )}
       <ul aria-labelledby="asked">
         {newest.map(({ id, cue, text, asked_at, answer }) => (
@@ -256,7 +259,7 @@ export function AskedCard({ projectId, questions, cueId }: AskedCardProps) {
             <p>“{text}”</p>
             <p className="small dim">
               {cue.name}, {ago(asked_at)}
-              {answer === null ? '; the studio’s turn' : ''}
+              {answer === null ? ', waiting for the studio' : ''}
             </p>
             {answer !== null && <p className={classes.answer}>{answer}</p>}
           </li>
@@ -269,15 +272,15 @@ export function AskedCard({ projectId, questions, cueId }: AskedCardProps) {
 function AskForm({ projectId, cueId, onDone }: { projectId: string; cueId: string | null; onDone: () => void }) {
   const { data: cues } = useCues(projectId)
   const [chosen, setChosen] = useState(cueId)
-  const [text, setText] = useState('')
+  const [text, setText, draft] = useDraft(`ask:${projectId}`, '')
   const [missing, setMissing] = useState<{ cue?: string; text?: string }>({})
   const ask = useAsk(projectId)
   const cueField = useFocusOnMount<HTMLInputElement>(cueId === null)
   const textField = useFocusOnMount<HTMLTextAreaElement>(cueId !== null)
   const send = () => {
     const lacks = {
-      cue: chosen === null ? 'Say which cue it is about.' : undefined,
-      text: text.trim() === '' ? 'Write what you must know.' : undefined,
+      cue: chosen === null ? 'Choose a cue.' : undefined,
+      text: text.trim() === '' ? 'Write your question.' : undefined,
     }
     setMissing(lacks)
     if (chosen === null || lacks.text !== undefined || ask.isPending) return
@@ -285,7 +288,8 @@ function AskForm({ projectId, cueId, onDone }: { projectId: string; cueId: strin
       { cueId: chosen, text: text.trim() },
       {
         onSuccess: ({ cue_name }) => {
-          showToast(`Asked about ${cue_name}. The answer comes here and by mail.`)
+          draft.discard()
+          showToast(`Question about ${cue_name} sent. You get the answer here and by email.`)
           onDone()
         },
       },
@@ -324,12 +328,13 @@ function AskForm({ projectId, cueId, onDone }: { projectId: string; cueId: strin
           if (event.key === 'Escape') onDone()
         }}
       />
+      <DraftNote draft={draft} />
       <div className={classes.askFoot}>
         <Button variant="quiet" onClick={onDone}>
-          Not now
+          Cancel
         </Button>
         <Button type="submit" variant="primary">
-          Ask the studio
+          Send question
         </Button>
       </div>
     </form>

@@ -1,201 +1,238 @@
-import { Select } from '@mantine/core'
-import { useState } from 'react'
+import { useMemo, useState } from 'react'
 
 import { useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
-import { type Player, type PlayerState, WaveThumb } from '@/audio'
-import { capital } from '@/judging/words'
+import type { Player, PlayerState } from '@/audio'
 import { Button } from '@/ui/Button'
-import { channels, length, rate } from '@/ui/format'
-import { Key } from '@/ui/Key'
 import { State } from '@/ui/State'
-import { useFocusOnMount } from '@/ui/useFocusOnMount'
 
-import { type Cue, type Guess, type Take, type TakeSounds, useCues, useMatch, useSounds } from './api'
-import { hear } from './CameBackCard'
+import { type Take, type TrayWork, useTrayWork, useUndo } from './api'
+import { CueField } from './CueField'
 import { Refusal } from './Refusal'
+import { actLine, between, files, groupsOf } from './tray'
 import classes from './Unmatched.module.css'
+import { UnmatchedFile } from './UnmatchedFile'
 
 interface TrayProps {
   projectId: string
   takes: readonly Take[]
+  /** As the headline counts them. */
+  count: number
   player: Player
   playing: PlayerState
 }
 
-/** Files that no cue owns by name: each with its likeliest cues, one press away. */
-export function UnmatchedTray({ projectId, takes, player, playing }: TrayProps) {
-  const [later, setLater] = useState<ReadonlySet<string>>(new Set())
-  const match = useMatch(projectId)
-  const now = takes.filter(({ id }) => !later.has(id))
-  const kept = takes.length - now.length
+const SHOWN = 40
 
-  const say = (take: Take, cueId: string, name: string, variation?: number) =>
-    match.mutate(
-      { take, cueId, variation },
-      { onSuccess: () => showToast(`${take.file_name} is for ${name} and will be named for it.`) },
-    )
+/** Files that no cue owns by name: sure ones accepted at once, guesses chosen by a person, many moved or discarded. */
+export function UnmatchedTray({ projectId, takes, count, player, playing }: TrayProps) {
+  const [later, setLater] = useState<ReadonlySet<string>>(new Set())
+  const [chosen, setChosen] = useState<ReadonlySet<string>>(new Set())
+  const [at, setAt] = useState<string | null>(null)
+  const [shown, setShown] = useState(SHOWN)
+  const [moving, setMoving] = useState(false)
+  const work = useTrayWork(projectId)
+  const undo = useUndo(projectId)
+
+  const groups = useMemo(() => groupsOf(takes.filter(({ id }) => !later.has(id))), [takes, later])
+  const now = useMemo(() => groups.flatMap(({ takes: of }) => of), [groups])
+  const sure = takes.filter((take) => take.sure !== null).map(({ id }) => id)
+  const selected = now.filter(({ id }) => chosen.has(id)).map(({ id }) => id)
+  const current = now.find(({ id }) => id === at) ?? now[0]
+  const kept = takes.length - now.length
+  const busy = work.isPending || undo.isPending
+
+  const act = (asked: TrayWork, said?: string) =>
+    work.mutate(asked, {
+      onSuccess: (done) => {
+        setChosen(new Set())
+        setMoving(false)
+        const back = async () => {
+          const { left } = await undo.mutateAsync(done)
+          if (left > 0) showToast(`${files(left)} changed since then and stayed.`)
+        }
+        showToast(said ?? actLine(done), back)
+      },
+    })
+  const choose = (ids: readonly string[], on: boolean) =>
+    setChosen((before) => new Set(on ? [...before, ...ids] : [...before].filter((id) => !ids.includes(id))))
+  const toggle = (take: Take, ranged: boolean) => {
+    const ids = ranged && at !== null ? between(now, at, take.id) : [take.id]
+    choose(ids, ranged || !chosen.has(take.id))
+    setAt(take.id)
+  }
+  const step = (by: number) => {
+    const place = current ? now.indexOf(current) + by : 0
+    const next = now[Math.max(0, Math.min(now.length - 1, place))]
+    if (!next) return null
+    setAt(next.id)
+    document.getElementById(`tray-${next.id}`)?.scrollIntoView({ block: 'nearest' })
+    return next
+  }
+  const stretch = (by: number) => {
+    if (current) choose([current.id], true)
+    const next = step(by)
+    if (next) choose([next.id], true)
+  }
+
+  useHotkeys([
+    {
+      keys: 'x',
+      label: 'Select the file',
+      group: 'Tray',
+      disabled: !current,
+      run: () => current && toggle(current, false),
+    },
+    { keys: 'ArrowDown', label: 'Next file', group: 'Tray', disabled: !current, run: () => void step(1) },
+    { keys: 'ArrowUp', label: 'File before', group: 'Tray', disabled: !current, run: () => void step(-1) },
+    { keys: 'shift+ArrowDown', label: 'Select the next too', group: 'Tray', disabled: !current, run: () => stretch(1) },
+    {
+      keys: 'shift+ArrowUp',
+      label: 'Select the one before too',
+      group: 'Tray',
+      disabled: !current,
+      run: () => stretch(-1),
+    },
+    {
+      keys: 'mod+a',
+      label: 'Select all files of the tray',
+      group: 'Tray',
+      disabled: now.length === 0,
+      run: () =>
+        choose(
+          now.map(({ id }) => id),
+          true,
+        ),
+    },
+  ])
+
   if (takes.length === 0) return null
+  let room = shown
   return (
-    <section aria-label="Unmatched files">
-      {match.error !== null && (
+    <section aria-label="Unmatched files" aria-busy={busy}>
+      <div className={classes.bar}>
+        <State kind="unmatched">{files(count)} without a cue</State>
+        {sure.length > 0 && (
+          <Button variant="primary" disabled={busy} onClick={() => act({ what: 'accept', takeIds: sure })}>
+            Accept {sure.length} sure {sure.length === 1 ? 'match' : 'matches'}
+          </Button>
+        )}
+        <span className="grow" />
+        {selected.length > 0 ? (
+          <>
+            <span className="small mid">{selected.length} selected</span>
+            <Button disabled={busy} onClick={() => setMoving(!moving)} pressed={moving}>
+              Move to…
+            </Button>
+            <Button disabled={busy} onClick={() => act({ what: 'discard', takeIds: selected })}>
+              Discard
+            </Button>
+            <Button variant="quiet" onClick={() => setChosen(new Set())}>
+              Clear
+            </Button>
+          </>
+        ) : (
+          now.length > 1 && (
+            <Button
+              variant="quiet"
+              onClick={() =>
+                choose(
+                  now.map(({ id }) => id),
+                  true,
+                )
+              }
+            >
+              Select all
+            </Button>
+          )
+        )}
+      </div>
+      {work.error !== null && (
         <div className={classes.problem}>
-          <Refusal error={match.error} about={match.variables?.take.file_name} />
+          <Refusal error={work.error} />
         </div>
       )}
-      {now.map((take, index) => (
-        <UnmatchedFile
-          key={take.id}
-          projectId={projectId}
-          take={take}
-          first={index === 0}
-          count={takes.length}
-          player={player}
-          playing={playing}
-          busy={match.isPending && match.variables.take.id === take.id}
-          onSay={(cueId, name, variation) => say(take, cueId, name, variation)}
-          onLater={() => setLater(new Set([...later, take.id]))}
-        />
-      ))}
+      {undo.error !== null && (
+        <div className={classes.problem}>
+          <Refusal error={undo.error} about="Undo" />
+        </div>
+      )}
+      {moving && selected.length > 0 && (
+        <div className={classes.problem}>
+          <CueField
+            projectId={projectId}
+            label={`Cue for ${files(selected.length)}`}
+            one={selected.length === 1}
+            onBack={() => setMoving(false)}
+            onPick={(cue, variation) =>
+              act({
+                what: 'move',
+                moves: selected.map((id) => ({ take_id: id, cue_id: cue.id, variation })),
+              })
+            }
+          />
+        </div>
+      )}
+      {groups.map(({ folder, takes: all }) => {
+        const drawn = all.slice(0, Math.max(0, room))
+        room -= drawn.length
+        if (drawn.length === 0) return null
+        const ids = all.map(({ id }) => id)
+        const whole = ids.every((id) => chosen.has(id))
+        return (
+          <div key={folder} role="group" aria-label={folder === '' ? 'Files' : `Folder ${folder}`}>
+            {folder !== '' && (
+              <div className={classes.folder}>
+                <label className={classes.tick}>
+                  <input type="checkbox" checked={whole} onChange={() => choose(ids, !whole)} />
+                  <span className="mono">{folder}/</span>
+                </label>
+                <span className="small mid grow">{files(all.length)}</span>
+                <Button variant="quiet" disabled={busy} onClick={() => act({ what: 'discard', takeIds: ids })}>
+                  Discard folder
+                </Button>
+              </div>
+            )}
+            {drawn.map((take) => (
+              <UnmatchedFile
+                key={take.id}
+                projectId={projectId}
+                take={take}
+                current={current?.id === take.id}
+                chosen={chosen.has(take.id)}
+                player={player}
+                playing={playing}
+                busy={busy}
+                onToggle={(ranged) => toggle(take, ranged)}
+                onMove={({ id, name }, variation) =>
+                  act(
+                    { what: 'move', moves: [{ take_id: take.id, cue_id: id, variation }] },
+                    `${take.file_name} is for ${name} and will be named for it.`,
+                  )
+                }
+                onDiscard={() => act({ what: 'discard', takeIds: [take.id] })}
+                onLater={() => setLater(new Set([...later, take.id]))}
+              />
+            ))}
+          </div>
+        )
+      })}
+      {now.length > shown && (
+        <div className={classes.kept}>
+          <span className="small mid">{now.length - shown} more below</span>
+          <button type="button" className="link small mid" onClick={() => setShown(shown + SHOWN)}>
+            Show more
+          </button>
+        </div>
+      )}
       {kept > 0 && (
         <div className={classes.kept}>
-          <State kind="unmatched">{kept} kept for later</State>
+          <State kind="unmatched">{kept} skipped for now</State>
           <button type="button" className="link small mid" onClick={() => setLater(new Set())}>
             Show {kept === 1 ? 'it' : 'them'}
           </button>
         </div>
       )}
     </section>
-  )
-}
-
-interface FileProps extends Omit<TrayProps, 'takes'> {
-  take: Take
-  /** The keys belong to it. */
-  first: boolean
-  count: number
-  busy: boolean
-  onSay: (cueId: string, name: string, variation?: number) => void
-  onLater: () => void
-}
-
-function factsOf(sounds: TakeSounds | undefined): string {
-  const facts = sounds?.master.facts ?? {}
-  const seconds = sounds?.master.duration_s
-  const said = [
-    typeof seconds === 'number' ? length(seconds) : '',
-    typeof facts.channels === 'number' ? channels(facts.channels) : '',
-    typeof facts.sample_rate_hz === 'number' ? rate(facts.sample_rate_hz) : '',
-  ].filter(Boolean)
-  return said.length > 0 ? ` ${said.join(', ')}.` : ''
-}
-
-function UnmatchedFile({ projectId, take, first, count, player, playing, busy, onSay, onLater }: FileProps) {
-  const { data: sounds } = useSounds(take.id)
-  const [searching, setSearching] = useState(false)
-  const guesses = take.guesses.slice(0, 3)
-  const url = sounds?.master.preview_url ?? null
-  const sounding = playing.sourceId === take.id && playing.status === 'playing'
-  const pick = (guess: Guess) => onSay(guess.cue_id, guess.name, guess.variation)
-
-  useHotkeys([
-    ...guesses.map((guess, index) => ({
-      keys: String(index + 1),
-      label: `The file is for ${guess.name}`,
-      group: 'Desk',
-      disabled: !first || busy,
-      run: () => pick(guess),
-    })),
-    { keys: '/', label: 'Another cue for the file', group: 'Desk', disabled: !first, run: () => setSearching(true) },
-  ])
-  return (
-    <div className={classes.file} aria-busy={busy}>
-      <div>
-        {first && <State kind="unmatched">Unmatched, {count}</State>}
-        <p className={`mono ${classes.name}`}>{take.file_name}</p>
-        <div className={classes.wave}>
-          <span className="grow">
-            <WaveThumb peaks={sounds?.master.thumb ?? null} heightPx={26} />
-          </span>
-          {url !== null && (
-            <Button
-              square
-              variant="quiet"
-              icon={sounding ? 'pause' : 'play'}
-              aria-label={`${sounding ? 'Pause' : 'Play'} ${take.file_name}`}
-              onClick={() => (sounding ? player.pause() : hear(player, take.id, url))}
-            />
-          )}
-        </div>
-      </div>
-      <div>
-        <p className={`small mid ${classes.asks}`}>Which cue is it?{factsOf(sounds)} It will be named for the cue.</p>
-        {searching ? (
-          <AnotherCue projectId={projectId} take={take} onSay={onSay} onBack={() => setSearching(false)} />
-        ) : (
-          <div className={classes.guesses}>
-            {guesses.map((guess, index) => (
-              <button type="button" key={guess.cue_id} disabled={busy} onClick={() => pick(guess)}>
-                <span className={classes.guessHead}>
-                  <span className={index === 0 ? 'strong' : undefined}>{guess.name}</span>
-                  {first && <Key keys={String(index + 1)} />}
-                </span>
-                <span className="small mid">{capital(guess.reason)}</span>
-              </button>
-            ))}
-            <button type="button" disabled={busy} onClick={() => setSearching(true)}>
-              <span className={classes.guessHead}>
-                Another
-                {first && <Key keys="/" />}
-              </span>
-              <span className="small mid">search the list</span>
-            </button>
-            <button type="button" onClick={onLater}>
-              <span className={classes.guessHead}>Later</span>
-              <span className="small mid">it stays here</span>
-            </button>
-          </div>
-        )}
-      </div>
-    </div>
-  )
-}
-
-interface AnotherProps {
-  projectId: string
-  take: Take
-  onSay: (cueId: string, name: string) => void
-  onBack: () => void
-}
-
-const optionOf = ({ id, label, name, use }: Cue) => ({ value: id, label: `${label} ${name}${use ? `, ${use}` : ''}` })
-
-function AnotherCue({ projectId, take, onSay, onBack }: AnotherProps) {
-  const { data: cues } = useCues(projectId)
-  const field = useFocusOnMount<HTMLInputElement>()
-  return (
-    <div className={classes.search}>
-      <Select
-        className="grow"
-        aria-label={`Cue for ${take.file_name}`}
-        placeholder="Number, name or use"
-        searchable
-        ref={field}
-        data={cues?.map(optionOf) ?? []}
-        limit={50}
-        nothingFoundMessage="No cue matches."
-        comboboxProps={{ transitionProps: { duration: 0 } }}
-        onChange={(id) => {
-          const cue = cues?.find((one) => one.id === id)
-          if (cue) onSay(cue.id, cue.name)
-        }}
-        onKeyDown={(event) => {
-          if (event.key === 'Escape') onBack()
-        }}
-      />
-      <Button variant="quiet" onClick={onBack}>
-        Back
-      </Button>
-    </div>
   )
 }

@@ -1,11 +1,18 @@
-import { type QueryClient, queryOptions, useMutation, useQuery, useQueryClient } from '@tanstack/react-query'
+import {
+  keepPreviousData,
+  type QueryClient,
+  queryOptions,
+  useMutation,
+  useQuery,
+  useQueryClient,
+} from '@tanstack/react-query'
 
 import { answered, api, everyPage } from '@/api'
 import type { components } from '@/api/schema.gen'
 import { deskQuery } from '@/app/desk'
-import type { FileKind } from '@/uploads'
+import type { Accepts } from '@/uploads'
 
-import { acceptedKinds } from './accepted'
+import { acceptedFiles } from './accepted'
 
 type Schemas = components['schemas']
 export type Desk = Schemas['Desk']
@@ -92,6 +99,23 @@ export const useDelivery = (deliveryId: string | undefined) =>
 export const addTake = (deliveryId: string, body: Schemas['TakeAdd']) =>
   answered(api.POST('/v1/deliveries/{delivery_id}/takes', { params: { path: { delivery_id: deliveryId } }, body }))
 
+/** Send a small file; its take is made by the same request. */
+export const addFile = (
+  deliveryId: string,
+  file: File,
+  query: { file_name: string; cue_id: string | null },
+  signal: AbortSignal,
+) =>
+  answered(
+    api.POST('/v1/deliveries/{delivery_id}/files', {
+      params: { path: { delivery_id: deliveryId }, query: { ...query, cue_id: query.cue_id ?? undefined } },
+      headers: { 'Content-Type': 'application/octet-stream' },
+      body: file as unknown as string, // how OpenAPI's `binary` is typed
+      bodySerializer: (body: unknown) => body as BodyInit,
+      signal,
+    }),
+  )
+
 export const addArchive = (deliveryId: string, body: Schemas['ArchiveAdd']) =>
   answered(api.POST('/v1/deliveries/{delivery_id}/archives', { params: { path: { delivery_id: deliveryId } }, body }))
 
@@ -118,30 +142,68 @@ export function useCloseDelivery(projectId: string) {
   })
 }
 
-/** Files whose name says of no cue that it is theirs. */
-export const useUnmatched = (projectId: string) =>
+/**
+ * Files that wait in the tray, all of them: what is selected or accepted at once must be here.
+ * They are read again when the desk counts others, so that list and count are never apart for long.
+ */
+export const useUnmatched = (projectId: string, count: number) =>
   useQuery({
-    queryKey: keys.unmatched(projectId),
-    queryFn: async () => {
-      const { items } = await answered(
-        api.GET('/v1/projects/{project_id}/takes', {
-          params: { path: { project_id: projectId }, query: { unmatched: true, limit: 200 } },
-        }),
-      )
-      return items
-    },
+    queryKey: [...keys.unmatched(projectId), count],
+    placeholderData: keepPreviousData,
+    queryFn: () =>
+      everyPage((cursor) =>
+        answered(
+          api.GET('/v1/projects/{project_id}/takes', {
+            params: { path: { project_id: projectId }, query: { unmatched: true, limit: 200, cursor } },
+          }),
+        ),
+      ).then((pages) => pages.flatMap(({ items }) => items)),
   })
 
-export function useMatch(projectId: string) {
+export type TakesAct = Schemas['TakesActRead']
+export type Move = Schemas['TakeMove']
+
+/** What is done to many files at once; each answers the act, which can be undone. */
+export type TrayWork =
+  { what: 'accept'; takeIds: string[] } | { what: 'discard'; takeIds: string[] } | { what: 'move'; moves: Move[] }
+
+const actOf = (projectId: string, work: TrayWork): Promise<TakesAct> => {
+  switch (work.what) {
+    case 'accept':
+      return answered(
+        api.POST('/v1/projects/{project_id}/takes/accept-sure', {
+          ...inProject(projectId),
+          body: { take_ids: work.takeIds },
+        }),
+      )
+    case 'discard':
+      return answered(
+        api.POST('/v1/projects/{project_id}/takes/discard', {
+          ...inProject(projectId),
+          body: { take_ids: work.takeIds },
+        }),
+      )
+    case 'move':
+      return answered(
+        api.POST('/v1/projects/{project_id}/takes/move', { ...inProject(projectId), body: { moves: work.moves } }),
+      )
+  }
+}
+
+export function useTrayWork(projectId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: ({ take, cueId, variation }: { take: Take; cueId: string; variation?: number }) =>
-      answered(
-        api.PUT('/v1/takes/{take_id}/match', {
-          params: { path: { take_id: take.id } },
-          body: { cue_id: cueId, variation },
-        }),
-      ),
+    mutationFn: (work: TrayWork) => actOf(projectId, work),
+    onSettled: () => refresh(client, projectId),
+  })
+}
+
+/** Undo an action; takes changed since stay as they are. */
+export function useUndo(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (act: TakesAct) =>
+      answered(api.POST('/v1/takes-acts/{takes_act_id}/undo', { params: { path: { takes_act_id: act.id } } })),
     onSettled: () => refresh(client, projectId),
   })
 }
@@ -180,12 +242,12 @@ export const useCues = (projectId: string, enabled = true) =>
   })
 
 /** What kinds of file some category of the spec takes: only what none takes is stopped in the browser. */
-export const acceptedKindsQuery = (projectId: string) =>
+export const acceptedFilesQuery = (projectId: string) =>
   queryOptions({
-    queryKey: ['accepted-kinds', projectId],
-    queryFn: async (): Promise<FileKind[]> => {
+    queryKey: ['accepted-files', projectId],
+    queryFn: async (): Promise<Accepts> => {
       const { tables } = await answered(api.GET('/v1/projects/{project_id}/spec', inProject(projectId)))
-      return acceptedKinds(tables)
+      return acceptedFiles(tables)
     },
     staleTime: 60_000,
   })
@@ -203,14 +265,15 @@ export function useAsk(projectId: string) {
   })
 }
 
-/** Ask anew for everything that an arriving or matched file changes. */
+/** Refetch everything that an arriving or matched file changes. */
 export async function refresh(client: QueryClient, projectId: string): Promise<void> {
   const touched = [
     deskQuery(projectId).queryKey,
     keys.deliveries(projectId),
     keys.unmatched(projectId),
     ['delivery'],
-    ['standing', projectId],
+    ['progress', projectId],
+    ['sound-list', projectId],
   ]
   await Promise.all(touched.map((queryKey) => client.invalidateQueries({ queryKey })))
 }

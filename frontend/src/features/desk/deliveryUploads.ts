@@ -1,17 +1,28 @@
 import type { QueryClient } from '@tanstack/react-query'
 
-import { partsTransport, type Picked, tusTransport, type Upload, UploadQueue } from '@/uploads'
+import {
+  type Accepts,
+  partsTransport,
+  type Picked,
+  smallFilesTransport,
+  tusTransport,
+  type Upload,
+  UploadQueue,
+} from '@/uploads'
 
 import {
-  acceptedKindsQuery,
+  acceptedFilesQuery,
   addArchive,
+  addFile,
   addTake,
-  keys,
   openDelivery,
   openDeliveryQuery,
   refresh,
   type TakeAdded,
 } from './api'
+
+/** Of a thousand files each changes the lists; reading those again for each of them would keep the server busy. */
+const REFRESH_EVERY_MS = 2_000
 
 /** Files on their way into one project. They go on while other pages are looked at. */
 export class DeliveryUploads {
@@ -22,9 +33,13 @@ export class DeliveryUploads {
   readonly #deliveryOf = new WeakMap<File, string>()
   /** The takes that finished uploads became, by the upload's id. */
   readonly #takes = new Map<string, TakeAdded>()
+  /** Uploads that were made takes by the request that sent them. */
+  readonly #made = new Set<string>()
   #opening: Promise<string> | null = null
+  #refreshedAt = -Infinity
+  #refreshing: ReturnType<typeof setTimeout> | undefined
 
-  constructor(client: QueryClient, projectId: string, accepts: UploadQueueAccepts) {
+  constructor(client: QueryClient, projectId: string, accepts: Accepts) {
     this.#client = client
     this.#projectId = projectId
     const where = {
@@ -33,7 +48,10 @@ export class DeliveryUploads {
     }
     this.queue = new UploadQueue({
       accepts,
-      transport: partsTransport({ ...where, otherwise: tusTransport(where) }),
+      transport: smallFilesTransport({
+        send: (upload, signal) => this.#send(upload, signal),
+        otherwise: partsTransport({ ...where, otherwise: tusTransport(where) }),
+      }),
       onFinished: (upload, uploadId) => this.#arrived(upload, uploadId),
     })
   }
@@ -62,29 +80,48 @@ export class DeliveryUploads {
     return opened.id
   }
 
+  async #send(upload: Upload, signal: AbortSignal): Promise<string> {
+    const deliveryId = this.#deliveryOf.get(upload.file) ?? ''
+    this.#keep(upload, await addFile(deliveryId, upload.file, { file_name: upload.path, cue_id: upload.cueId }, signal))
+    this.#made.add(upload.id)
+    return upload.id
+  }
+
   async #arrived(upload: Upload, uploadId: string): Promise<void> {
     const deliveryId = this.#deliveryOf.get(upload.file) ?? ''
     if (upload.kind === 'archive') {
       await addArchive(deliveryId, { upload_id: uploadId, file_name: upload.path })
-    } else {
+    } else if (!this.#made.has(upload.id)) {
       const body = { upload_id: uploadId, file_name: upload.path, cue_id: upload.cueId, note: '' }
-      const made = await addTake(deliveryId, body)
-      if ('state' in made) this.#takes.set(upload.id, made) // else it is a dry stem, which the delivery lists
+      this.#keep(upload, await addTake(deliveryId, body))
     }
-    void this.#client.invalidateQueries({ queryKey: keys.delivery(deliveryId) })
-    void refresh(this.#client, this.#projectId)
+    this.#refreshSoon()
+  }
+
+  /** A dry stem is no take; the delivery lists it. */
+  #keep(upload: Upload, made: Awaited<ReturnType<typeof addTake>>): void {
+    if ('state' in made) this.#takes.set(upload.id, made)
+  }
+
+  #refreshSoon(): void {
+    const wait = Math.max(0, this.#refreshedAt + REFRESH_EVERY_MS - performance.now())
+    if (this.#refreshing !== undefined) return
+    this.#refreshing = setTimeout(() => {
+      this.#refreshing = undefined
+      this.#refreshedAt = performance.now()
+      void refresh(this.#client, this.#projectId)
+    }, wait)
   }
 }
-
-type UploadQueueAccepts = NonNullable<ConstructorParameters<typeof UploadQueue>[0]['accepts']>
 
 const known = new Map<string, DeliveryUploads>()
 
 /** The uploads of one person into one project, which outlive the page that started them. */
 export async function uploadsOf(client: QueryClient, projectId: string, personId: string): Promise<DeliveryUploads> {
   const key = `${personId} ${projectId}`
-  const accepts = await client.ensureQueryData(acceptedKindsQuery(projectId))
+  const accepts = await client.fetchQuery(acceptedFilesQuery(projectId))
   const uploads = known.get(key) ?? new DeliveryUploads(client, projectId, accepts)
+  uploads.queue.accept(accepts)
   known.set(key, uploads)
   return uploads
 }

@@ -6,7 +6,7 @@ import { describe, expect, test } from 'vitest'
 
 import { openApp } from '@/test/openApp'
 import { answer, type Answers, refusal, serve, wrote } from '@/test/server'
-import { aMend, someSounds } from '@/test/take'
+import { aFix, someSounds } from '@/test/take'
 
 const CUE = { id: 'c9', label: 'SW-009', name: 'airlock_cycle' }
 const WARP = { id: 'c18', label: 'SW-018', name: 'warp_in' }
@@ -109,6 +109,15 @@ const DESK = {
     },
   ],
 }
+const aGuess = ({ id, label, name }: typeof CUE, reason: string, variation: number | null = 1, variations = 1) => ({
+  cue_id: id,
+  label,
+  name,
+  variation,
+  variations,
+  reason,
+  becomes: variation === null ? null : `${name}.wav`,
+})
 const UNMATCHED = {
   id: 't30',
   project_id: 'p1',
@@ -126,11 +135,10 @@ const UNMATCHED = {
   master_bytes: 1000,
   received_at: '2026-11-17T09:00:00Z',
   state_since: '2026-11-17T09:00:00Z',
-  guesses: [
-    { cue_id: STING.id, label: STING.label, name: STING.name, variation: 1, reason: 'the name has "sting"' },
-    { cue_id: WARP.id, label: WARP.label, name: WARP.name, variation: 1, reason: 'nothing delivered yet' },
-  ],
+  guesses: [aGuess(STING, 'the name has "sting"'), aGuess(WARP, 'the name is spelt nearly alike')],
   already_here: false,
+  discarded_at: null,
+  sure: null,
 }
 const SOUNDS = {
   take_id: 't30',
@@ -171,7 +179,7 @@ const ME = {
       part: 'designer',
       is_producer: false,
       is_liaison: false,
-      is_decider: false,
+      is_approver: false,
       engagement_kind: 'contract',
     },
   ],
@@ -179,7 +187,7 @@ const ME = {
 const cue = ({ id, label, name }: typeof CUE) => ({ id, label, name, use: '', stems: [name], cut_at: null })
 
 let personNumber = 0
-/** Uploads outlive a page for one person, so every test is somebody else. */
+/** Uploads outlive a page for one person, so every test has another person. */
 const answers = (more: Answers = {}): Answers => {
   const person = { id: `x${personNumber++}`, name: 'Sound designer' }
   return {
@@ -206,7 +214,7 @@ describe('what came back', () => {
     serve(answers())
     openApp('/desk')
     const card = await screen.findByRole('article', { name: 'airlock_cycle' })
-    const found = within(within(card).getByRole('list', { name: 'What the check found' })).getAllByRole('listitem')
+    const found = within(within(card).getByRole('list', { name: 'Check results' })).getAllByRole('listitem')
     expect(found[0]).toHaveTextContent(
       /^Error: Sample peak 0\.00 dBFS\s*Limit −0\.1 dBFS\. Lower the level by 0\.10 dB or more\./,
     )
@@ -223,7 +231,7 @@ describe('what came back', () => {
       }),
     )
     openApp('/desk')
-    expect(await screen.findByText(/^There is no picture of this file/)).toBeInTheDocument()
+    expect(await screen.findByText(/^No waveform: the file could not be read/)).toBeInTheDocument()
     given['GET /v1/projects/p1/desk'] = { ...DESK, came_back: drawn }
     expect(await screen.findByRole('slider', {}, { timeout: 3_000 })).toBeInTheDocument()
   })
@@ -251,34 +259,68 @@ describe('what came back', () => {
     )
     const user = userEvent.setup()
     openApp('/desk')
-    expect(await screen.findByText(/nothing is wrong with your file, and no round counts/)).toBeInTheDocument()
-    await user.click(screen.getByRole('button', { name: 'Check it again' }))
+    expect(await screen.findByText(/not your file’s, and no round is counted/)).toBeInTheDocument()
+    await user.click(screen.getByRole('button', { name: 'Run the check again' }))
     await waitFor(() => expect(asked.some(({ path }) => path === '/v1/takes/t9/recheck')).toBe(true))
   })
 
   test('nothing: said so', async () => {
     serve(answers({ 'GET /v1/projects/p1/desk': { ...DESK, came_back: [] } }))
     openApp('/desk')
-    expect(await screen.findByRole('heading', { name: 'Nothing came back.' })).toBeInTheDocument()
+    expect(await screen.findByRole('heading', { name: 'Nothing to fix.' })).toBeInTheDocument()
   })
 })
 
+const MOVED = {
+  id: 'a1',
+  kind: 'moved',
+  done_at: '2026-11-17T09:00:00Z',
+  undone_at: null,
+  take_ids: ['t30'],
+}
+const MOVE = 'POST /v1/projects/p1/takes/move'
+
 describe('an unmatched file', () => {
-  test('is given to its likeliest cue by one key', async () => {
-    const { asked } = serve(answers({ 'PUT /v1/takes/t30/match': { ...UNMATCHED, cue: STING, guesses: [] } }))
+  test('is given to its likeliest cue by one key, and back by Undo', async () => {
+    const { asked } = serve(
+      answers({ [MOVE]: MOVED, 'POST /v1/takes-acts/a1/undo': { ...MOVED, return_to_received: 1, left: 0 } }),
+    )
     const user = userEvent.setup()
     openApp('/desk')
     const tray = await screen.findByRole('region', { name: 'Unmatched files' })
-    expect(
-      await within(tray).findByText(/3\.02 s, stereo, 96 kHz\. It will be named for the cue\./),
-    ).toBeInTheDocument()
+    expect(await within(tray).findByText(/3\.02 s, stereo, 96 kHz\. Which cue is it\?/)).toBeInTheDocument()
     await user.keyboard('1')
     expect(await screen.findByText(/final_FINAL_sting2\.wav is for victory_sting/)).toBeInTheDocument()
-    expect(asked.find(({ method }) => method === 'PUT')?.body).toEqual({ cue_id: STING.id, variation: 1 })
+    expect(asked.find(({ path }) => path.endsWith('/takes/move'))?.body).toEqual({
+      moves: [{ take_id: 't30', cue_id: STING.id, variation: 1 }],
+    })
+    await user.click(screen.getByRole('button', { name: /Undo/ }))
+    await waitFor(() => expect(asked.some(({ path }) => path === '/v1/takes-acts/a1/undo')).toBe(true))
+  })
+
+  test('of a set has its variation chosen by a person', async () => {
+    const guess = aGuess(WARP, 'the name does not say which variation', null, 3)
+    const { asked } = serve(
+      answers({
+        'GET /v1/projects/p1/takes': { items: [{ ...UNMATCHED, guesses: [guess] }], next: null },
+        [MOVE]: MOVED,
+      }),
+    )
+    const user = userEvent.setup()
+    openApp('/desk')
+    const tray = await screen.findByRole('region', { name: 'Unmatched files' })
+    await user.click(within(tray).getByRole('button', { name: /^warp_in/ }))
+    expect(asked.some(({ method, path }) => method === 'POST' && path.endsWith('/takes/move'))).toBe(false)
+    await user.click(within(tray).getByRole('button', { name: 'Variation 3' }))
+    await waitFor(() =>
+      expect(asked.find(({ path }) => path.endsWith('/takes/move'))?.body).toEqual({
+        moves: [{ take_id: 't30', cue_id: WARP.id, variation: 3 }],
+      }),
+    )
   })
 
   test('is given to another cue by searching the list', async () => {
-    const { asked } = serve(answers({ 'PUT /v1/takes/t30/match': { ...UNMATCHED, cue: CUE, guesses: [] } }))
+    const { asked } = serve(answers({ [MOVE]: MOVED }))
     const user = userEvent.setup()
     openApp('/desk')
     await screen.findByRole('region', { name: 'Unmatched files' })
@@ -287,67 +329,157 @@ describe('an unmatched file', () => {
     expect(field).toHaveFocus()
     await user.type(field, 'airl')
     await user.click(await screen.findByRole('option', { name: /airlock_cycle/ }))
-    await waitFor(() => expect(asked.find(({ method }) => method === 'PUT')?.body).toEqual({ cue_id: CUE.id }))
+    await waitFor(() =>
+      expect(asked.find(({ path }) => path.endsWith('/takes/move'))?.body).toEqual({
+        moves: [{ take_id: 't30', cue_id: CUE.id, variation: null }],
+      }),
+    )
   })
 
-  test('a refusal names the file, and the guesses stay', async () => {
-    serve(
-      answers({ 'PUT /v1/takes/t30/match': refusal(409, 'wrong-state', 'an approved take cannot become received') }),
-    )
+  test('a refusal is said, and the guesses stay', async () => {
+    serve(answers({ [MOVE]: refusal(409, 'wrong-state', 'an approved take cannot become received') }))
     const user = userEvent.setup()
     openApp('/desk')
     const tray = await screen.findByRole('region', { name: 'Unmatched files' })
     await user.click(within(tray).getByRole('button', { name: /^warp_in/ }))
-    expect(await within(tray).findByRole('alert')).toHaveTextContent(
-      'final_FINAL_sting2.wav: An approved take cannot become received.',
-    )
+    expect(await within(tray).findByRole('alert')).toHaveTextContent('An approved take cannot become received.')
     expect(within(tray).getByRole('button', { name: /^victory_sting/ })).toBeEnabled()
   })
 
-  test('waits for later where nobody knows', async () => {
+  test('is skipped for now where nobody knows', async () => {
     serve(answers())
     const user = userEvent.setup()
     openApp('/desk')
     const tray = await screen.findByRole('region', { name: 'Unmatched files' })
-    await user.click(within(tray).getByRole('button', { name: /^Later/ }))
-    expect(within(tray).getByText('1 kept for later')).toBeInTheDocument()
+    await user.click(within(tray).getByRole('button', { name: 'Skip for now' }))
+    expect(within(tray).getByText('1 skipped for now')).toBeInTheDocument()
     await user.click(within(tray).getByRole('button', { name: 'Show it' }))
     expect(within(tray).getByRole('button', { name: /^victory_sting/ })).toBeInTheDocument()
   })
 })
 
-describe('the mend of what came back', () => {
-  const mended = (more: Answers = {}): Answers =>
+describe('many unmatched files', () => {
+  const file = (id: string, name: string, sure: ReturnType<typeof aGuess> | null = null) => ({
+    ...UNMATCHED,
+    id,
+    file_name: name,
+    sure,
+    guesses: sure ? [] : UNMATCHED.guesses,
+  })
+  const many = (more: Answers = {}): Answers =>
     answers({
-      'GET /v1/takes/t9/mend': { ...aMend(), take_id: 't9' },
+      'GET /v1/projects/p1/desk': { ...DESK, unmatched: 4 },
+      'GET /v1/projects/p1/takes': {
+        items: [
+          file('t1', 'Warp-In FINAL2.wav', aGuess(WARP, 'the name fits no other')),
+          file('t2', 'VICTORY_STING (1).wav', aGuess(STING, 'the name fits no other')),
+          file('t3', 'old game/a.wav'),
+          file('t4', 'old game/b.wav'),
+        ],
+        next: null,
+      },
+      ...more,
+    })
+  const body = (asked: { path: string; body: unknown }[], what: string) =>
+    asked.find(({ path }) => path.endsWith(`/takes/${what}`))?.body
+
+  test('sure ones are accepted at once, guesses are not among them', async () => {
+    const accepted = { ...MOVED, kind: 'matched', take_ids: ['t1', 't2'] }
+    const { asked } = serve(many({ 'POST /v1/projects/p1/takes/accept-sure': accepted }))
+    const user = userEvent.setup()
+    openApp('/desk')
+    const tray = await screen.findByRole('region', { name: 'Unmatched files' })
+    expect(within(tray).getByText('4 files without a cue')).toBeInTheDocument()
+    expect(within(tray).getByText(/Sure: will be named warp_in\.wav\./)).toBeInTheDocument()
+    await user.click(within(tray).getByRole('button', { name: 'Accept 2 sure matches' }))
+    expect(await screen.findByText('2 files matched.')).toBeInTheDocument()
+    expect(body(asked, 'accept-sure')).toEqual({ take_ids: ['t1', 't2'] })
+  })
+
+  test('a folder goes away in one act', async () => {
+    const { asked } = serve(
+      many({ 'POST /v1/projects/p1/takes/discard': { ...MOVED, kind: 'discarded', take_ids: ['t3', 't4'] } }),
+    )
+    const user = userEvent.setup()
+    openApp('/desk')
+    const folder = await screen.findByRole('group', { name: 'Folder old game' })
+    await user.click(within(folder).getByRole('button', { name: 'Discard folder' }))
+    expect(await screen.findByText('2 files discarded; their masters are kept.')).toBeInTheDocument()
+    expect(body(asked, 'discard')).toEqual({ take_ids: ['t3', 't4'] })
+  })
+
+  test('are selected by keys and moved to one cue', async () => {
+    const { asked } = serve(many({ [MOVE]: { ...MOVED, take_ids: ['t2', 't3'] } }))
+    const user = userEvent.setup()
+    openApp('/desk')
+    const tray = await screen.findByRole('region', { name: 'Unmatched files' })
+    await user.keyboard('{ArrowDown}x{Shift>}{ArrowDown}{/Shift}')
+    expect(within(tray).getByText('2 selected')).toBeInTheDocument()
+    await user.click(within(tray).getByRole('button', { name: 'Move to…' }))
+    await user.type(await screen.findByRole('combobox', { name: 'Cue for 2 files' }), 'airl')
+    await user.click(await screen.findByRole('option', { name: /airlock_cycle/ }))
+    await waitFor(() =>
+      expect(body(asked, 'move')).toEqual({
+        moves: ['t2', 't3'].map((id) => ({ take_id: id, cue_id: CUE.id, variation: null })),
+      }),
+    )
+  })
+
+  test('Ctrl+A selects all, x takes one out, Shift and a click select a range', async () => {
+    const { asked } = serve(
+      many({ 'POST /v1/projects/p1/takes/discard': { ...MOVED, kind: 'discarded', take_ids: [] } }),
+    )
+    const user = userEvent.setup()
+    openApp('/desk')
+    const tray = await screen.findByRole('region', { name: 'Unmatched files' })
+    await user.keyboard('{Control>}a{/Control}')
+    expect(within(tray).getByText('4 selected')).toBeInTheDocument()
+    await user.keyboard('x')
+    expect(within(tray).getByText('3 selected')).toBeInTheDocument()
+    await user.click(within(tray).getByRole('button', { name: 'Clear' }))
+    await user.click(within(tray).getByRole('checkbox', { name: 'Select VICTORY_STING (1).wav' }))
+    await user.keyboard('{Shift>}')
+    await user.click(within(tray).getByRole('checkbox', { name: 'Select old game/b.wav' }))
+    await user.keyboard('{/Shift}')
+    expect(within(tray).getByText('3 selected')).toBeInTheDocument()
+    const bar = within(tray).getByText('3 selected').parentElement
+    await user.click(within(bar as HTMLElement).getByRole('button', { name: 'Discard' }))
+    await waitFor(() => expect(body(asked, 'discard')).toEqual({ take_ids: ['t2', 't3', 't4'] }))
+  })
+})
+
+describe('the fix of what came back', () => {
+  const fixed = (more: Answers = {}): Answers =>
+    answers({
+      'GET /v1/takes/t9/fix': { ...aFix(), take_id: 't9' },
       'GET /v1/takes/t9/sounds': someSounds({ take_id: 't9' }),
       ...more,
     })
 
   test('stands before and after on one axis, and is used by one press', async () => {
     const { asked } = serve(
-      mended({ 'POST /v1/takes/t9/mend/use': answer({ ...UNMATCHED, id: 't10', cue: CUE, number: 2 }, 201) }),
+      fixed({ 'POST /v1/takes/t9/fix/use': answer({ ...UNMATCHED, id: 't10', cue: CUE, number: 2 }, 201) }),
     )
     const user = userEvent.setup()
     openApp('/desk')
-    expect(await screen.findByRole('slider', { name: 'Position in airlock_cycle, before' })).toBeInTheDocument()
-    expect(screen.getByRole('slider', { name: 'Position in airlock_cycle, mended' })).toBeInTheDocument()
+    expect(await screen.findByRole('slider', { name: 'Position in airlock_cycle, original' })).toBeInTheDocument()
+    expect(screen.getByRole('slider', { name: 'Position in airlock_cycle, fixed' })).toBeInTheDocument()
     expect(screen.getByText('407.0 ms trimmed from the start, level lowered by 1.62 dB.')).toBeInTheDocument()
-    expect(screen.getByText('It becomes version 2; version 1 stays as it is. No round counts.')).toBeInTheDocument()
+    expect(screen.getByText('It becomes version 2; version 1 is kept. No round is counted.')).toBeInTheDocument()
     expect(screen.getByRole('link', { name: 'All figures' })).toHaveAttribute('href', '/takes/t9')
     await user.keyboard('t')
-    expect(await screen.findByText(/version 2 is the mend; it is being checked/)).toBeInTheDocument()
-    expect(asked.filter(({ path }) => path === '/v1/takes/t9/mend/use')).toHaveLength(1)
+    expect(await screen.findByText(/version 2 is the fixed copy. It is being checked/)).toBeInTheDocument()
+    expect(asked.filter(({ path }) => path === '/v1/takes/t9/fix/use')).toHaveLength(1)
   })
 
   test('that would not be enough is not offered', async () => {
-    serve(mended({ 'GET /v1/takes/t9/mend': { ...aMend({ state: 'none' }), take_id: 't9' } }))
+    serve(fixed({ 'GET /v1/takes/t9/fix': { ...aFix({ state: 'none' }), take_id: 't9' } }))
     openApp('/desk')
-    expect(await screen.findByRole('button', { name: /^Send my own/ })).toBeInTheDocument()
-    expect(screen.queryByRole('button', { name: /^Use the mend/ })).not.toBeInTheDocument()
+    expect(await screen.findByRole('button', { name: /^Upload new version/ })).toBeInTheDocument()
+    expect(screen.queryByRole('button', { name: /^Use auto-fix/ })).not.toBeInTheDocument()
   })
 
-  test('what only warned is listed with what a mend does, and leads to its page', async () => {
+  test('what only warned is listed with what a fix does, and leads to its page', async () => {
     const offer = {
       take_id: 't7',
       cue: WARP,
@@ -357,9 +489,9 @@ describe('the mend of what came back', () => {
       state: 'offered',
       says: 'Trims 45.0 ms from the start.',
     }
-    serve(mended({ 'GET /v1/projects/p1/mends': [{ ...offer, take_id: 't9', take_state: 'returned' }, offer] }))
+    serve(fixed({ 'GET /v1/projects/p1/fixes': [{ ...offer, take_id: 't9', take_state: 'returned' }, offer] }))
     openApp('/desk')
-    const card = await screen.findByRole('region', { name: 'Could be mended' })
+    const card = await screen.findByRole('region', { name: 'Auto-fix available' })
     expect(within(card).getAllByRole('listitem')).toHaveLength(1)
     expect(card).toHaveTextContent('warp_in_02 version 3')
     expect(card).toHaveTextContent('Trims 45.0 ms from the start.')
@@ -370,8 +502,8 @@ describe('the mend of what came back', () => {
 test('what waits with the approver says when it counts as accepted without a verdict', async () => {
   serve(answers())
   openApp('/desk')
-  const card = await screen.findByRole('region', { name: 'With the approver' })
-  expect(card).toHaveTextContent('shield_hit: accepted after Friday 15 March 2030 without a verdict')
+  const card = await screen.findByRole('region', { name: 'In review' })
+  expect(card).toHaveTextContent('shield_hit: auto-accepted after Friday 15 March 2030 if nobody responds')
 })
 
 test('cues that wait until the same day are told in one line', async () => {
@@ -379,9 +511,9 @@ test('cues that wait until the same day are told in one line', async () => {
   const waits = [waiting('alarm', '2030-03-15'), waiting('bell', '2030-03-15'), waiting('chime', '2030-03-18')]
   serve(answers({ 'GET /v1/projects/p1/desk': { ...DESK, with_approver: waits, with_approver_cues: 3 } }))
   openApp('/desk')
-  const card = await screen.findByRole('region', { name: 'With the approver' })
-  expect(card).toHaveTextContent('alarm, bell: accepted after Friday 15 March 2030 without a verdict')
-  expect(card).toHaveTextContent('chime: accepted after Monday 18 March 2030 without a verdict')
+  const card = await screen.findByRole('region', { name: 'In review' })
+  expect(card).toHaveTextContent('alarm, bell: auto-accepted after Friday 15 March 2030 if nobody responds')
+  expect(card).toHaveTextContent('chime: auto-accepted after Monday 18 March 2030 if nobody responds')
 })
 
 describe('long lists come in pages', () => {
@@ -396,7 +528,7 @@ describe('long lists come in pages', () => {
       }),
     )
     openApp('/desk')
-    const card = await screen.findByRole('region', { name: /^To make/ })
+    const card = await screen.findByRole('region', { name: /^To do/ })
     expect(card).toHaveTextContent('51')
     expect(within(card).getAllByRole('listitem')).toHaveLength(14)
     await userEvent.click(within(card).getByRole('button', { name: 'Show more' }))
@@ -415,11 +547,11 @@ describe('long lists come in pages', () => {
       }),
     )
     openApp('/desk')
-    await screen.findByRole('button', { name: 'More that came back' })
-    expect(screen.getByText(/900 cues came back/)).toBeInTheDocument()
+    await screen.findByRole('button', { name: 'More to fix' })
+    expect(screen.getByText(/900 cues to fix/)).toBeInTheDocument()
     await userEvent.keyboard('j')
     await screen.findByRole('button', { name: 'Open missile_launch' })
-    expect(screen.queryByRole('button', { name: 'More that came back' })).toBeNull()
+    expect(screen.queryByRole('button', { name: 'More to fix' })).toBeNull()
   })
 })
 
@@ -427,12 +559,12 @@ describe('delivering', () => {
   test('an MP3 named .wav stays in the browser, in words', async () => {
     const { asked } = serve(answers({ 'POST /v1/projects/p1/deliveries': answer(DELIVERY, 201) }))
     openApp('/desk')
-    await screen.findByRole('button', { name: 'Choose a folder' })
+    await screen.findByRole('button', { name: 'Choose folder' })
     choose('Files to deliver', [mp3('vo_oath.wav')])
-    const list = await screen.findByRole('list', { name: 'Files of this delivery' })
+    const list = await screen.findByRole('list', { name: 'Files in this delivery' })
     expect(list).toHaveTextContent('vo_oath.wav')
-    expect(list).toHaveTextContent('This is an MP3 named .wav. Export a WAV, 48 or 96 kHz, 24 bit. Nothing was sent.')
-    expect(within(list).getByText('Not sent')).toBeInTheDocument()
+    expect(list).toHaveTextContent('This is an MP3 named .wav. Export a WAV. Nothing was uploaded.')
+    expect(within(list).getByText('Not uploaded')).toBeInTheDocument()
     expect(asked.some(({ path }) => path.startsWith('/v1/uploads'))).toBe(false)
     expect(screen.getByRole('heading', { name: 'Delivery 4' })).toBeInTheDocument()
   })
@@ -446,7 +578,7 @@ describe('delivering', () => {
       }),
     )
     openApp('/desk')
-    await screen.findByRole('button', { name: 'Choose a folder' })
+    await screen.findByRole('button', { name: 'Choose folder' })
     choose('Files to deliver', [mp3('a.wav')])
     expect(await screen.findByRole('alert')).toHaveTextContent('Your engagement here has ended. Ask the producer.')
   })
@@ -454,7 +586,7 @@ describe('delivering', () => {
   test('a thousand rows are drawn only where they are seen', async () => {
     serve(answers({ 'POST /v1/projects/p1/deliveries': answer(DELIVERY, 201) }))
     openApp('/desk')
-    await screen.findByRole('button', { name: 'Choose a folder' })
+    await screen.findByRole('button', { name: 'Choose folder' })
     choose(
       'Files to deliver',
       Array.from({ length: 1000 }, (_, index) => mp3(`take_${index}.wav`)),
@@ -478,14 +610,14 @@ describe('delivering', () => {
     )
     const user = userEvent.setup()
     openApp('/desk')
-    const list = await screen.findByRole('list', { name: 'Files of this delivery' })
+    const list = await screen.findByRole('list', { name: 'Files in this delivery' })
     expect(within(list).getByText('Returned')).toBeInTheDocument()
-    expect(screen.getByText('1 file through the check')).toBeInTheDocument()
-    await user.click(screen.getByRole('button', { name: 'Show them' }))
+    expect(screen.getByText('1 file checked')).toBeInTheDocument()
+    await user.click(screen.getByRole('button', { name: 'Show' }))
     expect(await screen.findByText('warp_in.wav')).toBeInTheDocument()
-    await user.type(screen.getByLabelText('Note to delivery 4'), 'Doors.')
-    await user.click(screen.getByRole('button', { name: 'Nothing more to come' }))
-    expect(await screen.findByText('Delivery 4 is closed. The next file opens a new one.')).toBeInTheDocument()
+    await user.type(screen.getByLabelText('Note on delivery 4'), 'Doors.')
+    await user.click(screen.getByRole('button', { name: 'Close delivery' }))
+    expect(await screen.findByText('Delivery 4 closed. The next file starts a new delivery.')).toBeInTheDocument()
     expect(asked.find(({ method }) => method === 'PATCH')?.body).toEqual({ note: 'Doors.' })
   })
 })
@@ -494,11 +626,11 @@ describe('beside it', () => {
   test('what is to make says what is missing and what is not settled', async () => {
     serve(answers())
     openApp('/desk')
-    const card = await screen.findByRole('region', { name: 'To make' })
+    const card = await screen.findByRole('region', { name: 'To do' })
     const [warp, laser, whale] = within(card).getAllByRole('listitem')
     expect(warp).toHaveTextContent('warp_in')
     expect(laser).toHaveTextContent('2 of 4 missing')
-    expect(whale).toHaveTextContent('not settled; ask before you start')
+    expect(whale).toHaveTextContent('not final; ask before you start')
     expect(within(card).getByRole('button', { name: 'Choose files for warp_in' })).toBeInTheDocument()
     expect(screen.getByText('1 cue, 3 files')).toBeInTheDocument()
   })
@@ -515,12 +647,12 @@ describe('beside it', () => {
     await user.keyboard('q')
     const field = await screen.findByRole('textbox', { name: 'Question' })
     expect(field).toHaveFocus()
-    await user.click(screen.getByRole('button', { name: 'Ask the studio' }))
-    expect(await screen.findByText('Write what you must know.')).toBeInTheDocument()
+    await user.click(screen.getByRole('button', { name: 'Send question' }))
+    expect(await screen.findByText('Write your question.')).toBeInTheDocument()
     expect(asked.some(({ method }) => method === 'POST')).toBe(false)
     await user.type(field, 'How heavy is the door?')
-    await user.click(screen.getByRole('button', { name: 'Ask the studio' }))
-    expect(await screen.findByText(/Asked about airlock_cycle/)).toBeInTheDocument()
+    await user.click(screen.getByRole('button', { name: 'Send question' }))
+    expect(await screen.findByText(/Question about airlock_cycle/)).toBeInTheDocument()
     expect(asked.find(({ method }) => method === 'POST')?.body).toEqual({ text: 'How heavy is the door?' })
   })
 })
@@ -528,13 +660,15 @@ describe('beside it', () => {
 test('who is of the team has no desk here', async () => {
   serve(answers({ 'GET /v1/projects/p1/desk': refusal(403, 'designer-needed', 'only its designers have a desk') }))
   openApp('/projects/p1/desk')
-  expect(await screen.findByRole('heading', { name: 'You have no desk in this project.' })).toBeInTheDocument()
+  expect(
+    await screen.findByRole('heading', { name: 'This page is for the project’s sound designers' }),
+  ).toBeInTheDocument()
 })
 
 test('whom no project engaged is told how it begins', async () => {
   serve(answers({ 'GET /v1/me': { ...ME, projects: [] } }))
   openApp('/desk')
   expect(
-    await screen.findByRole('heading', { name: 'No project has you as its sound designer yet.' }),
+    await screen.findByRole('heading', { name: 'You are not a sound designer in any project yet.' }),
   ).toBeInTheDocument()
 })

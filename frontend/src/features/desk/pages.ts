@@ -48,7 +48,7 @@ function usePages<T>(list: keyof typeof READS, projectId: string, items: T[], ne
   const readAnew = useEffectEvent(() => {
     if (isOpened) void refetch()
   })
-  // What the first page says anew is said of the others too.
+  // Counts refreshed by the first page hold for the others too.
   useEffect(() => {
     readAnew()
   }, [items, next])

@@ -3,7 +3,7 @@ import { describe, expect, test } from 'vitest'
 import { spotOf, wordsOf, worstFirst } from '@/judging/findings'
 import type { Upload } from '@/uploads'
 
-import { acceptedKinds } from './accepted'
+import { acceptedFiles } from './accepted'
 import type { Desk, DeliveryDetail, Finding, Take } from './api'
 import { labelsOf, rowsOf } from './rows'
 import { deskLine } from './words'
@@ -34,11 +34,13 @@ const take = (more: Partial<Take>): Take => ({
   late: false,
   file_name: 'warp_in.wav',
   note: '',
-  mend_of_id: null,
+  fix_of_id: null,
   master_sha256: 'a',
   master_bytes: 201_600,
   received_at: '2026-11-17T09:00:00Z',
   state_since: '2026-11-17T09:00:00Z',
+  discarded_at: null,
+  sure: null,
   guesses: [],
   already_here: false,
   ...more,
@@ -78,7 +80,7 @@ describe('a file on its way', () => {
 
   test('says where the line dropped, and that nothing is to be done', () => {
     const [row] = rows([upload({ state: 'line_lost', sentBytes: 9_100_000 })]).open
-    expect(row?.detail).toBe('The line dropped at 9.1 of 17.3 MB. It goes on by itself from there.')
+    expect(row?.detail).toBe('Connection lost at 9.1 of 17.3 MB. The upload resumes by itself.')
   })
 
   test('says why it was not sent', () => {
@@ -97,7 +99,7 @@ describe('a file on its way', () => {
     expect(row).toMatchObject({
       state: 'already_here',
       label: 'SW-014',
-      detail: 'the same sound as version 1 of radar_ping; nothing to check again',
+      detail: 'identical to version 1 of radar_ping; not checked again',
     })
   })
 })
@@ -157,7 +159,7 @@ test('a dry stem is no version: it stands beside the one it is for, or waits for
   ])
   const waiting = rows([], detail({ dry_stems: [{ ...stem, take_ids: [] }] }))
   expect(waiting.open.map(({ state, detail: said }) => [state, said])).toEqual([
-    ['waiting', 'the dry stem of warp_in, which has not come; send it into this delivery'],
+    ['waiting', 'the dry stem of warp_in, which is missing; add it to this delivery'],
   ])
 })
 
@@ -187,7 +189,15 @@ test.each([
   ],
   [{ accept: { containers: 'any' } }, ['wav', 'rf64', 'flac']],
 ])('a spec of %j lets %j on their way', (tables, kinds) => {
-  expect(acceptedKinds(tables)).toEqual(kinds)
+  expect(acceptedFiles(tables).kinds).toEqual(kinds)
+})
+
+test('rates and depths are those of the spec and its categories', () => {
+  const tables = {
+    accept: { sample_rates_hz: [48_000], bit_depths: [24] },
+    categories: { vo: { accept: { sample_rates_hz: [44_100], bit_depths: 'any' } } },
+  }
+  expect(acceptedFiles(tables)).toMatchObject({ sampleRatesHz: [44_100, 48_000], bitDepths: null })
 })
 
 const finding = (more: Partial<Finding>): Finding => ({
@@ -258,11 +268,11 @@ describe('the line below the head', () => {
     ...more,
   })
   test.each([
-    [desk({}), 'Nothing waits for you: 6 of 23 cues accepted.'],
-    [desk({ cues: 0 }), 'The list is empty. You hear by mail when there is something to make.'],
+    [desk({}), 'Nothing to do: 6 of 23 cues accepted.'],
+    [desk({ cues: 0 }), 'The sound list is empty. You get an email when there is something to do.'],
     [
       desk({ came_back_next: 'further', came_back_cues: 900, to_make_cues: 5000 }),
-      '900 cues came back, 5,000 cues to make.',
+      '900 cues to fix, 5,000 cues to do.',
     ],
     [desk({ unmatched: 1, checking: 2 }), 'One file has no cue yet, two are being checked.'],
   ])('says what waits', (given, line) => {

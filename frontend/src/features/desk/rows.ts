@@ -4,7 +4,7 @@ import type { Upload } from '@/uploads'
 
 import type { Archive, DeliveryDetail, DryStem, Take, TakeAdded } from './api'
 
-/** One line of the delivery, whatever it stands for. */
+/** One line of the delivery, of any kind. */
 export interface DeliveryRow {
   id: string
   name: string
@@ -13,7 +13,7 @@ export interface DeliveryRow {
   state: StateKind
   /** The share that is here, while something is on its way. */
   share: number | null
-  /** What stands beside the bar, or instead of it. */
+  /** Shown next to the bar, or instead of it. */
   detail: string
   /** What can be done with the row. */
   does: 'stop' | 'dismiss' | 'recheck' | null
@@ -46,7 +46,7 @@ export const isGoing = ({ state }: Upload): boolean => GOING.includes(state)
 function wordsOf(upload: Upload): string {
   const { sentBytes, resumedAtBytes, file, state } = upload
   if (state === 'line_lost') {
-    return `The line dropped at ${bytesOf(sentBytes, file.size)}. It goes on by itself from there.`
+    return `Connection lost at ${bytesOf(sentBytes, file.size)}. The upload resumes by itself.`
   }
   const share = file.size > 0 ? (sentBytes / file.size) * 100 : 0
   const resumed = resumedAtBytes === null ? ` of ${bytes(file.size)}` : `, resumed at ${bytes(resumedAtBytes)}`
@@ -56,8 +56,8 @@ function wordsOf(upload: Upload): string {
 /** "the same sound as version 2 of radar_ping; nothing to check again". */
 const sameAs = ({ cue, number }: TakeAdded): string =>
   cue === null
-    ? 'the same file is here already and has no cue yet'
-    : `the same sound as version ${number} of ${cue.name}; nothing to check again`
+    ? 'this file was already uploaded; choose its cue'
+    : `identical to version ${number} of ${cue.name}; not checked again`
 
 function ofUpload(upload: Upload, labelOf: LabelOf, take: TakeAdded | undefined): DeliveryRow | null {
   const base = {
@@ -80,9 +80,9 @@ function ofUpload(upload: Upload, labelOf: LabelOf, take: TakeAdded | undefined)
         does: 'stop',
       }
     case 'not_sent':
-      return { ...base, state: 'not_sent', detail: upload.reason ?? 'It was refused.', does: 'dismiss' }
+      return { ...base, state: 'not_sent', detail: upload.reason ?? 'Refused.', does: 'dismiss' }
     case 'already_here':
-      return { ...base, state: 'already_here', detail: 'in this delivery already; not sent twice', does: 'dismiss' }
+      return { ...base, state: 'already_here', detail: 'already in this delivery; skipped', does: 'dismiss' }
     case 'finished':
       if (take === undefined || !take.already_here) return null
       return {
@@ -119,9 +119,9 @@ function ofTake(take: Take): DeliveryRow {
     share: take.state === 'received' ? 1 : null,
     detail:
       take.state === 'unjudged'
-        ? 'The check itself broke three times. That is our fault; nothing is wrong with the file.'
+        ? 'The check failed three times. That is our fault, not the file’s.'
         : take.state === 'received'
-          ? `${bytes(take.master_bytes)}, all here${late}`
+          ? `${bytes(take.master_bytes)}, uploaded${late}`
           : `${version}${bytes(take.master_bytes)}${late}`,
     does: take.state === 'unjudged' ? 'recheck' : null,
   }
@@ -138,7 +138,7 @@ function ofDryStem(stem: DryStem): DeliveryRow {
     detail:
       stem.take_ids.length > 0
         ? `${of}, ${bytes(stem.file_bytes)}`
-        : `${of}, which has not come; send it into this delivery`,
+        : `${of}, which is missing; add it to this delivery`,
     does: null,
   }
 }
@@ -153,7 +153,7 @@ function ofArchive(archive: Archive): DeliveryRow[] {
     share: archive.state === 'received' ? 1 : null,
     detail:
       archive.state === 'received'
-        ? `${bytes(archive.archive_bytes)}, all here; it is being unpacked`
+        ? `${bytes(archive.archive_bytes)}, uploaded; unpacking`
         : archive.state === 'refused'
           ? archive.message
           : `${plural(taken, 'file')} unpacked`,
@@ -168,7 +168,7 @@ function ofArchive(archive: Archive): DeliveryRow[] {
       label: 'ZIP',
       state: entry.taken ? ('already_here' as const) : ('not_sent' as const),
       share: null,
-      detail: entry.reason ?? 'It was left out.',
+      detail: entry.reason ?? 'Skipped.',
       does: null,
     })),
   ]
@@ -179,7 +179,7 @@ const DONE: readonly StateKind[] = ['conforming', 'approved', 'set_aside', 'chan
 export interface DeliveryRows {
   /** What is on its way, or wants to be seen. */
   open: DeliveryRow[]
-  /** What needs nobody here any more. */
+  /** Rows that need no action here. */
   done: DeliveryRow[]
 }
 

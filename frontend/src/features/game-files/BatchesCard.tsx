@@ -11,7 +11,7 @@ import classes from './Files.module.css'
 import { Refused } from './Refused'
 import { progressOf, sentence, signed, sizeOf, totalsOf } from './words'
 
-/** Everything made anew, in one action: how far it is, what it did to the sizes, and its end by hand. */
+/** A re-render of all game files: its progress, its effect on the sizes, and a button to cancel it. */
 export function BatchesCard({ projectId, maySpeak }: { projectId: string; maySpeak: boolean }) {
   const { data, error, hasNextPage, fetchNextPage } = useBatches(projectId)
   const begin = useBeginBatch(projectId)
@@ -20,12 +20,12 @@ export function BatchesCard({ projectId, maySpeak }: { projectId: string; maySpe
     <Card aria-labelledby="batches">
       <CardHead
         id="batches"
-        title="Made anew"
+        title="Re-renders"
         note="earlier files are kept"
         end={
           maySpeak && (
             <Button disabled={begin.isPending} onClick={() => begin.mutate([])}>
-              Make all game files anew
+              Re-render all game files
             </Button>
           )
         }
@@ -33,9 +33,9 @@ export function BatchesCard({ projectId, maySpeak }: { projectId: string; maySpe
       <Refused error={error ?? begin.error} />
       {batches?.length === 0 && (
         <div className={classes.inside}>
-          <EmptyState head="Nothing was made anew yet." level={3}>
-            Change the spec, or add a target to it: every version that may ship is rendered again, one by one, and
-            uploads go before.
+          <EmptyState head="No re-renders yet" level={3}>
+            When you change the spec or add a target, all accepted and conforming versions are rendered again. Uploads
+            are checked first.
           </EmptyState>
         </div>
       )}
@@ -65,7 +65,7 @@ function BatchLine({ batch, projectId, maySpeak, opened }: BatchLineProps) {
   const cancel = useCancelBatch(projectId)
   const runs = batch.state === 'planning' || batch.state === 'running'
   const title = `Batch ${batch.number}`
-  const why = batch.by_spec ? 'the spec was changed' : 'asked for by hand'
+  const why = batch.by_spec ? 'spec changed' : 'started manually'
   return (
     <li className={classes.batch} aria-label={title}>
       <p className="row wrap">
@@ -150,7 +150,7 @@ function SizeBars({ batch, sizes }: { batch: Batch; sizes: readonly BatchSizes[]
 function Sizes({ batch }: { batch: Batch }) {
   const { data } = useBatch(batch)
   if (data === undefined) return null
-  if (data.sizes.length === 0) return <p className="small mid">No version may ship yet.</p>
+  if (data.sizes.length === 0) return <p className="small mid">No version can ship yet.</p>
   return (
     <>
       <SizeBars batch={batch} sizes={data.sizes} />
@@ -182,7 +182,7 @@ function Sizes({ batch }: { batch: Batch }) {
         </table>
       </div>
       {data.trouble.length > 0 && (
-        <ul className={`small mid ${classes.paths}`} aria-label={`What batch ${batch.number} could not make`}>
+        <ul className={`small mid ${classes.paths}`} aria-label={`Files batch ${batch.number} could not render`}>
           {data.trouble.map(({ cue, name, target, reason }) => (
             <li key={`${cue} ${name} ${target}`}>
               <span className="mono">{cue}</span> {name}, {target}: {sentence(reason)}

@@ -12,30 +12,30 @@ import { MemoryBars } from './MemoryBars'
 import { Refused } from './Refused'
 import { formatOf, keptAs } from './words'
 
-/** What the game gets: each target and the memory that it takes, and everything made anew in one action. */
+/** The game files: each target with its memory, and the action that renders everything again. */
 export function GameFilesPage() {
   useTitle('Game files')
   const { projectId } = useParams({ from: '/shell/projects/$projectId/game-files' })
   const { data: project } = useQuery(projectQuery(projectId))
   const { data, error } = useQuery(targetsQuery(projectId))
   const mine = project?.mine
-  const maySpeak = mine !== undefined && (mine.is_producer || mine.is_liaison || mine.is_decider)
+  const maySpeak = mine !== undefined && (mine.is_producer || mine.is_liaison || mine.is_approver)
   return (
     <div className="page stack">
       <div>
         <h1>Game files</h1>
         <p className="mid">
-          Made from each master to the targets of{' '}
+          Rendered from each master for the targets in{' '}
           <Link className="link" to="/projects/$projectId/spec" params={{ projectId }}>
             the spec
           </Link>
-          , handed out as{' '}
+          , released as{' '}
           <Link className="link" to="/projects/$projectId/packs" params={{ projectId }}>
             packs
           </Link>
-          . What is not accepted yet is in the{' '}
+          . Sounds that are not accepted yet are in the{' '}
           <Link className="link" to="/projects/$projectId/placeholders" params={{ projectId }} search={{}}>
-            register of placeholders
+            list of placeholders
           </Link>
           .
         </p>
@@ -46,7 +46,7 @@ export function GameFilesPage() {
           {data && <TargetsCard targets={data.targets} />}
           <BatchesCard projectId={projectId} maySpeak={maySpeak} />
         </div>
-        <aside className="stack" aria-label="Targets to start from">
+        <aside className="stack" aria-label="Engine presets">
           {data && <PresetsCard presets={data.presets} />}
         </aside>
       </div>
@@ -60,8 +60,8 @@ function TargetsCard({ targets }: { targets: readonly Target[] }) {
       <CardHead id="targets" title="Targets and memory" count={targets.length} />
       {targets.length === 0 && (
         <div className={classes.inside}>
-          <EmptyState head="The spec names no target." level={3}>
-            Without one no game file is made. Add a target to the spec; the presets beside are a start.
+          <EmptyState head="The spec has no targets" level={3}>
+            Game files are rendered for targets. Add one to the spec; start from an engine preset.
           </EmptyState>
         </div>
       )}
@@ -74,7 +74,7 @@ function TargetsCard({ targets }: { targets: readonly Target[] }) {
           </p>
           {target.folder && (
             <p className="small mid">
-              Files stand in <span className="mono">{target.folder}</span>.
+              Files go in <span className="mono">{target.folder}</span>.
             </p>
           )}
           {target.engine && (
@@ -92,7 +92,7 @@ function TargetsCard({ targets }: { targets: readonly Target[] }) {
 function PresetsCard({ presets }: { presets: readonly Preset[] }) {
   return (
     <Card aria-labelledby="presets">
-      <CardHead id="presets" title="Targets to start from" note="copy into the spec" />
+      <CardHead id="presets" title="Engine presets" note="copy into the spec" />
       <ul>
         {presets.map(({ name, engine, accepts, why, toml }) => (
           <li key={name} className={classes.target}>
@@ -102,7 +102,7 @@ function PresetsCard({ presets }: { presets: readonly Preset[] }) {
             </p>
             <details className="small">
               <summary className={classes.summary}>
-                Its lines<span className="visually-hidden"> for {engine}</span>
+                Show TOML<span className="visually-hidden"> for {engine}</span>
               </summary>
               <pre className={classes.preset}>{toml}</pre>
             </details>

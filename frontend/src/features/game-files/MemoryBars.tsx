@@ -17,7 +17,7 @@ export function MemoryBars({ target }: { target: Target }) {
     })),
   ]
   if (forecast.total.files + forecast.total.unknown_files === 0) {
-    return <p className="small mid">The list asks for nothing yet, so there is nothing to add up.</p>
+    return <p className="small mid">The sound list is empty, so there is no memory use to show.</p>
   }
   const longest = Math.max(1, ...rows.flatMap(({ of }) => [of.memory_bytes, of.budget_bytes ?? 0]))
   const share = (count: number) => `${(count / longest) * 100}%`
@@ -55,7 +55,7 @@ export function MemoryBars({ target }: { target: Target }) {
         )}
       </p>
       <details className="small">
-        <summary className={classes.summary}>In figures</summary>
+        <summary className={classes.summary}>Show as table</summary>
         <div className={classes.scroll}>
           <table className={classes.table} aria-label={`Memory of ${target.name} by category`}>
             <thead>

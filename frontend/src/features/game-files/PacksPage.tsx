@@ -3,6 +3,7 @@ import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 import { type SyntheticEvent, useState } from 'react'
 
+import { useDraft } from '@/app/drafts'
 import { useTitle } from '@/app/title'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
@@ -36,21 +37,21 @@ export function PacksPage() {
       <div>
         <h1>Packs</h1>
         <p className="mid">
-          A sealed pack never changes: the same bytes for whoever fetches it, the game’s CI included. What sounds as it
-          did is the very file of the pack before.{' '}
+          A sealed pack never changes: everyone who downloads it, including the game’s CI, gets the same bytes.
+          Unchanged sounds keep their file from the previous pack.{' '}
           <Link className="link" to="/projects/$projectId" params={{ projectId }}>
-            The project
+            Project
           </Link>
         </p>
       </div>
       <div className="columns">
         <Card aria-labelledby="packs">
-          <CardHead id="packs" title="Sealed packs" note="the newest first" />
+          <CardHead id="packs" title="Sealed packs" note="newest first" />
           <Refused error={error} />
           {packs?.length === 0 && (
             <div className={classes.inside}>
-              <EmptyState head="No pack was sealed yet." level={3}>
-                Choose a target and seal what is accepted: it gets a number, sums, and a documentation key.
+              <EmptyState head="No packs yet" level={3}>
+                Choose a target and seal the accepted sounds. The pack gets a number, checksums and a documentation key.
               </EmptyState>
             </div>
           )}
@@ -82,7 +83,7 @@ function PackLine({ pack }: { pack: SealedPack }) {
         {(pack.state === 'sealed' ? pack.placeholder_files > 0 : pack.placeholders) && (
           <State kind="placeholder">With placeholders</State>
         )}
-        {pack.state === 'sealing' && <State kind="checking">Being put together</State>}
+        {pack.state === 'sealing' && <State kind="checking">Being built</State>}
         {pack.state === 'refused' && <State kind="refused" />}
         {pack.state === 'sealed' && (
           <span className="mid">
@@ -144,7 +145,7 @@ function ChangesList({ changes }: { changes: Changes }) {
 
 function SealCard({ projectId, targets }: { projectId: string; targets: readonly string[] }) {
   const [target, setTarget] = useState(targets[0] ?? '')
-  const [note, setNote] = useState('')
+  const [note, setNote, draft] = useDraft(`pack:${projectId}`, '')
   const [masters, setMasters] = useState(false)
   const [placeholders, setPlaceholders] = useState(false)
   const { data: pack } = useQuery(packQuery(projectId, target))
@@ -153,11 +154,11 @@ function SealCard({ projectId, targets }: { projectId: string; targets: readonly
   const [allowMissing, setAllowMissing] = useState(false)
   const send = (event: SyntheticEvent) => {
     event.preventDefault()
-    seal.mutate({ target, note, masters, placeholders, allow_missing: allowMissing }, { onSuccess: () => setNote('') })
+    seal.mutate({ target, note, masters, placeholders, allow_missing: allowMissing }, { onSuccess: draft.discard })
   }
   return (
     <Card aria-labelledby="seal">
-      <CardHead id="seal" title="The next pack" />
+      <CardHead id="seal" title="Next pack" />
       <form className={classes.form} onSubmit={send}>
         <Select
           label="Target"
@@ -169,13 +170,13 @@ function SealCard({ projectId, targets }: { projectId: string; targets: readonly
         {pack && (
           <p className="small mid" role="status">
             {pack.cues_accepted === 0
-              ? 'Nothing is accepted for it yet.'
+              ? 'Nothing is accepted yet.'
               : sentence(`${plural(pack.files, 'file')}, ${bytes(pack.bytes)}; ${changesInWords(pack.changes)}`)}
           </p>
         )}
         <Textarea
           label="Note"
-          description="What it is for; the studio reads it in this list."
+          description="What it is for (shown to the studio in this list)."
           value={note}
           maxLength={2000}
           rows={2}
@@ -187,21 +188,21 @@ function SealCard({ projectId, targets }: { projectId: string; targets: readonly
           onChange={({ currentTarget }) => setMasters(currentTarget.checked)}
         />
         <Checkbox
-          label="With placeholders for what is not accepted"
-          description="They are marked, and the game’s CI refuses them."
+          label="With placeholders for sounds that are not accepted"
+          description="Placeholders are marked; the game’s CI refuses them."
           checked={placeholders}
           onChange={({ currentTarget }) => setPlaceholders(currentTarget.checked)}
         />
         {missing > 0 && (
           <Checkbox
-            label={`Without ${plural(missing, 'accepted file')} that could not be made`}
+            label={`Without ${plural(missing, 'accepted file')} that could not be rendered`}
             checked={allowMissing}
             onChange={({ currentTarget }) => setAllowMissing(currentTarget.checked)}
           />
         )}
         <div>
           <Button variant="primary" type="submit" disabled={seal.isPending}>
-            Seal the pack
+            Seal pack
           </Button>
         </div>
       </form>

@@ -9,25 +9,25 @@ import { Meter } from '@/ui/Meter'
 import { Segmented } from '@/ui/Segmented'
 import { State } from '@/ui/State'
 
-import { type Placeholder, useMakeStandIns, useRegister } from './api'
+import { type Placeholder, useMakePlaceholders, useRegister } from './api'
 import classes from './Files.module.css'
 import { Refused } from './Refused'
 import { sentence } from './words'
 
 const WORDS: Record<Placeholder['state'], string> = {
-  missing: 'no stand-in',
-  made: 'stand-in',
-  outdated: 'stand-in of before',
-  refused: 'no stand-in',
+  missing: 'no placeholder file',
+  made: 'placeholder file',
+  outdated: 'outdated placeholder',
+  refused: 'no placeholder file',
 }
 
-/** What the game still plays a stand-in for, counted down as sounds are accepted. */
+/** What the game still plays a placeholder-file for, counted down as sounds are accepted. */
 export function PlaceholdersPage() {
   useTitle('Placeholders')
   const { projectId } = useParams({ from: '/shell/projects/$projectId/placeholders' })
   const { target } = useSearch({ from: '/shell/projects/$projectId/placeholders' })
   const navigate = useNavigate()
-  const make = useMakeStandIns(projectId)
+  const make = useMakePlaceholders(projectId)
   const { data: register, error } = useRegister(projectId, target, make.isSuccess)
   const choose = (chosen: string) =>
     void navigate({ to: '/projects/$projectId/placeholders', params: { projectId }, search: { target: chosen } })
@@ -37,8 +37,8 @@ export function PlaceholdersPage() {
       <div>
         <h1>Placeholders</h1>
         <p className="mid">
-          Every file that the game has no accepted sound for. A stand-in has its name, length and format, says its name
-          or plays a pattern of its own, and is marked, so that no build ships it unnoticed.
+          Files without an accepted sound. A placeholder has the right name, length and format, speaks its name or plays
+          a tone pattern, and is marked so that it never ships unnoticed.
         </p>
       </div>
       <Refused error={error ?? make.error} />
@@ -46,12 +46,12 @@ export function PlaceholdersPage() {
         <Card aria-labelledby="register">
           <CardHead
             id="register"
-            title={register.left === 0 ? 'None left' : `${plural(register.left, 'file')} left`}
+            title={register.left === 0 ? 'No placeholders left' : `${plural(register.left, 'file')} left`}
             note={`${countOf(register.replaced, register.files)} replaced by accepted sounds`}
             end={
               register.left > 0 && (
                 <Button disabled={make.isPending || lacking === 0} onClick={() => make.mutate(register.target)}>
-                  {lacking === 0 ? 'Nothing to make' : `Make ${plural(lacking, 'stand-in')}`}
+                  {lacking === 0 ? 'Nothing to generate' : `Generate ${plural(lacking, 'placeholder')}`}
                 </Button>
               )
             }
@@ -73,13 +73,8 @@ export function PlaceholdersPage() {
           </div>
           {register.left === 0 && (
             <div className={classes.inside}>
-              <EmptyState
-                head={register.files === 0 ? 'The list asks for nothing yet.' : 'Nothing is a placeholder.'}
-                level={3}
-              >
-                {register.files === 0
-                  ? 'Add cues to the sound list.'
-                  : 'Every file that the list asks for has its accepted sound.'}
+              <EmptyState head={register.files === 0 ? 'The sound list is empty' : 'No placeholders'} level={3}>
+                {register.files === 0 ? 'Add cues to the sound list.' : 'Every file on the list has an accepted sound.'}
               </EmptyState>
             </div>
           )}
@@ -96,7 +91,7 @@ export function PlaceholdersPage() {
                     <State kind="refused" />
                   ) : (
                     <State kind={one.state === 'made' ? 'placeholder' : 'to_make'}>
-                      {one.spoken && one.state === 'made' ? 'spoken stand-in' : WORDS[one.state]}
+                      {one.spoken && one.state === 'made' ? 'spoken placeholder' : WORDS[one.state]}
                     </State>
                   )}
                 </span>

@@ -11,7 +11,7 @@ export function Refused({ error }: { error: unknown }) {
   return (
     <div className={classes.inside}>
       <ProblemNote
-        detail={problem ? sentence(problem.detail) : 'The page itself broke.'}
+        detail={problem ? sentence(problem.detail) : 'Something went wrong in the page.'}
         fix={problem?.fix ? sentence(problem.fix) : undefined}
       />
     </div>

@@ -52,7 +52,7 @@ export const useBatches = (projectId: string) =>
     refetchInterval: ({ state: { data } }) => (data?.pages[0]?.items.some(open) ? POLL_MS : false),
   })
 
-/** One batch with its sizes; read anew each time it got on. */
+/** One batch with its sizes; refetched at each progress. */
 export const useBatch = (batch: Batch) =>
   useQuery({
     queryKey: ['batch', batch.id, batch.state, batch.waiting],
@@ -130,7 +130,7 @@ export function useSealPack(projectId: string) {
 const toMake = ({ items }: Register): number =>
   items.filter(({ state }) => state === 'missing' || state === 'outdated').length
 
-/** What is still a placeholder; read again while stand-ins are being made. */
+/** What is still a placeholder; read again while placeholder files are being made. */
 export const useRegister = (projectId: string, target: string | undefined, isMaking: boolean) =>
   useQuery({
     queryKey: [...keys.placeholders(projectId), target],
@@ -145,7 +145,7 @@ export const useRegister = (projectId: string, target: string | undefined, isMak
     select: (register) => ({ ...register, toMake: toMake(register) }),
   })
 
-export function useMakeStandIns(projectId: string) {
+export function useMakePlaceholders(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (target: string) =>

@@ -90,7 +90,7 @@ describe('game files', () => {
     expect(
       within(unity).getByRole('img', { name: /Memory of unity: all 5.0 MB, over by 1.0 MB; weapon/ }),
     ).toBeVisible()
-    await userEvent.click(within(unity).getByText('In figures'))
+    await userEvent.click(within(unity).getByText('Show as table'))
     const row = within(unity).getByRole('row', { name: /^ambience/ })
     expect(row).toHaveTextContent('ambience270 bytes3.0 MB3.0 MBnone')
     await clean()
@@ -109,7 +109,7 @@ describe('game files', () => {
     )
     openApp('/projects/p1/game-files')
     const line = await screen.findByRole('listitem', { name: 'Batch 3' })
-    expect(within(line).getByRole('status')).toHaveTextContent('4 of 10 files: 3 made, 1 refused, 6 to make.')
+    expect(within(line).getByRole('status')).toHaveTextContent('4 of 10 files: 3 rendered, 1 refused, 6 to render.')
     const sizes = await within(line).findByRole('table', { name: 'Sizes of batch 3' })
     expect(within(sizes).getByRole('row', { name: /^unity/ })).toHaveTextContent('−2.0 kB')
     expect(within(line).getByRole('img', { name: /^Sizes of batch 3/ })).toHaveAccessibleName(
@@ -119,7 +119,7 @@ describe('game files', () => {
     await userEvent.click(await within(line).findByRole('button', { name: /^Stop\s*Batch 3$/ }))
     await waitFor(() => expect(within(line).queryByRole('button', { name: /Stop/ })).toBeNull())
     expect(asked.some(({ method, path }) => `${method} ${path}` === 'POST /v1/batches/b1/cancel')).toBe(true)
-    expect(within(line).getByText(/6 not made/)).toBeVisible()
+    expect(within(line).getByText(/6 not rendered/)).toBeVisible()
   })
 
   test('without a batch it says what begins one; a refusal stands in the card', async () => {
@@ -130,8 +130,8 @@ describe('game files', () => {
       }),
     )
     openApp('/projects/p1/game-files')
-    expect(await screen.findByText('Nothing was made anew yet.')).toBeVisible()
-    await userEvent.click(await screen.findByRole('button', { name: 'Make all game files anew' }))
+    expect(await screen.findByText('No re-renders yet')).toBeVisible()
+    await userEvent.click(await screen.findByRole('button', { name: 'Re-render all game files' }))
     expect(await screen.findByText('No version conforms yet.')).toBeVisible()
   })
 })
@@ -184,12 +184,12 @@ describe('packs', () => {
       '/v1/packs/k1/pack.zip',
     )
     await userEvent.click(within(line).getByText(/What changed/))
-    expect(await within(line).findByText('Since pack 1: 1 new, 1 changed, 39 as before.')).toBeVisible()
+    expect(await within(line).findByText('Since pack 1: 1 new, 1 changed, 39 unchanged.')).toBeVisible()
     expect(within(line).getByText('a/laser.wav')).toBeVisible()
     expect(await screen.findByText(/42 files, 5.1 MB; since pack 2/)).toBeVisible()
     await userEvent.type(screen.getByRole('textbox', { name: 'Note' }), 'beta')
-    await userEvent.click(screen.getByRole('checkbox', { name: 'With placeholders for what is not accepted' }))
-    await userEvent.click(screen.getByRole('button', { name: 'Seal the pack' }))
+    await userEvent.click(screen.getByRole('checkbox', { name: 'With placeholders for sounds that are not accepted' }))
+    await userEvent.click(screen.getByRole('button', { name: 'Seal pack' }))
     await waitFor(() => {
       const sent = asked.find(({ method, path }) => `${method} ${path}` === 'POST /v1/projects/p1/packs')
       expect(sent?.body).toEqual({
@@ -227,7 +227,7 @@ describe('placeholders', () => {
     items: [item('siren.wav', 'missing'), item('hum.wav', 'made', { spoken: true })],
   }
 
-  test('the register counts down, and what lacks a stand-in is made', async () => {
+  test('the register counts down, and what lacks a placeholder-file is made', async () => {
     const { asked } = serve(
       onPage({
         'GET /v1/projects/p1/placeholders': REGISTER,
@@ -237,8 +237,8 @@ describe('placeholders', () => {
     openApp('/projects/p1/placeholders')
     expect(await screen.findByRole('heading', { name: '2 files left' })).toBeVisible()
     expect(screen.getByText('8 of 10 replaced by accepted sounds')).toBeVisible()
-    expect(screen.getByText('spoken stand-in')).toBeVisible()
-    await userEvent.click(screen.getByRole('button', { name: 'Make 1 stand-in' }))
+    expect(screen.getByText('spoken placeholder')).toBeVisible()
+    await userEvent.click(screen.getByRole('button', { name: 'Generate 1 placeholder' }))
     await waitFor(() => expect(asked.some(({ method }) => method === 'POST')).toBe(true))
     await clean()
   })
@@ -246,6 +246,6 @@ describe('placeholders', () => {
   test('when nothing is left it says so', async () => {
     serve(onPage({ 'GET /v1/projects/p1/placeholders': { ...REGISTER, left: 0, made: 0, replaced: 10, items: [] } }))
     openApp('/projects/p1/placeholders')
-    expect(await screen.findByText('Nothing is a placeholder.')).toBeVisible()
+    expect(await screen.findByText('No placeholders')).toBeVisible()
   })
 })

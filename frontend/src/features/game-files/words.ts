@@ -10,7 +10,7 @@ export function sentence(text: string): string {
 /** "48 kHz, 16 bit, mono". */
 export function formatOf({ sample_rate_hz, bit_depth, encoding, channels: count }: Target): string {
   const depth = encoding === 'float' ? `${bit_depth} bit float` : `${bit_depth} bit`
-  return [rate(sample_rate_hz), depth, count === 'master' ? 'as master' : channels(count)].join(', ')
+  return [rate(sample_rate_hz), depth, count === 'master' ? 'same as master' : channels(count)].join(', ')
 }
 
 /** How the game keeps it: "resident, codec 4 : 1". */
@@ -31,25 +31,25 @@ const done = ({ made, kept, refused, left }: Batch): number => made + kept + ref
 
 /** What became of a batch so far. */
 export function progressOf(batch: Batch): string {
-  if (batch.state === 'planning') return 'is being planned'
+  if (batch.state === 'planning') return 'being planned'
   const parts = [
-    batch.made > 0 && `${figure(batch.made)} made`,
-    batch.kept > 0 && `${figure(batch.kept)} as they were`,
+    batch.made > 0 && `${figure(batch.made)} rendered`,
+    batch.kept > 0 && `${figure(batch.kept)} unchanged`,
     batch.refused > 0 && `${figure(batch.refused)} refused`,
-    batch.left > 0 && `${figure(batch.left)} left out`,
-    batch.waiting > 0 && `${figure(batch.waiting)} ${batch.state === 'running' ? 'to make' : 'not made'}`,
+    batch.left > 0 && `${figure(batch.left)} skipped`,
+    batch.waiting > 0 && `${figure(batch.waiting)} ${batch.state === 'running' ? 'to render' : 'not rendered'}`,
   ].filter(Boolean)
   return `${figure(done(batch))} of ${plural(batch.files, 'file')}${parts.length > 0 ? `: ${parts.join(', ')}` : ''}`
 }
 
 /** "2 new, 1 changed, 1 gone, 40 as before". */
 export function changesInWords({ since, changed, gone, same, ...counts }: Changes): string {
-  if (since === null) return 'the first pack of this target'
+  if (since === null) return 'first pack for this target'
   const parts = [
     counts.new > 0 && `${figure(counts.new)} new`,
     changed > 0 && `${figure(changed)} changed`,
-    gone > 0 && `${figure(gone)} gone`,
-    same > 0 && `${figure(same)} as before`,
+    gone > 0 && `${figure(gone)} removed`,
+    same > 0 && `${figure(same)} unchanged`,
   ].filter(Boolean)
   return `since pack ${since}: ${parts.join(', ') || 'nothing'}`
 }

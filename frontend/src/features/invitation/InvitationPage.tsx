@@ -29,8 +29,8 @@ export function InvitationPage() {
       <div className="page page-narrow">
         <h1>Invitation</h1>
         <ProblemNote
-          detail={refusal?.detail ?? 'The invitation could not be read.'}
-          fix={refusal?.fix || 'Ask whoever invited you for a new link.'}
+          detail={refusal?.detail ?? 'The invitation could not be loaded.'}
+          fix={refusal?.fix || 'Ask the person who invited you for a new link.'}
         />
       </div>
     )
@@ -64,7 +64,7 @@ function Shown({ secret, invitation }: { secret: string; invitation: Invitation 
         </div>
         {isIn && desk ? (
           <ButtonLink component={ShellLink} variant="primary" icon="tray" path={`/projects/${desk.id}/desk`}>
-            Open the desk
+            Go to your desk
           </ButtonLink>
         ) : (
           !starting && (
@@ -97,21 +97,21 @@ function Shown({ secret, invitation }: { secret: string; invitation: Invitation 
             {!invitation.nda_needed && (
               <span className="small dim">
                 {plural(sum.cues, 'cue')}, {plural(sum.files, 'file')}
-                {sum.settled < sum.cues && `, ${sum.cues - sum.settled} not settled yet`}
+                {sum.settled < sum.cues && `, ${sum.cues - sum.settled} not final yet`}
               </span>
             )}
           </div>
           {invitation.nda_needed ? (
             <div className={classes.empty}>
-              <EmptyState head="The list opens with the project’s NDA." level={3}>
-                Start delivering makes your account; the agreement then waits for you under Contract, and list and spec
-                open once both have accepted it.
+              <EmptyState head="Sign the NDA to see the sound list" level={3}>
+                “Start delivering” creates your account. The NDA is then under Contract. You see the sound list and spec
+                once both sides have signed.
               </EmptyState>
             </div>
           ) : cues.length === 0 ? (
             <div className={classes.empty}>
-              <EmptyState head="The list is empty yet." level={3}>
-                You hear by mail when there is something to make.
+              <EmptyState head="The sound list is empty" level={3}>
+                You get an email when there is something to do.
               </EmptyState>
             </div>
           ) : (
@@ -126,7 +126,7 @@ function Shown({ secret, invitation }: { secret: string; invitation: Invitation 
         <div className="stack">
           {spec && (
             <Card aria-labelledby="spec">
-              <CardHead id="spec" title="How files must come" note={spec.name} />
+              <CardHead id="spec" title="File requirements" note={spec.name} />
               <dl className={classes.facts}>
                 {factsOf(spec).map(({ term, text }) => (
                   <div key={term}>
@@ -136,11 +136,12 @@ function Shown({ secret, invitation }: { secret: string; invitation: Invitation 
                 ))}
               </dl>
               <p className={`small mid ${classes.foot}`}>
-                What does not fit comes back at once with what was found and what to do. That uses up no round.
+                Files that don’t meet them are returned at once, with what was found and how to fix it. That does not
+                count as a revision round.
               </p>
             </Card>
           )}
-          <p className="small dim">The link works until {day(expires_at)}. Whoever holds it sees this page.</p>
+          <p className="small dim">The link works until {day(expires_at)}. Anyone with the link can see this page.</p>
         </div>
       </div>
     </div>
@@ -150,7 +151,7 @@ function Shown({ secret, invitation }: { secret: string; invitation: Invitation 
 const COLUMNS: Column<PreviewCue>[] = [
   {
     id: 'number',
-    head: 'No.',
+    head: 'Cue ID',
     width: '76px',
     cell: ({ label }) => <span className="mono dim">{label}</span>,
   },
@@ -168,7 +169,7 @@ const COLUMNS: Column<PreviewCue>[] = [
     head: 'Use and description',
     narrow: 'stands',
     cell: ({ use, description }) => (
-      <span className={`mid ${classes.told}`}>{[use, description].filter(Boolean).join('. ')}</span>
+      <span className={`mid ${classes.offer}`}>{[use, description].filter(Boolean).join('. ')}</span>
     ),
   },
   {
@@ -187,7 +188,7 @@ const COLUMNS: Column<PreviewCue>[] = [
   },
   {
     id: 'state',
-    head: 'Settled',
+    head: 'Status',
     width: '104px',
     narrow: 'state',
     cell: ({ state }) => {

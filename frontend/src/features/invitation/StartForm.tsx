@@ -59,15 +59,15 @@ export function StartForm({ secret, invitation, visitor, onBack }: StartFormProp
     <Card aria-labelledby="start" className={classes.form}>
       <CardHead
         id="start"
-        title={isThem ? `Start on ${project.name}` : hasAccount ? 'Sign in to start' : 'An account to start'}
+        title={isThem ? `Start on ${project.name}` : hasAccount ? 'Sign in to start' : 'Create an account to start'}
       />
       <form onSubmit={send} noValidate>
         <p className="mid">
           {isThem
             ? `You are signed in as ${visitor.person.name}.`
             : hasAccount
-              ? `${email} has an account here already.`
-              : `For ${email}, so that what you deliver is yours and the answers reach you.`}
+              ? `${email} already has an account.`
+              : `For ${email}. You need an account to deliver and to get answers.`}
         </p>
         {!hasAccount && !isThem && (
           <TextInput
@@ -86,13 +86,13 @@ export function StartForm({ secret, invitation, visitor, onBack }: StartFormProp
             <PasswordInput
               name="password"
               label={hasAccount ? 'Password' : 'New password'}
-              description={hasAccount ? undefined : '10 characters or more.'}
+              description={hasAccount ? undefined : 'At least 10 characters.'}
               autoComplete={hasAccount ? 'current-password' : 'new-password'}
               required
               withAsterisk={false}
               ref={passwordField}
               error={against('password')}
-              visibilityToggleButtonProps={{ 'aria-label': 'Show the password' }}
+              visibilityToggleButtonProps={{ 'aria-label': 'Show password' }}
             />
           </>
         )}
@@ -102,13 +102,13 @@ export function StartForm({ secret, invitation, visitor, onBack }: StartFormProp
         <div className={classes.actions}>
           <Button type="submit" variant="primary" aria-busy={accept.isPending}>
             {isThem
-              ? 'Go to the desk'
+              ? 'Go to your desk'
               : hasAccount
-                ? 'Sign in and go to the desk'
-                : 'Make the account and go to the desk'}
+                ? 'Sign in and go to your desk'
+                : 'Create account and go to your desk'}
           </Button>
           <Button variant="quiet" onClick={onBack}>
-            Look at the list first
+            View the sound list first
           </Button>
         </div>
       </form>

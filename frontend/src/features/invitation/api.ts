@@ -14,7 +14,7 @@ export const invitationQuery = (secret: string) =>
     queryFn: () => answered(api.GET('/v1/invitations/{secret}', { params: { path: { secret } } })),
   })
 
-/** Who is at the screen, if anybody; asking also gives the page the token that its writes carry. */
+/** The current person, if signed in; the request also gives the page the token that its writes carry. */
 export const visitorQuery = queryOptions({
   queryKey: ['visitor'],
   queryFn: async () => {

@@ -86,14 +86,14 @@ describe('the link', () => {
     openApp('/invitation/s3cret')
     await screen.findByRole('heading', { level: 1, name: 'Shield Wing' })
     expect(
-      screen.getByText('Producer of Shield Wing studio invites you to make its sounds, by contract.'),
+      screen.getByText('Producer of Shield Wing studio invites you to make its sounds as a contractor.'),
     ).toBeVisible()
     expect(screen.getByText('Start with the alarms.')).toBeVisible()
     const row = within(screen.getByRole('table', { name: 'Sound list' })).getByRole('row', { name: /laser_fire/ })
     expect(row).toHaveTextContent('Player’s turret. Thin and bright, must not tire at five a second.')
     expect(row).toHaveTextContent('0.30 s')
     expect(row).toHaveTextContent('set of 4')
-    expect(screen.getByText('2 cues, 5 files, 1 not settled yet')).toBeVisible()
+    expect(screen.getByText('2 cues, 5 files, 1 not final yet')).toBeVisible()
     expect(screen.getByText('44.1 kHz, 48 kHz or 96 kHz')).toBeVisible()
     expect(screen.queryByRole('textbox')).not.toBeInTheDocument()
     expect(new Set(asked.map(({ method }) => method))).toEqual(new Set(['GET']))
@@ -102,8 +102,8 @@ describe('the link', () => {
   test('shows no list before the NDA that the project asks for', async () => {
     serve(given({ 'GET /v1/invitations/s3cret': { ...INVITATION, nda_needed: true, cues: [], spec: null } }))
     openApp('/invitation/s3cret')
-    expect(await screen.findByText('The list opens with the project’s NDA.')).toBeVisible()
-    expect(screen.queryByRole('heading', { name: 'How files must come' })).not.toBeInTheDocument()
+    expect(await screen.findByText('Sign the NDA to see the sound list')).toBeVisible()
+    expect(screen.queryByRole('heading', { name: 'File requirements' })).not.toBeInTheDocument()
   })
 
   test('one that is too old says so, and what to do', async () => {
@@ -112,14 +112,14 @@ describe('the link', () => {
     )
     openApp('/invitation/s3cret')
     expect(await screen.findByRole('alert')).toHaveTextContent(
-      'This invitation is not there. Ask whoever invited you for a new link.',
+      'This invitation is not there. Ask the person who invited you for a new link.',
     )
   })
 
   test('a list without cues says what comes next', async () => {
     serve(given({ 'GET /v1/invitations/s3cret': { ...INVITATION, cues: [] } }))
     openApp('/invitation/s3cret')
-    expect(await screen.findByRole('heading', { name: 'The list is empty yet.' })).toBeInTheDocument()
+    expect(await screen.findByRole('heading', { name: 'The sound list is empty' })).toBeInTheDocument()
   })
 })
 
@@ -142,7 +142,7 @@ describe('start delivering', () => {
     expect(screen.getByLabelText('Your name')).toHaveFocus()
     await user.type(screen.getByLabelText('Your name'), 'Sound designer')
     await user.type(screen.getByLabelText('New password'), 'four words of sound')
-    await user.click(screen.getByRole('button', { name: 'Make the account and go to the desk' }))
+    await user.click(screen.getByRole('button', { name: 'Create account and go to your desk' }))
     await waitFor(() => expect(app.at()).toBe('/projects/p1/desk'))
     const sent = server.asked.find(({ method }) => method === 'POST')
     expect(sent?.body).toEqual({ name: 'Sound designer', password: 'four words of sound' })
@@ -150,7 +150,7 @@ describe('start delivering', () => {
   })
 
   test('a weak password is said at its field, the name stays', async () => {
-    const weak = { where: 'password', message: 'choose a password of 10 characters or more' }
+    const weak = { where: 'password', message: 'choose a password of At least 10 characters' }
     serve(
       given({
         'POST /v1/invitations/s3cret/accept': refusal(422, 'password-too-weak', weak.message, { errors: [weak] }),
@@ -161,8 +161,8 @@ describe('start delivering', () => {
     await user.click(await screen.findByRole('button', { name: 'Start delivering' }))
     await user.type(screen.getByLabelText('Your name'), 'Sound designer')
     await user.type(screen.getByLabelText('New password'), 'short')
-    await user.click(screen.getByRole('button', { name: 'Make the account and go to the desk' }))
-    expect(await screen.findByText('Choose a password of 10 characters or more')).toBeVisible()
+    await user.click(screen.getByRole('button', { name: 'Create account and go to your desk' }))
+    expect(await screen.findByText('Choose a password of At least 10 characters')).toBeVisible()
     expect(screen.getByLabelText('Your name')).toHaveValue('Sound designer')
   })
 
@@ -178,7 +178,7 @@ describe('start delivering', () => {
     await user.click(await screen.findByRole('button', { name: 'Start delivering' }))
     expect(screen.queryByLabelText('Your name')).not.toBeInTheDocument()
     await user.type(screen.getByLabelText('Password'), 'not the one')
-    await user.click(screen.getByRole('button', { name: 'Sign in and go to the desk' }))
+    await user.click(screen.getByRole('button', { name: 'Sign in and go to your desk' }))
     expect(await screen.findByRole('alert')).toHaveTextContent('The password is not the one')
     expect(asked.find(({ method }) => method === 'POST')?.body).toEqual({ name: null, password: 'not the one' })
   })
@@ -195,7 +195,7 @@ describe('start delivering', () => {
     openApp('/invitation/s3cret')
     await user.click(await screen.findByRole('button', { name: 'Start delivering' }))
     expect(await screen.findByText('You are signed in as Sound designer.')).toBeVisible()
-    await user.click(screen.getByRole('button', { name: 'Go to the desk' }))
+    await user.click(screen.getByRole('button', { name: 'Go to your desk' }))
     await waitFor(() =>
       expect(asked.find(({ method }) => method === 'POST')?.body).toEqual({ name: null, password: null }),
     )
@@ -206,15 +206,15 @@ describe('in words', () => {
   test('a spec says what it limits, and leaves out what it leaves open', () => {
     expect(Object.fromEntries(factsOf(SPEC).map(({ term, text }) => [term, text]))).toEqual({
       Container: 'WAV',
-      Rate: '44.1 kHz, 48 kHz or 96 kHz',
-      Depth: '16 or 24 bit',
+      'Sample rate': '44.1 kHz, 48 kHz or 96 kHz',
+      'Bit depth': '16 or 24 bit',
       Channels: 'mono or stereo',
       Length: '0.01 s to 30.00 s',
-      'Sample peak': '−0.1 dBFS at most',
+      'Sample peak': 'at most −0.1 dBFS',
       Loudness: '−40.0 to −10.0 LUFS',
-      'Silence first': '5 ms at most',
-      Names: 'as in the list, ending in .wav',
-      'The game adds': 'reverb; leave it out of the files',
+      'Leading silence': 'at most 5 ms',
+      'File names': 'as in the list, ending in .wav',
+      'Applied in engine': 'reverb; deliver dry',
     })
   })
 

@@ -21,35 +21,35 @@ function lengthsOf({ min, max }: Spec['accept']['duration_s']): string | null {
 function loudnessOf({ min, max }: Spec['limits']['loudness_lufs']): string | null {
   if (min !== null && max !== null) return `${figure(min, 1)} to ${figure(max, 1)} LUFS`
   if (min !== null) return `${figure(min, 1)} LUFS or louder`
-  return max === null ? null : `${figure(max, 1)} LUFS or softer`
+  return max === null ? null : `${figure(max, 1)} LUFS or quieter`
 }
 
 /** How sounds must come, in lines; what the spec leaves open is left out. */
 export function factsOf({ accept, limits, naming, required_metadata, engine, categories }: Spec): Fact[] {
-  const level = (value: number | null, unit: string) => (value === null ? null : `${figure(value, 1)} ${unit} at most`)
+  const level = (value: number | null, unit: string) => (value === null ? null : `at most ${figure(value, 1)} ${unit}`)
   const said: [string, string | null][] = [
     ['Container', accept.containers && listed(accept.containers.map((one) => CONTAINERS[one] ?? one.toUpperCase()))],
-    ['Rate', accept.sample_rates_hz && listed(accept.sample_rates_hz.map(rate))],
-    ['Depth', accept.bit_depths && `${listed(accept.bit_depths.map(String))} bit`],
+    ['Sample rate', accept.sample_rates_hz && listed(accept.sample_rates_hz.map(rate))],
+    ['Bit depth', accept.bit_depths && `${listed(accept.bit_depths.map(String))} bit`],
     ['Channels', accept.channels && listed(accept.channels.map(channels))],
     ['Length', lengthsOf(accept.duration_s)],
     ['Sample peak', level(limits.sample_peak_dbfs, 'dBFS')],
     ['True peak', level(limits.true_peak_dbtp, 'dBTP')],
     ['Loudness', loudnessOf(limits.loudness_lufs)],
-    ['Silence first', limits.head_silence_ms === null ? null : `${figure(limits.head_silence_ms)} ms at most`],
-    ['Silence last', limits.tail_silence_ms === null ? null : `${figure(limits.tail_silence_ms)} ms at most`],
+    ['Leading silence', limits.head_silence_ms === null ? null : `at most ${figure(limits.head_silence_ms)} ms`],
+    ['Trailing silence', limits.tail_silence_ms === null ? null : `at most ${figure(limits.tail_silence_ms)} ms`],
     ['Metadata', required_metadata.length > 0 ? `${required_metadata.join(', ')} filled` : null],
-    ['Names', naming.extension && `as in the list, ending in ${naming.extension}`],
-    ['The game adds', engine.adds.length > 0 ? `${engine.adds.join(', ')}; leave it out of the files` : null],
-    ['Own rules for', categories.length > 0 ? categories.join(', ') : null],
+    ['File names', naming.extension && `as in the list, ending in ${naming.extension}`],
+    ['Applied in engine', engine.adds.length > 0 ? `${engine.adds.join(', ')}; deliver dry` : null],
+    ['Special rules for', categories.length > 0 ? categories.join(', ') : null],
   ]
   return said.flatMap(([term, text]) => (text ? [{ term, text }] : []))
 }
 
 export const KIND_WORDS: Record<Invitation['kind'], string> = {
-  advisory: 'to advise, before anything is ordered',
-  contract: 'to make its sounds, by contract',
-  'in-house': 'to make its sounds, in-house',
+  advisory: 'to advise before any work is ordered',
+  contract: 'to make its sounds as a contractor',
+  'in-house': 'to make its sounds in-house',
 }
 
 /** "set of 4, loop", or nothing for a single one-shot. */

@@ -17,13 +17,14 @@ export function CalendarCard({ projectId }: { projectId: string }) {
           <p className={`mono ${classes.address}`}>{make.data.url}</p>
         ) : (
           <p className="mid">
-            A secret address for your calendar; whoever has it reads the dates. A new one takes the place of the last.
+            A private iCal URL for your calendar app. Anyone with the link can see the dates. Creating a new link
+            disables the old one.
           </p>
         )}
         {make.error instanceof ApiProblem && <ProblemNote detail={make.error.detail} fix={make.error.fix} />}
         {!make.data && (
           <Button variant="quiet" onClick={() => make.mutate()}>
-            Make an address
+            Create calendar link
           </Button>
         )}
       </div>

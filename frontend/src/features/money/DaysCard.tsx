@@ -3,6 +3,7 @@ import { useQuery } from '@tanstack/react-query'
 import { type FormEvent, useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { useDraft } from '@/app/drafts'
 import { type ContractMoney, daysQuery, useLogDay, useSettleDay, type WorkedDay } from '@/money/api'
 import { amount, money } from '@/money/words'
 import { Button } from '@/ui/Button'
@@ -16,7 +17,7 @@ import { Row, Rows } from '@/ui/Rows'
 import classes from './Page.module.css'
 import { today } from './today'
 
-const QUARTERS = ['A quarter', 'Half a day', 'Three quarters', 'A day']
+const QUARTERS = ['Quarter day', 'Half day', 'Three quarters of a day', 'Full day']
 const CHOICES = QUARTERS.map((label, place) => ({ value: String(place + 1), label })).toReversed()
 
 interface DaysCardProps {
@@ -41,10 +42,10 @@ export function DaysCard({ contract, side, isProducer }: DaysCardProps) {
       />
       {days.length === 0 && (
         <div className={classes.pad}>
-          <EmptyState head="No day is logged yet." level={3}>
+          <EmptyState head="No days logged yet" level={3}>
             {side === 'designer'
-              ? 'Log a day once you worked it. It is due when the studio agrees to it.'
-              : 'The designer logs days; each is due once you agree to it, up to the cap.'}
+              ? 'Log a day after you worked it. It is due once the studio agrees to it.'
+              : 'The designer logs days worked. Each is due once you agree to it, up to the cap.'}
           </EmptyState>
         </div>
       )}
@@ -77,7 +78,7 @@ function DayRow({ day: one, currency, side, isProducer }: DayRowProps) {
           {' '}
           {QUARTERS[one.quarters - 1]?.toLowerCase()}
           {one.note && `, ${one.note}`}
-          {isAgreed ? ', agreed' : ', waits for the studio'}
+          {isAgreed ? ', agreed' : ', waiting for the studio'}
         </span>
         {settle.error instanceof ApiProblem && <FieldError>{settle.error.detail}</FieldError>}
       </span>
@@ -92,8 +93,8 @@ function DayRow({ day: one, currency, side, isProducer }: DayRowProps) {
         </Button>
       )}
       {!isAgreed && side === 'designer' && (
-        <Button variant="quiet" onClick={() => settle.mutate('take back')} aria-label={`Take ${named} back`}>
-          Take back
+        <Button variant="quiet" onClick={() => settle.mutate('take back')} aria-label={`Remove ${named}`}>
+          Remove
         </Button>
       )}
     </Row>
@@ -104,35 +105,35 @@ function LogForm({ contract }: { contract: ContractMoney }) {
   const log = useLogDay(contract.contract_id)
   const [on, setOn] = useState(today())
   const [quarters, setQuarters] = useState('4')
-  const [note, setNote] = useState('')
+  const [note, setNote, draft] = useDraft(`day:${contract.contract_id}`, '')
   const [lacksDay, setLacksDay] = useState(false)
   const send = (event: FormEvent) => {
     event.preventDefault()
     setLacksDay(on === '')
     if (on === '' || log.isPending) return
-    log.mutate({ worked_on: on, quarters: Number(quarters), note: note.trim() }, { onSuccess: () => setNote('') })
+    log.mutate({ worked_on: on, quarters: Number(quarters), note: note.trim() }, { onSuccess: draft.discard })
   }
   return (
     <form className={classes.form} onSubmit={send} noValidate aria-label={`Log a day, ${contract.title}`}>
       <TextInput
         label="Worked on"
-        description="Logged again, a day is corrected."
+        description="Logging a day again replaces it."
         type="date"
         value={on}
         onChange={({ currentTarget }) => setOn(currentTarget.value)}
-        error={lacksDay ? 'Give the day.' : undefined}
+        error={lacksDay ? 'Enter a date.' : undefined}
       />
       <NativeSelect
         size="xs"
-        label="How much of it"
-        description="Counted in quarters."
+        label="How much"
+        description="In quarters of a day."
         data={CHOICES}
         value={quarters}
         onChange={({ currentTarget }) => setQuarters(currentTarget.value)}
       />
       <TextInput
-        label="What for"
-        description="It may stay empty."
+        label="Description"
+        description="Optional."
         value={note}
         maxLength={2000}
         onChange={({ currentTarget }) => setNote(currentTarget.value)}
@@ -144,7 +145,7 @@ function LogForm({ contract }: { contract: ContractMoney }) {
       )}
       <div className={classes.foot}>
         <Button type="submit" variant="primary" aria-busy={log.isPending}>
-          Log it
+          Log day
         </Button>
       </div>
     </form>

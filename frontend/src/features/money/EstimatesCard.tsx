@@ -17,14 +17,14 @@ export function EstimatesCard({ contractId, title }: { contractId: string; title
   ]
   return (
     <Card aria-label={`Estimates, ${title}`}>
-      <CardHead id={id} title="Estimates" end="seen by you two only" />
+      <CardHead id={id} title="Estimates" end="visible to the two of you only" />
       <div className={classes.pad}>
         {habits.map(({ name, habit: { pairs, mean_percent: mean, spread_points: spread } }) => (
           <p key={name} className={classes.line}>
             <span className="mid">{name}</span>
             <span>
               {mean === null || spread === null
-                ? 'none finished yet'
+                ? 'no finished cues yet'
                 : `${mean > 0 ? '+' : ''}${figure(mean)} %, spread ${figure(spread)} points, of ${plural(pairs, 'estimate')}`}
             </span>
           </p>
@@ -32,7 +32,7 @@ export function EstimatesCard({ contractId, title }: { contractId: string; title
         {data.forecasts.map(({ milestone, due_on: due, forecast_on: forecast }) => (
           <p key={milestone} className="small">
             {milestone}:{' '}
-            {due === forecast ? 'in time, by this habit' : `${day(forecast)} by this habit, agreed ${day(due)}`}.
+            {due === forecast ? 'on time at this rate' : `${day(forecast)} at this rate, agreed ${day(due)}`}.
           </p>
         ))}
         {data.warning !== null && <p className="small tone-warn">{data.warning}</p>}

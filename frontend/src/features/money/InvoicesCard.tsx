@@ -3,6 +3,7 @@ import { useQuery } from '@tanstack/react-query'
 import { type FormEvent, useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { DraftNote, useDraft } from '@/app/drafts'
 import {
   type ContractMoney,
   type Invoice,
@@ -67,14 +68,13 @@ function InvoiceRow({ invoice, title, isProducer }: { invoice: Invoice; title: s
           </a>
           <span className="small mid">
             {' '}
-            {STATES[invoice.state]},{' '}
-            {open === 0 ? `issued ${day(invoice.issued_on)}` : `to be paid by ${day(invoice.due_on)}`}
-            {open !== 0 && open !== total && `, ${amount(open, currency)} open`}
+            {STATES[invoice.state]}, {open === 0 ? `issued ${day(invoice.issued_on)}` : `due ${day(invoice.due_on)}`}
+            {open !== 0 && open !== total && `, ${amount(open, currency)} unpaid`}
           </span>
         </span>
         <span className="nowrap">{money(total, currency)}</span>
         {isProducer && open !== 0 && !paying && (
-          <Button onClick={() => setPaying(true)} aria-label={`Record a payment on invoice ${invoice.number}`}>
+          <Button onClick={() => setPaying(true)} aria-label={`Record payment on invoice ${invoice.number}`}>
             Record payment
           </Button>
         )}
@@ -121,8 +121,8 @@ function PaymentRow({ payment, invoice, isProducer }: PaymentRowProps) {
     <>
       <Row dense className={classes.payment}>
         <span className="grow small mid">
-          {isRefund ? 'went back' : 'paid'} {day(on)}, {reference}
-          {!isRefund && left !== minor && `, ${amount(left, currency)} of it stands`}
+          {isRefund ? 'refunded' : 'paid'} {day(on)}, {reference}
+          {!isRefund && left !== minor && `, ${amount(left, currency)} after refunds`}
         </span>
         <span className="small nowrap">{amount(minor, currency)}</span>
         {isProducer && !isRefund && left !== 0 && !returning && (
@@ -149,8 +149,8 @@ function RefundForm({ payment, invoice, onDone }: { payment: Payment; invoice: I
     <PaymentForm
       name={`Refund of ${payment.reference}, invoice ${invoice.number}`}
       verb="Record refund"
-      day="Went back on"
-      note="The payment stays in the ledger; lines that take it back are added."
+      day="Refunded on"
+      note="The payment stays in the ledger. The refund is added as new lines."
       mostMinor={payment.left_minor}
       currency={invoice.currency}
       record={useRefund(payment.id)}
@@ -162,19 +162,24 @@ function RefundForm({ payment, invoice, onDone }: { payment: Payment; invoice: I
 function IssueForm({ contract }: { contract: ContractMoney }) {
   const { data: draft } = useQuery(invoiceDraftQuery(contract.contract_id))
   const issue = useIssueInvoice(contract.contract_id)
-  const [seller, setSeller] = useState<string | null>(null)
-  const [buyer, setBuyer] = useState<string | null>(null)
-  const [order, setOrder] = useState<string | null>(null)
+  const [{ seller, buyer, order }, setTyped, typed] = useDraft<{
+    seller: string | null
+    buyer: string | null
+    order: string | null
+  }>(`invoice:${contract.contract_id}`, { seller: null, buyer: null, order: null })
   if (!draft) return null
   const { currency } = draft
   const send = (event: FormEvent) => {
     event.preventDefault()
-    issue.mutate({
-      seller: seller ?? draft.seller,
-      buyer: buyer ?? draft.buyer,
-      po_number: order ?? draft.po_number,
-      note: '',
-    })
+    issue.mutate(
+      {
+        seller: seller ?? draft.seller,
+        buyer: buyer ?? draft.buyer,
+        po_number: order ?? draft.po_number,
+        note: '',
+      },
+      { onSuccess: typed.discard },
+    )
   }
   return (
     <form className={classes.form} onSubmit={send} noValidate aria-label={`Invoice ${draft.number}, ${contract.title}`}>
@@ -190,26 +195,27 @@ function IssueForm({ contract }: { contract: ContractMoney }) {
           </p>
         ))}
         <p className={`strong ${classes.line}`}>
-          <span>To pay within {draft.payment_days} days</span> <span>{money(draft.total_minor, currency)}</span>
+          <span>Payment term {draft.payment_days} days</span> <span>{money(draft.total_minor, currency)}</span>
         </p>
       </div>
       <Textarea
         label="From: name, address, tax number"
         rows={3}
         value={seller ?? draft.seller}
-        onChange={(event) => setSeller(event.currentTarget.value)}
+        onChange={({ currentTarget: { value } }) => setTyped((now) => ({ ...now, seller: value }))}
       />
       <Textarea
         label="To"
         rows={3}
         value={buyer ?? draft.buyer}
-        onChange={(event) => setBuyer(event.currentTarget.value)}
+        onChange={({ currentTarget: { value } }) => setTyped((now) => ({ ...now, buyer: value }))}
       />
       <TextInput
         label="Purchase order"
         value={order ?? draft.po_number}
-        onChange={(event) => setOrder(event.currentTarget.value)}
+        onChange={({ currentTarget: { value } }) => setTyped((now) => ({ ...now, order: value }))}
       />
+      <DraftNote draft={typed} />
       {issue.error instanceof ApiProblem && (
         <div className={classes.wide}>
           <ProblemNote detail={issue.error.detail} fix={issue.error.fix} />

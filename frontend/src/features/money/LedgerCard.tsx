@@ -16,10 +16,12 @@ export function LedgerCard({ contractId, title }: { contractId: string; title: s
         id={`ledger-${contractId}`}
         title="Ledger"
         count={data.lines.length}
-        end="lines are added, never changed"
+        end="entries are added, never changed"
       />
       {data.lines.length === 0 ? (
-        <p className={`mid ${classes.pad}`}>Nothing is due yet. The first accepted cue begins it.</p>
+        <p className={`mid ${classes.pad}`}>
+          Nothing is due yet. The ledger starts with the deposit or the first accepted cue.
+        </p>
       ) : (
         <LedgerTable lines={data.lines} currency={data.currency} name={`Lines of the ledger, ${title}`} />
       )}

@@ -7,12 +7,12 @@ import classes from './Page.module.css'
 const KINDS = {
   deposit: 'Deposit',
   accepted: 'Accepted',
-  held_back: 'Held back until the end',
+  held_back: 'Retention',
   cut: 'Cut',
   extra_round: 'Extra round',
-  worked_day: 'Day of work',
+  worked_day: 'Day worked',
   tax: 'Tax',
-  reversed: 'Taken back',
+  reversed: 'Reversed',
   paid: 'Paid',
   refunded: 'Refunded',
 }
@@ -35,7 +35,7 @@ export function LedgerTable({
         <thead className="dim">
           <tr>
             <th scope="col">Day</th>
-            <th scope="col">What</th>
+            <th scope="col">Type</th>
             <th scope="col">For</th>
             <th scope="col" className={classes.wideOnly}>
               Clause

@@ -47,7 +47,7 @@ export function MilestonePage() {
           <CuesCard sheet={sheet} side={side} />
           <LinesCard sheet={sheet} />
         </div>
-        <aside className="stack" aria-label={`Beside ${sheet.milestone.name}`}>
+        <aside className="stack" aria-label={`More about ${sheet.milestone.name}`}>
           <DueCard sheet={sheet} side={side} />
           <SlipCard sheet={sheet} side={side} />
           <EstimateCard sheet={sheet} side={side} />
@@ -66,8 +66,8 @@ function Head({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
         <h1>{milestone.name}</h1>
         <p className="mid">
           {milestone.is_deposit
-            ? 'Due when the contract is agreed.'
-            : `${accepted} of ${plural(wanted, 'cue')} accepted. ${due === null ? 'It has no date.' : done === null ? `Due ${dueDay(due)}.` : `Due ${shortDay(due)}, done ${day(done)}.`}`}
+            ? 'Due when the contract is signed.'
+            : `${accepted} of ${plural(wanted, 'cue')} accepted. ${due === null ? 'No due date.' : done === null ? `Due ${dueDay(due)}.` : `Due ${shortDay(due)}, done ${day(done)}.`}`}
         </p>
         <p className="small mid">
           Of{' '}
@@ -76,7 +76,7 @@ function Head({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
           </Link>
           {side === 'team' ? `, with ${designer.name}. ` : '. '}
           <Link className="link" to="/projects/$projectId/money" params={{ projectId }}>
-            All money of the project
+            All money in this project
           </Link>
         </p>
       </div>
@@ -95,11 +95,14 @@ function CuesCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
         id="cues"
         title="Cues"
         count={cues.length}
-        end={sheet.release === 'per_cue' ? 'each pays when it is accepted' : 'all pay with the last one accepted'}
+        end={sheet.release === 'per_cue' ? 'each is paid when accepted' : 'all are paid when the last one is accepted'}
       />
       {cues.length === 0 && (
         <div className={classes.pad}>
-          <EmptyState head={milestone.is_deposit ? 'A deposit waits for no cue.' : 'No cue stands in it.'} level={3}>
+          <EmptyState
+            head={milestone.is_deposit ? 'A deposit depends on no cue' : 'No cues in this milestone'}
+            level={3}
+          >
             {milestone.is_deposit ? 'It is due at signing.' : 'Only accepted cues make an amount due.'}
           </EmptyState>
         </div>
@@ -148,7 +151,7 @@ function shareInWords(
   if (share === null) return 'not agreed yet'
   const whole = amount(share, currency)
   if (cut_in !== null)
-    return `${amount(owed, currency)} of ${whole} by the cut${paid !== 0 && paid === owed ? ', paid' : ''}`
+    return `${amount(owed, currency)} of ${whole} for the cut${paid !== 0 && paid === owed ? ', paid' : ''}`
   if (owed === 0) return whole
   return `${owed === share ? whole : `${amount(owed, currency)} of ${whole}`} ${paid === owed ? 'paid' : 'due'}`
 }
@@ -157,9 +160,14 @@ function LinesCard({ sheet }: { sheet: MilestoneSheet }) {
   const { milestone, lines, currency } = sheet
   return (
     <Card aria-labelledby="lines">
-      <CardHead id="lines" title="Ledger of this milestone" count={lines.length} end="lines are added, never changed" />
+      <CardHead
+        id="lines"
+        title="Ledger of this milestone"
+        count={lines.length}
+        end="entries are added, never changed"
+      />
       {lines.length === 0 ? (
-        <p className={`mid ${classes.pad}`}>Nothing is due yet. The first accepted cue begins it.</p>
+        <p className={`mid ${classes.pad}`}>Nothing is due yet.</p>
       ) : (
         <LedgerTable lines={lines} currency={currency} name={`Lines of ${milestone.name}`} />
       )}
@@ -176,12 +184,12 @@ function DueCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
   const facts = [
     { name: 'Agreed', minor: milestone.amount_minor },
     { name: 'Saved by cuts', minor: saved },
-    { name: 'Owed so far', minor: owed },
+    { name: 'Due so far', minor: owed },
     { name: 'Paid', minor: paid },
   ].filter(({ name, minor }) => name !== 'Saved by cuts' || minor !== 0)
   return (
     <Card aria-labelledby="due">
-      <CardHead id="due" title={side === 'team' ? 'Due to the designer' : 'You are owed'} end="without tax" />
+      <CardHead id="due" title={side === 'team' ? 'Due to the designer' : 'You are owed'} end="excluding tax" />
       <div className={classes.pad}>
         <p className="figure">{money(owed - paid, currency)}</p>
         {facts.map(({ name, minor }) => (
@@ -190,7 +198,7 @@ function DueCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
           </p>
         ))}
       </div>
-      <Rows aria-label="Invoices that hold lines of it">
+      <Rows aria-label="Invoices for this milestone">
         {invoices.map(({ id, number, state, open_minor: open }) => (
           <Row key={id} dense>
             <span className="grow small">
@@ -206,7 +214,7 @@ function DueCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
       {owed !== paid && (
         <p className={`small ${classes.pad}`}>
           <Link className="link" to="/projects/$projectId/money" params={{ projectId }}>
-            {side === 'team' ? 'Record a payment' : invoices.length > 0 ? 'Invoices' : 'Draft an invoice'}
+            {side === 'team' ? 'Record payment' : invoices.length > 0 ? 'Invoices' : 'Draft invoice'}
           </Link>
         </p>
       )}
@@ -219,9 +227,9 @@ function SlipCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
   if (sheet.estimates === null || milestone.is_deposit) return null
   return (
     <Card aria-labelledby="slip">
-      <CardHead id="slip" title="Late" end="seen by you two only" />
+      <CardHead id="slip" title="Late" end="visible to the two of you only" />
       <div className={classes.pad}>
-        <p>{slip ? capital(slipInWords(slip, side)) : 'Its day is still to come'}.</p>
+        <p>{slip ? capital(slipInWords(slip, side)) : 'Not due yet'}.</p>
         {slips.length > 1 && (
           <table className={`small ${classes.slips}`}>
             <thead className="dim">
@@ -247,10 +255,10 @@ function SlipCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
         {growth !== null && (
           <p className="small mid">
             {growth > 0
-              ? `Each milestone slips by ${figure(growth, 1)} days more than the one before.`
+              ? `Each milestone is ${figure(growth, 1)} days later than the one before.`
               : growth < 0
-                ? `Each milestone slips by ${figure(-growth, 1)} days less than the one before.`
-                : 'The slip does not grow.'}
+                ? `Each milestone is ${figure(-growth, 1)} days less late than the one before.`
+                : 'Delays are not growing.'}
           </p>
         )}
       </div>
@@ -272,13 +280,13 @@ function EstimateCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
   const forecast = estimates.forecasts.find(({ milestone_id }) => milestone_id === milestone.id)
   return (
     <Card aria-labelledby="estimates">
-      <CardHead id="estimates" title="Estimates" end="seen by you two only" />
+      <CardHead id="estimates" title="Estimates" end="visible to the two of you only" />
       <div className={classes.pad}>
         {whole && (
           <p className={`small ${classes.line}`}>
-            <span className="mid">From agreement to its date</span>
+            <span className="mid">From signing to due date</span>
             <span>
-              {figure(whole.estimate)} days, {whole.actual === null ? 'so far' : 'it took'} {figure(whole.so_far)}
+              {figure(whole.estimate)} days, {whole.actual === null ? 'so far' : 'actual'} {figure(whole.so_far)}
               {error(whole.error_percent)}
             </span>
           </p>
@@ -287,17 +295,17 @@ function EstimateCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
           <p key={one.about_id} className={`small ${classes.line}`}>
             <span className="mid">{one.name}</span>
             <span>
-              {hours(one.estimate)}, {one.so_far > 0 ? `logged ${hours(one.so_far)}` : 'nothing logged'}
+              {hours(one.estimate)}, {one.so_far > 0 ? `logged ${hours(one.so_far)}` : 'no time logged'}
               {error(one.error_percent)}
             </span>
           </p>
         ))}
-        {!whole && ofCues.length === 0 && <p className="mid">Nothing was estimated in its plan.</p>}
+        {!whole && ofCues.length === 0 && <p className="mid">The plan has no estimates for it.</p>}
         {forecast && (
           <p className="small">
             {forecast.forecast_on === forecast.due_on
-              ? 'In time, by how estimates turned out before.'
-              : `By how estimates turned out before, it is done on ${day(forecast.forecast_on)}.`}
+              ? 'On time, based on earlier estimates.'
+              : `Based on earlier estimates, done on ${day(forecast.forecast_on)}.`}
           </p>
         )}
         {estimates.warning !== null && <p className="small tone-warn">{estimates.warning}</p>}
@@ -340,7 +348,7 @@ function LogWork({ contractId, cues }: { contractId: string; cues: readonly { id
         allowDecimal={false}
         value={minutes}
         onChange={setMinutes}
-        error={lacks ? 'Give minutes and a day.' : undefined}
+        error={lacks ? 'Enter minutes and a date.' : undefined}
       />
       <TextInput
         label="Worked on"

@@ -34,29 +34,28 @@ export function MoneyPage() {
           <p className="mid">
             {data &&
               data.contracts.length > 0 &&
-              'Only accepted cues owe money; every line names its cue, its clause and whose act it was.'}
+              'You pay for accepted cues and the deposit. Each entry shows its cue, its clause and who triggered it.'}
           </p>
         </div>
       </header>
       {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
       {project && !mayLook && (
-        <EmptyState head="Money is between those who pay and those who are paid.">
-          The studio’s producers, the liaisons of this project and its designers see it here. You review: prices are no
-          matter of yours.
+        <EmptyState head="You don’t have access to money in this project">
+          Only producers, audio leads and the designers concerned can see contracts’ amounts.
         </EmptyState>
       )}
       {data?.contracts.length === 0 && (
         <EmptyState
-          head="No contract is agreed here."
+          head="No signed contract yet"
           action={
             <Link className="link" to="/projects/$projectId/contracts" params={{ projectId }}>
-              To the contracts
+              Go to contracts
             </Link>
           }
         >
           {side === 'team'
-            ? 'Sounds can be made and accepted without one. Once a contract is agreed, its milestones, invoices and payments stand here.'
-            : 'Once you and the studio have agreed on a contract, what you are owed and paid stands here.'}
+            ? 'Sounds can be made and accepted without a contract. Once one is signed, its milestones, invoices and payments appear here.'
+            : 'Once you and the studio have signed a contract, you see here what you are owed and what was paid.'}
         </EmptyState>
       )}
       <div className="stack">
@@ -96,7 +95,7 @@ function Contract({ contract, projectId, side, isProducer, withCalendar }: Contr
         <InvoicesCard contract={contract} side={side} isProducer={isProducer} />
         <LedgerCard contractId={contract.contract_id} title={contract.title} />
       </div>
-      <aside className="stack" aria-label={`Beside ${contract.title}`}>
+      <aside className="stack" aria-label={`More about ${contract.title}`}>
         <MilestonesCard
           contracts={[contract]}
           side={side}
@@ -104,9 +103,7 @@ function Contract({ contract, projectId, side, isProducer, withCalendar }: Contr
           of={contract.title}
           end={`${contract.title}, ${contract.designer.name}`}
         />
-        {grows > 0 && (
-          <p className="small mid">Each milestone slips by {grows.toFixed(1)} days more than the one before.</p>
-        )}
+        {grows > 0 && <p className="small mid">Each milestone is {grows.toFixed(1)} days later than the one before.</p>}
         <RoundsCard rounds={contract.proposed_rounds} title={contract.title} side={side} isProducer={isProducer} />
         {(isProducer || side === 'designer') && (
           <EstimatesCard contractId={contract.contract_id} title={contract.title} />

@@ -3,6 +3,7 @@ import type { UseMutationResult } from '@tanstack/react-query'
 import { type FormEvent, useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { useDraft } from '@/app/drafts'
 import type { Invoice, PaymentAdd } from '@/money/api'
 import { amount, minorOf, money } from '@/money/words'
 import { Button } from '@/ui/Button'
@@ -29,7 +30,7 @@ interface PaymentFormProps {
 export function PaymentForm({ name, verb, day, note, mostMinor, currency, record, onDone }: PaymentFormProps) {
   const first = useFocusOnMount<HTMLInputElement>()
   const [typed, setTyped] = useState(amount(mostMinor, currency))
-  const [reference, setReference] = useState('')
+  const [reference, setReference, draft] = useDraft(`payment:${name}`, '')
   const [on, setOn] = useState(today())
   const [missing, setMissing] = useState<{ amount?: string; reference?: string; on?: string }>({})
   const minor = minorOf(typed, currency)
@@ -38,13 +39,21 @@ export function PaymentForm({ name, verb, day, note, mostMinor, currency, record
     event.preventDefault()
     if (record.isPending) return
     const lacks = {
-      amount: minor === null || minor === 0 ? `Write an amount in ${currency}, as in 180.00.` : undefined,
-      reference: reference.trim() === '' ? 'Write the bank’s reference.' : undefined,
-      on: on === '' ? 'Give the day.' : undefined,
+      amount: minor === null || minor === 0 ? `Enter an amount in ${currency}, such as 180.00.` : undefined,
+      reference: reference.trim() === '' ? 'Enter the bank reference.' : undefined,
+      on: on === '' ? 'Enter a date.' : undefined,
     }
     setMissing(lacks)
     if (minor === null || lacks.amount || lacks.reference || lacks.on) return
-    record.mutate({ amount_minor: minor, reference: reference.trim(), paid_on: on }, { onSuccess: onDone })
+    record.mutate(
+      { amount_minor: minor, reference: reference.trim(), paid_on: on },
+      {
+        onSuccess: () => {
+          draft.discard()
+          onDone()
+        },
+      },
+    )
   }
   return (
     <form className={classes.form} onSubmit={send} noValidate aria-label={name}>
@@ -52,7 +61,7 @@ export function PaymentForm({ name, verb, day, note, mostMinor, currency, record
         ref={first}
         label={`Amount, ${currency}`}
         description={
-          isPart ? `A part: ${money(mostMinor - minor, currency)} stays.` : `All of ${money(mostMinor, currency)}.`
+          isPart ? `Partial: ${money(mostMinor - minor, currency)} remains.` : `The full ${money(mostMinor, currency)}.`
         }
         value={typed}
         onChange={(event) => setTyped(event.currentTarget.value)}
@@ -61,7 +70,7 @@ export function PaymentForm({ name, verb, day, note, mostMinor, currency, record
       />
       <TextInput
         label="Reference"
-        description="As the bank writes it."
+        description="As on the bank statement."
         value={reference}
         maxLength={200}
         onChange={(event) => setReference(event.currentTarget.value)}
@@ -69,7 +78,7 @@ export function PaymentForm({ name, verb, day, note, mostMinor, currency, record
       />
       <TextInput
         label={day}
-        description="Not a day that is to come."
+        description="Today or earlier."
         type="date"
         value={on}
         onChange={(event) => setOn(event.currentTarget.value)}
@@ -83,7 +92,7 @@ export function PaymentForm({ name, verb, day, note, mostMinor, currency, record
       )}
       <div className={classes.foot}>
         <Button variant="quiet" onClick={onDone}>
-          Not now
+          Cancel
         </Button>
         <Button type="submit" variant="primary" aria-busy={record.isPending}>
           {verb}

@@ -3,6 +3,7 @@ import { Link, useNavigate, useParams } from '@tanstack/react-router'
 import { useEffect, useMemo, useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { DraftNote, useDraft } from '@/app/drafts'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
@@ -54,7 +55,7 @@ function Fixed({ contract, projectId }: { contract: Contract; projectId: string 
   return (
     <div className="page page-narrow">
       <EmptyState
-        head={contract.state === 'agreed' ? 'The plan is agreed.' : 'This plan is not yours to change now.'}
+        head={contract.state === 'agreed' ? 'The plan is agreed' : 'You can’t edit this plan'}
         level={1}
         action={
           <Link className="link" to="/projects/$projectId/contracts/$contractId" params={params}>
@@ -63,8 +64,8 @@ function Fixed({ contract, projectId }: { contract: Contract; projectId: string 
         }
       >
         {contract.state === 'agreed'
-          ? 'Dates and amounts stand as both accepted them; another statement of work adds to them. Money shows what became of each milestone.'
-          : 'A producer plans while the contract is a draft. What was sent is taken back first.'}
+          ? 'Both sides signed these dates and amounts. To add work, create another statement of work. See Money for the state of each milestone.'
+          : 'Producers edit the plan while the contract is a draft. Recall a sent contract before editing it.'}
       </EmptyState>
     </div>
   )
@@ -90,7 +91,7 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
   const navigate = useNavigate()
   const save = useSavePlan(contract.id)
   const begun = useMemo(() => typedOf(plan), [plan])
-  const [typed, setTyped] = useState<TypedPlan>(begun)
+  const [typed, setTyped, draft] = useDraft<TypedPlan>(`plan:${contract.id}`, begun)
   const { currency } = contract
   const { plan: wanted, faults: unread } = planOf(typed, cues, currency)
   const settled = useSettled(typed)
@@ -103,7 +104,7 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
   })
   const faults: Fault[] = [...unread, ...(looked.data?.faults ?? [])]
   const refused = save.error instanceof ApiProblem ? save.error : null
-  const isChanged = typed !== begun
+  const isChanged = JSON.stringify(typed) !== JSON.stringify(begun) && !save.isSuccess
 
   const add = () =>
     setTyped((now) => ({
@@ -121,14 +122,15 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
         ...Object.fromEntries(ids.map((id) => [id, { ...(now.cues[id] ?? NO_CUE), ...changes }])),
       },
     }))
-  useHotkeys([{ keys: 'n', label: 'Add a milestone', group: 'Plan', run: add }])
+  useHotkeys([{ keys: 'n', label: 'Add milestone', group: 'Plan', run: add }])
 
   const params = { projectId, contractId: contract.id }
   const keep = () => {
     if (save.isPending || unread.length > 0) return
     save.mutate(wanted, {
       onSuccess: () => {
-        showToast('The plan is kept; the draft’s text says it.')
+        draft.discard()
+        showToast('Plan saved. The contract text is updated.')
         void navigate({ to: '/projects/$projectId/contracts/$contractId', params })
       },
     })
@@ -142,7 +144,7 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
         </div>
         <div className={classes.buttons}>
           <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contract.id}`}>
-            {isChanged ? 'Back without saving' : 'Back to the contract'}
+            {isChanged ? 'Discard changes' : 'Back to contract'}
           </ButtonLink>
           <Button
             variant="primary"
@@ -150,10 +152,11 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
             aria-busy={save.isPending}
             onClick={keep}
           >
-            Save the plan
+            Save plan
           </Button>
         </div>
       </header>
+      <DraftNote draft={draft} />
       {refused && <ProblemNote detail={refused.detail} fix={refused.fix} />}
       <div className="columns">
         <div className="stack">
@@ -167,7 +170,7 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
           />
           <PlannedCues cues={cues} typed={typed} currency={currency} projectId={projectId} onChange={change} />
         </div>
-        <aside className="stack" aria-label="What the plan comes to">
+        <aside className="stack" aria-label="Plan total">
           <Sums contract={contract} pays={wanted.milestones} />
           <Advice
             faults={faults.filter(({ where }) => where === 'milestones')}
@@ -185,11 +188,11 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
 function modeInWords({ version, currency }: Contract): string {
   const { price_mode: mode, day_rate_minor: rate, days_cap: cap } = version.terms
   if (mode === 'day_rate') {
-    return `By the day: ${money(Number(rate ?? 0), currency)} a day, ${String(cap ?? 0)} days at most. Milestones are dates here, and need no amount.`
+    return `By the day: ${money(Number(rate ?? 0), currency)} a day, ${String(cap ?? 0)} days at most. Milestones here are dates only; they need no amount.`
   }
   return mode === 'per_cue'
-    ? 'Per cue: a milestone pays what its cues’ prices add up to.'
-    : 'A milestone’s amount is shared by its cues: by their prices where they have some, else equally. Without an amount, it pays what their prices add up to.'
+    ? 'Per cue: a milestone’s amount is the sum of its cues’ prices.'
+    : 'A milestone’s amount is split among its cues by price, or equally if they have none. Without an amount, it is the sum of their prices.'
 }
 
 function Sums({ contract, pays }: { contract: Contract; pays: ReturnType<typeof planOf>['plan']['milestones'] }) {
@@ -198,7 +201,7 @@ function Sums({ contract, pays }: { contract: Contract; pays: ReturnType<typeof 
   const [deposit, milestones] = [sum(true), sum(false)]
   return (
     <Card aria-labelledby="sums">
-      <CardHead id="sums" title="Price" end="without tax" />
+      <CardHead id="sums" title="Price" end="excluding tax" />
       <div className={classes.pad}>
         <p className="figure">{money(deposit + milestones, contract.currency)}</p>
         <p className="small mid">
@@ -210,7 +213,7 @@ function Sums({ contract, pays }: { contract: Contract; pays: ReturnType<typeof 
 }
 
 interface AdviceProps {
-  /** Of the whole plan; those of a milestone stand beside it. */
+  /** Of the whole plan; those of a milestone are next to it. */
   faults: readonly Fault[]
   advice: readonly { code: string; message: string; why: string }[]
   isEmpty: boolean
@@ -222,9 +225,9 @@ function Advice({ faults, advice, isEmpty, error }: AdviceProps) {
     <Card aria-labelledby="advice">
       <CardHead
         id="advice"
-        title="What is unwise"
+        title="Warnings"
         count={advice.length > 0 ? advice.length : undefined}
-        end="said, never forbidden"
+        end="you can still send"
       />
       <div className={classes.pad} aria-live="polite">
         {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
@@ -233,7 +236,9 @@ function Advice({ faults, advice, isEmpty, error }: AdviceProps) {
         ))}
         {advice.length === 0 && faults.length === 0 && (
           <p className="mid">
-            {isEmpty ? 'Nothing is planned yet.' : 'Nothing: it rises, the largest completes it, and each has its day.'}
+            {isEmpty
+              ? 'No milestones yet.'
+              : 'No warnings: payments rise, the last is the largest, and every milestone has a date.'}
           </p>
         )}
         <ul className={classes.advice}>

@@ -39,11 +39,11 @@ export function PlannedCues({ cues, typed, currency, projectId, onChange }: Plan
         head="The sound list is empty."
         action={
           <Link className="link" to="/projects/$projectId/sound-list" params={{ projectId }} search={{}}>
-            To the sound list
+            Go to the sound list
           </Link>
         }
       >
-        A milestone pays for cues, so the list comes first.
+        Milestones pay for cues. Add cues to the sound list first.
       </EmptyState>
     )
   }
@@ -53,14 +53,14 @@ export function PlannedCues({ cues, typed, currency, projectId, onChange }: Plan
       <div className={classes.bulk}>
         <TextInput
           label="Show"
-          placeholder="name, number or category"
+          placeholder="name, ID or category"
           value={filter}
           onChange={({ currentTarget: { value } }) => setFilter(value)}
         />
         <NativeSelect
           size="xs"
-          label={`Put the ${shown.length} shown into`}
-          data={[{ value: 'choose', label: 'Choose a milestone' }, ...choices]}
+          label={`Assign these ${plural(shown.length, 'cue')} to`}
+          data={[{ value: 'choose', label: 'Choose milestone' }, ...choices]}
           value="choose"
           onChange={({ currentTarget: { value } }) => {
             if (value !== 'choose') {

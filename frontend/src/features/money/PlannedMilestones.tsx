@@ -29,14 +29,14 @@ export function PlannedMilestones({ milestones, pays, faults, currency, onChange
         count={milestones.length}
         end={
           <Button icon="plus" keys="n" onClick={onAdd}>
-            Add a milestone
+            Add milestone
           </Button>
         }
       />
       {milestones.length === 0 && (
         <div className={classes.pad}>
-          <EmptyState head="No milestone yet." level={3}>
-            Usual are a deposit at signing, then milestones that rise: a palette, the alpha, the beta.
+          <EmptyState head="No milestones yet" level={3}>
+            Usually a deposit at signing, then rising payments: palette, alpha, beta.
           </EmptyState>
         </div>
       )}
@@ -101,12 +101,12 @@ function Milestone({ one, place, last, paysMinor, faults, currency, onChange, on
         label="Tax, %"
         value={one.tax}
         inputMode="decimal"
-        placeholder="the contract’s"
+        placeholder="as in the contract"
         onChange={({ currentTarget: { value } }) => onChange({ tax: value })}
       />
       <div className={classes.tools}>
         <Checkbox
-          label="A deposit, due at signing"
+          label="Deposit, due at signing"
           checked={one.isDeposit}
           onChange={({ currentTarget: { checked } }) => onChange({ isDeposit: checked })}
         />

@@ -16,13 +16,13 @@ interface RoundsCardProps {
   isProducer: boolean
 }
 
-/** Rounds beyond those included, which wait for somebody's word on their price. */
+/** Rounds beyond those included, waiting for a decision on their price. */
 export function RoundsCard({ rounds, title, side, isProducer }: RoundsCardProps) {
   const id = useId()
   if (rounds.length === 0) return null
   return (
-    <Card aria-label={`Rounds too many, ${title}`}>
-      <CardHead id={id} title="Rounds too many" count={rounds.length} end="priced by the contract" />
+    <Card aria-label={`Extra revision rounds, ${title}`}>
+      <CardHead id={id} title="Extra revision rounds" count={rounds.length} end="priced in the contract" />
       <Rows>
         {rounds.map((round) => (
           <Round key={round.id} round={round} side={side} isProducer={isProducer} />
@@ -54,9 +54,9 @@ function Round({ round, side, isProducer }: { round: ExtraRound; side: 'team' | 
         <Button
           variant="quiet"
           onClick={() => settle.mutate('drop')}
-          aria-label={`Let the price of round ${round.number} of ${round.cue.name} go`}
+          aria-label={`Waive the fee for round ${round.number} of ${round.cue.name}`}
         >
-          Let it go
+          Waive the fee
         </Button>
       )}
     </Row>

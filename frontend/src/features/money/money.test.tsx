@@ -206,10 +206,10 @@ describe('a producer', () => {
     server.on('POST /v1/invoices/invoice-effects/payments', anInvoice('effects'))
     await opened()
     const effects = within(screen.getByRole('region', { name: 'Effects, Sound designer' }))
-    await userEvent.click(effects.getByRole('button', { name: 'Record a payment on invoice 1' }))
+    await userEvent.click(effects.getByRole('button', { name: 'Record payment on invoice 1' }))
     const form = within(effects.getByRole('form', { name: 'Payment on invoice 1, Effects' }))
     await userEvent.click(form.getByRole('button', { name: 'Record payment' }))
-    expect(form.getByText('Write the bank’s reference.')).toBeVisible()
+    expect(form.getByText('Enter the bank reference.')).toBeVisible()
     expect(await faults()).toEqual([])
     await userEvent.type(form.getByLabelText('Reference'), 'TX 41')
     await userEvent.click(form.getByRole('button', { name: 'Record payment' }))
@@ -241,7 +241,7 @@ describe('a producer', () => {
     server.on('GET /v1/contracts/effects/invoices', [paid]).on('POST /v1/payments/p1/refunds', paid)
     await opened()
     const effects = within(screen.getByRole('region', { name: 'Effects, Sound designer' }))
-    expect(await effects.findByText(/TX 41, 260.00 of it stands/)).toBeVisible()
+    expect(await effects.findByText(/TX 41, 260.00 after refunds/)).toBeVisible()
     expect(effects.queryByRole('button', { name: /refund of R 1/ })).toBeNull()
     await userEvent.click(effects.getByRole('button', { name: 'Record a refund of TX 41, invoice 1' }))
     const form = within(effects.getByRole('form', { name: 'Refund of TX 41, invoice 1' }))
@@ -249,7 +249,7 @@ describe('a producer', () => {
     expect(typed).toHaveFocus()
     await userEvent.clear(typed)
     await userEvent.type(typed, '60')
-    expect(form.getByText('A part: $200.00 stays.')).toBeVisible()
+    expect(form.getByText('Partial: $200.00 remains.')).toBeVisible()
     await userEvent.type(form.getByLabelText('Reference'), 'R 2')
     await userEvent.click(form.getByRole('button', { name: 'Record refund' }))
     await waitFor(() =>
@@ -264,11 +264,11 @@ describe('a producer', () => {
     byTheDay()
     server
       .on('GET /v1/contracts/effects/worked-days', [WORKED])
-      .on('POST /v1/worked-days/day-1/agree', () => refusal(409, 'beyond-cap', 'the 10 days agreed to are used up'))
+      .on('POST /v1/worked-days/day-1/agree', () => refusal(409, 'cap-exceeded', 'the 10 days agreed to are used up'))
     openApp(PAGE)
     const card = within(await screen.findByRole('region', { name: 'Days, Effects' }))
     expect(card.getByText(/400.00 of \$4,000.00; \$400.00 a day, 10 at most/)).toBeVisible()
-    expect(await card.findByText(/half a day, Servo recordings, waits for the studio/)).toBeVisible()
+    expect(await card.findByText(/half day, Servo recordings, waiting for the studio/)).toBeVisible()
     await userEvent.click(card.getByRole('button', { name: /Agree to .*12 November.*, 200.00/ }))
     expect(await card.findByRole('alert')).toHaveTextContent('the 10 days agreed to are used up')
     expect(card.queryByRole('form')).toBeNull()
@@ -283,20 +283,20 @@ describe('a producer', () => {
   test('axe finds nothing where two contracts stand below each other', async () => {
     await opened()
     expect(await faults()).toEqual([])
-    expect(screen.getAllByRole('button', { name: 'Make an address' })).toHaveLength(1)
+    expect(screen.getAllByRole('button', { name: 'Create calendar link' })).toHaveLength(1)
   })
 })
 
 test('who only reviews is told that prices are not theirs, and nothing is asked', async () => {
-  server.on('GET /v1/me', aMe({ is_liaison: false, is_decider: false }))
+  server.on('GET /v1/me', aMe({ is_liaison: false, is_approver: false }))
   openApp(PAGE)
-  expect(await screen.findByRole('heading', { name: /Money is between those who pay/ })).toBeVisible()
+  expect(await screen.findByRole('heading', { name: /You don’t have access to money/ })).toBeVisible()
   expect(server.of(`GET /v1/projects/${PROJECT}/money`)).toHaveLength(0)
 })
 
 describe('a designer', () => {
   beforeEach(() => {
-    server.on('GET /v1/me', aMe({ part: 'designer', is_liaison: false, is_decider: false }))
+    server.on('GET /v1/me', aMe({ part: 'designer', is_liaison: false, is_approver: false }))
   })
 
   test('issues the next invoice, with its tax; axe finds nothing', async () => {
@@ -320,16 +320,16 @@ describe('a designer', () => {
     openApp(PAGE)
     const card = within(await screen.findByRole('region', { name: 'Days, Effects' }))
     const form = within(card.getByRole('form', { name: 'Log a day, Effects' }))
-    await userEvent.selectOptions(form.getByLabelText('How much of it'), 'Three quarters')
-    await userEvent.type(form.getByLabelText('What for'), 'Doors')
-    await userEvent.click(form.getByRole('button', { name: 'Log it' }))
+    await userEvent.selectOptions(form.getByLabelText('How much'), 'Three quarters of a day')
+    await userEvent.type(form.getByLabelText('Description'), 'Doors')
+    await userEvent.click(form.getByRole('button', { name: 'Log day' }))
     await waitFor(() =>
       expect(server.of('POST /v1/contracts/effects/worked-days')[0]?.body).toMatchObject({
         quarters: 3,
         note: 'Doors',
       }),
     )
-    await userEvent.click(await card.findByRole('button', { name: /^Take .*12 November.* back$/ }))
+    await userEvent.click(await card.findByRole('button', { name: /^Remove .*12 November/ }))
     await waitFor(() => expect(server.of('DELETE /v1/worked-days/day-1')).toHaveLength(1))
     expect(await faults()).toEqual([])
   })
@@ -337,7 +337,7 @@ describe('a designer', () => {
   test('is told where nothing is agreed yet; axe finds nothing', async () => {
     tell({ contracts: [], totals: [] })
     openApp(PAGE)
-    expect(await screen.findByRole('heading', { name: 'No contract is agreed here.' })).toBeVisible()
+    expect(await screen.findByRole('heading', { name: 'No signed contract yet' })).toBeVisible()
     expect(await faults()).toEqual([])
   })
 })

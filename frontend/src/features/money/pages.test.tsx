@@ -106,7 +106,7 @@ describe('the page of a milestone', () => {
     const late = within(screen.getByRole('region', { name: 'Late' }))
     expect(late.getByText('4 days late: 1 with the designer, 3 with you.')).toBeVisible()
     expect(late.getByRole('row', { name: 'Palette 2 days 2 0' })).toBeVisible()
-    expect(late.getByText('Each milestone slips by 2.0 days more than the one before.')).toBeVisible()
+    expect(late.getByText('Each milestone is 2.0 days later than the one before.')).toBeVisible()
   })
 
   test('holds its own cues’ estimates against the time logged', async () => {
@@ -125,14 +125,14 @@ describe('the page of a milestone', () => {
 
   test('lets its designer log time on a cue', async () => {
     server
-      .on('GET /v1/me', aMe({ part: 'designer', is_liaison: false, is_decider: false }))
+      .on('GET /v1/me', aMe({ part: 'designer', is_liaison: false, is_approver: false }))
       .on('POST /v1/contracts/effects/work-logs', () =>
         refusal(422, 'not-agreed', 'time is logged once both have agreed'),
       )
     await opened()
     const form = within(await screen.findByRole('form', { name: 'Log time' }))
     await userEvent.click(form.getByRole('button', { name: 'Log time' }))
-    expect(form.getByText('Give minutes and a day.')).toBeVisible()
+    expect(form.getByText('Enter minutes and a date.')).toBeVisible()
     await userEvent.selectOptions(form.getByLabelText('Cue'), 'vo_oath')
     await userEvent.type(form.getByLabelText('Minutes'), '45')
     await userEvent.click(form.getByRole('button', { name: 'Log time' }))
@@ -186,20 +186,20 @@ describe('the plan of a draft', () => {
   test('begins empty, says what is unwise while it is typed, and is saved in minor units', async () => {
     server.on(SAVE, { contract_id: 'effects', currency: 'USD', milestones: [], advice: [] })
     await opened()
-    expect(screen.getByRole('heading', { name: 'No milestone yet.' })).toBeVisible()
+    expect(screen.getByRole('heading', { name: 'No milestones yet' })).toBeVisible()
     await userEvent.keyboard('n')
     const alpha = within(screen.getByRole('group', { name: 'milestone 1' }))
-    expect(screen.getByRole('button', { name: 'Save the plan' })).toBeDisabled()
+    expect(screen.getByRole('button', { name: 'Save plan' })).toBeDisabled()
     type(alpha.getByLabelText('Name'), 'Alpha')
     type(alpha.getByLabelText('Amount, USD'), 'x')
-    expect(screen.getByText(/“x” is no amount in USD/)).toBeVisible()
+    expect(screen.getByText(/“x” is not an amount in USD/)).toBeVisible()
     type(alpha.getByLabelText('Amount, USD'), '300')
-    await userEvent.selectOptions(screen.getByLabelText('Put the 2 shown into'), 'Alpha')
+    await userEvent.selectOptions(screen.getByLabelText('Assign these 2 cues to'), 'Alpha')
     type(screen.getByLabelText('Hours estimated for vo_oath'), '2')
     expect(await screen.findByText('All is paid for Alpha alone.')).toBeVisible()
     expect(screen.getByText('the cues of Alpha add up to $1.00')).toBeVisible()
     expect(await faults()).toEqual([])
-    await userEvent.click(screen.getByRole('button', { name: 'Save the plan' }))
+    await userEvent.click(screen.getByRole('button', { name: 'Save plan' }))
     await waitFor(() => expect(server.of(SAVE)).toHaveLength(1))
     expect(server.of(SAVE)[0]?.body).toMatchObject({
       milestones: [
@@ -218,7 +218,7 @@ describe('the plan of a draft', () => {
   test('that was agreed says where it stands', async () => {
     server.on('GET /v1/contracts/effects', { ...CONTRACT, state: 'agreed', may: { change: false } })
     openApp(`/projects/${PROJECT}/contracts/effects/plan`)
-    expect(await screen.findByRole('heading', { level: 1, name: 'The plan is agreed.' })).toBeVisible()
+    expect(await screen.findByRole('heading', { level: 1, name: 'The plan is agreed' })).toBeVisible()
     expect(screen.getByRole('link', { name: 'Back to Effects' })).toBeVisible()
   })
 })

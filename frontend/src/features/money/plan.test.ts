@@ -36,8 +36,8 @@ describe('what is typed', () => {
   test('and cannot be read is said where it stands, with how to write it', () => {
     const said = planOf({ ...typed({ amount: 'much', name: ' ' }), cues: {} }, CUES, 'USD').faults
     expect(said.map(({ where }) => where)).toEqual(['milestones.0', 'milestones.0'])
-    expect(said[0]?.message).toBe('Give it a name.')
-    expect(said[1]?.message).toBe('“much” is no amount in USD; write it as in 1,440.00.')
+    expect(said[0]?.message).toBe('Enter a name.')
+    expect(said[1]?.message).toBe('“much” is not an amount in USD. Write it like 1,440.00.')
     expect(planOf(typed({ tax: '120' }), CUES, 'USD').faults).toHaveLength(1)
     expect(planOf(typed({ amount: '-5' }), CUES, 'USD').faults).toHaveLength(1)
   })

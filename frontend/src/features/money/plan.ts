@@ -82,7 +82,7 @@ export function planOf(
   }
   const milestones = typed.milestones.map((one, place) => {
     const where = `milestones.${place}`
-    if (one.name.trim() === '') faults.push({ where, message: 'Give it a name.' })
+    if (one.name.trim() === '') faults.push({ where, message: 'Enter a name.' })
     const called = one.name.trim() || `Milestone ${place + 1}`
     const cues = one.isDeposit
       ? []
@@ -93,13 +93,13 @@ export function planOf(
             said.price,
             positive(said.price),
             where,
-            `${cue.name}: “${said.price}” is no amount in ${currency}; write it as in 180.00.`,
+            `${cue.name}: “${said.price}” is not an amount in ${currency}. Write it like 180.00.`,
           )
           const minutes = read(
             said.hours,
             bounded(said.hours, 60, 10_000),
             where,
-            `${cue.name}: “${said.hours}” is no number of hours; write it as in 2 or 1.5.`,
+            `${cue.name}: “${said.hours}” is not a number of hours. Write it like 2 or 1.5.`,
           )
           return [{ cue_id: cue.id, price_minor: price, estimate_min: minutes || null }]
         })
@@ -111,9 +111,14 @@ export function planOf(
         one.amount,
         positive(one.amount),
         where,
-        `“${one.amount}” is no amount in ${currency}; write it as in 1,440.00.`,
+        `“${one.amount}” is not an amount in ${currency}. Write it like 1,440.00.`,
       ),
-      tax_bp: read(one.tax, bounded(one.tax, 100, 100), where, `“${one.tax}” is no rate; write 0 to 100, as in 19.`),
+      tax_bp: read(
+        one.tax,
+        bounded(one.tax, 100, 100),
+        where,
+        `“${one.tax}” is not a tax rate. Enter 0 to 100, such as 19.`,
+      ),
       cues,
     }
   })

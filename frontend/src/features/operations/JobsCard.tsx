@@ -25,10 +25,10 @@ export function JobsCard({ scope }: { scope: Scope }) {
   const all = STATES_SHOWN.reduce((sum, one) => sum + jobsIn(counts, one), 0)
   const rows = jobs.data?.pages.flatMap(({ items }) => items) ?? []
   const again = (job: Job) =>
-    retry.mutate(job.id, { onSuccess: () => showToast(`${jobWords(job.job)}: waits for a worker.`) })
+    retry.mutate(job.id, { onSuccess: () => showToast(`${jobWords(job.job)} is queued again.`) })
   return (
     <Card aria-labelledby="jobs">
-      <CardHead id="jobs" title="Jobs" count={all} note="what is done is not listed" />
+      <CardHead id="jobs" title="Jobs" count={all} note="finished jobs are not listed" />
       <div role="group" aria-label="Filter by state" className={classes.chips}>
         <FilterChip count={all} pressed={state === undefined} onPress={() => setState(undefined)}>
           All
@@ -52,8 +52,8 @@ export function JobsCard({ scope }: { scope: Scope }) {
       )}
       {jobs.isSuccess && rows.length === 0 && (
         <div className={classes.inside}>
-          <EmptyState head={state === 'parked' ? 'Nothing gave up.' : 'Nothing to do.'} level={3}>
-            What is delivered, changed or approved makes new jobs, and they are done within seconds.
+          <EmptyState head={state === 'parked' ? 'No failed jobs' : 'No jobs'} level={3}>
+            Deliveries, changes and approvals create jobs. They normally finish within seconds.
           </EmptyState>
         </div>
       )}
@@ -81,7 +81,7 @@ function JobRow({ job, scope, busy, onRetry }: { job: Job; scope: Scope; busy: b
         {whose !== null && <span className="mid"> {whose}</span>}
         <br />
         <span className="small dim">
-          asked for {ago(job.since)}
+          queued {ago(job.since)}
           {job.tries > 0 && `, ${plural(job.tries, 'try', 'tries')}`}
         </span>
         {job.reason !== null && <span className={`small ${classes.reason}`}>{job.reason}</span>}

@@ -8,6 +8,7 @@ import { Segmented } from '@/ui/Segmented'
 
 import { operationsQuery, type Scope } from './api'
 import { JobsCard } from './JobsCard'
+import { LimitsCard } from './LimitsCard'
 import classes from './Operations.module.css'
 import { Refusal } from './Refusal'
 import { LanesCard, StorageCard, WorkersCard } from './SideCards'
@@ -30,8 +31,8 @@ export function OperationsPage() {
   if (view === undefined) {
     return (
       <div className="page">
-        <EmptyState level={1} head="Jobs and storage are a producer’s to see.">
-          A producer sees their studio’s; whoever runs this server sees all.
+        <EmptyState level={1} head="Only producers can see jobs and storage">
+          Producers see their studio’s jobs. The server’s operators see all.
         </EmptyState>
       </div>
     )
@@ -46,7 +47,7 @@ export function OperationsPage() {
         </div>
         {views.length > 1 && (
           <Segmented
-            label="Whose"
+            label="Scope"
             options={views}
             value={view.value}
             onChange={(value) => void navigate({ to: '/operations', search: { of: value }, replace: true })}
@@ -59,6 +60,7 @@ export function OperationsPage() {
           <LanesCard scope={scope} />
           <WorkersCard scope={scope} />
           <StorageCard scope={scope} />
+          <LimitsCard scope={scope} />
         </div>
       </div>
     </div>
@@ -68,5 +70,5 @@ export function OperationsPage() {
 function InOneLine({ scope }: { scope: Scope }) {
   const { data, error } = useQuery(operationsQuery(scope))
   if (error) return <Refusal error={error} />
-  return <p className="mid">{data ? inOneLine(data.counts, data.alive) : 'Asking.'}</p>
+  return <p className="mid">{data ? inOneLine(data.counts, data.alive) : 'Loading…'}</p>
 }

@@ -15,10 +15,10 @@ const NAMES: Record<Storage['kept'][number]['kind'], string> = {
   archives: 'ZIP file',
   game_files: 'game file',
   drawings: 'preview',
-  mends: 'mended file',
+  fixes: 'fixed file',
   reels: 'reel',
   exports: 'exported master',
-  stand_ins: 'placeholder',
+  placeholder_files: 'placeholder',
   documents: 'document',
 }
 const keptWords = ({ kept }: Storage) =>
@@ -48,7 +48,7 @@ export function StorageCard({ scope }: { scope: Scope }) {
             <span className="grow">
               <span className="strong">{one.studio_name}</span>
               <br />
-              <span className="small dim">{keptWords(one) || 'Nothing yet.'}</span>
+              <span className="small dim">{keptWords(one) || 'Nothing stored yet.'}</span>
             </span>
             <span className="num">{bytes(one.size_bytes)}</span>
           </Row>
@@ -64,9 +64,9 @@ export function LanesCard({ scope }: { scope: Scope }) {
   if (data === undefined) return null
   return (
     <Card aria-labelledby="lanes">
-      <CardHead id="lanes" title="Lanes" count={data.lanes.length} note="they take turns" />
+      <CardHead id="lanes" title="Queues" count={data.lanes.length} note="served in turn" />
       {data.lanes.length === 0 ? (
-        <p className={`mid ${classes.inside}`}>Nothing is in line.</p>
+        <p className={`mid ${classes.inside}`}>No queued jobs.</p>
       ) : (
         <Rows aria-labelledby="lanes">
           {data.lanes.map((lane) => (
@@ -94,8 +94,8 @@ export function WorkersCard({ scope }: { scope: Scope }) {
       {data.workers.length === 0 ? (
         <p className={`mid ${classes.inside}`}>
           {data.alive > 0
-            ? 'They check, render and mail for every studio in turn.'
-            : 'None has said within 20 seconds that it lives. Whoever runs the server starts one with: soundlist worker'}
+            ? 'Workers check, render and send email for all studios.'
+            : 'No worker is running: none has reported in the last 20 seconds. The operator can start one with: soundlist worker'}
         </p>
       ) : (
         <Rows aria-labelledby="workers">
@@ -103,11 +103,7 @@ export function WorkersCard({ scope }: { scope: Scope }) {
             <Row key={id} dense>
               <span className={`grow ${classes.worker}`}>{id}</span>
               <span className="small dim">
-                {is_alive
-                  ? running > 0
-                    ? `${plural(running, 'job')} in hand`
-                    : 'free'
-                  : `silent since ${ago(beat_at)}`}
+                {is_alive ? (running > 0 ? `${plural(running, 'job')} running` : 'free') : `last seen ${ago(beat_at)}`}
               </span>
             </Row>
           ))}

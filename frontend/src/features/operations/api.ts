@@ -9,6 +9,7 @@ export type JobState = Schemas['JobState']
 export type JobCount = Schemas['JobCountRead']
 export type Lane = Schemas['LaneRead']
 export type Storage = Schemas['StorageRead']
+export type Quota = Schemas['QuotaRead']
 export type Worker = Schemas['WorkerRead']
 
 /** The whole server, or one studio by its id. */
@@ -61,6 +62,32 @@ export const keptQuery = (scope: Scope) =>
   queryOptions({
     queryKey: ['operations', keyOf(scope), 'kept'],
     queryFn: () => readKept(scope),
+    staleTime: KEPT_FOR_MS,
+  })
+
+/** What a studio uses of its limits, the nearest first. */
+export interface Limits {
+  studioId: string
+  studioName: string
+  quotas: Quota[]
+}
+
+async function readLimits(scope: Scope): Promise<Limits[]> {
+  if (scope !== 'server') {
+    const quotas = await answered(api.GET('/v1/studios/{studio_id}/quotas', ofStudio(scope.studioId)))
+    return [{ studioId: scope.studioId, studioName: '', quotas: [...quotas].sort((a, b) => share(b) - share(a)) }]
+  }
+  const studios = await answered(api.GET('/v1/operations/quotas'))
+  return studios.map(({ studio_id, studio_name, quotas }) => ({ studioId: studio_id, studioName: studio_name, quotas }))
+}
+
+/** How much of a limit is used; 1 is all of it. */
+export const share = ({ used, limit }: Quota): number => (limit === 0 ? Infinity : used / limit)
+
+export const limitsQuery = (scope: Scope) =>
+  queryOptions({
+    queryKey: ['operations', keyOf(scope), 'limits'],
+    queryFn: () => readLimits(scope),
     staleTime: KEPT_FOR_MS,
   })
 

@@ -51,6 +51,8 @@ const counted = (state: JobState, jobs: number, job = 'conformance.check_take') 
 const as = (me: typeof ME, more: Answers): Answers => ({
   'GET /v1/session': { signed_in: true, demo: false, person: me.person },
   'GET /v1/me': me,
+  'GET /v1/studios/s1/quotas': [],
+  'GET /v1/operations/quotas': [],
   ...more,
 })
 
@@ -72,14 +74,14 @@ test('a producer sees what gave up and tries it again', async () => {
     }),
   )
   openApp('/operations')
-  expect(await screen.findByText(/1 job gave up. Nothing waits. 1 worker works./)).toBeVisible()
+  expect(await screen.findByText(/1 job failed. No jobs are waiting. 1 worker running./)).toBeVisible()
   const row = within(screen.getByRole('list', { name: 'Jobs' })).getByRole('listitem')
   expect(row).toHaveTextContent('Check a version')
   expect(row).toHaveTextContent('6 tries')
   expect(row).toHaveTextContent('BlobMissing')
   await userEvent.click(within(row).getByRole('button', { name: 'Try again: Check a version' }))
-  expect(await screen.findByText('Check a version: waits for a worker.')).toBeVisible()
-  expect(await screen.findByText('Nothing to do.')).toBeVisible()
+  expect(await screen.findByText('Check a version is queued again.')).toBeVisible()
+  expect(await screen.findByText('No jobs')).toBeVisible()
   expect(asked.filter(({ method }) => method === 'POST')).toHaveLength(1)
   expect(screen.getByText(/1 master 864.0 kB, 2 game files 1.2 MB/)).toBeVisible()
 })
@@ -127,19 +129,53 @@ test('an operator sees the whole server, and each studio that they produce for',
     ),
   )
   openApp('/operations')
-  const lanes = within(await screen.findByRole('list', { name: /Lanes/ })).getAllByRole('listitem')
-  expect(lanes[0]).toHaveTextContent('Deep Field studio, in bulk')
-  expect(lanes[1]).toHaveTextContent('the server itself, in bulk')
+  const lanes = within(await screen.findByRole('list', { name: /Queues/ })).getAllByRole('listitem')
+  expect(lanes[0]).toHaveTextContent('Deep Field studio, bulk')
+  expect(lanes[1]).toHaveTextContent('the server, bulk')
   const workers = within(screen.getByRole('list', { name: /Workers/ })).getAllByRole('listitem')
-  expect(workers[0]).toHaveTextContent('host-12-ab2 jobs in hand')
-  expect(workers[1]).toHaveTextContent('silent since')
-  expect(screen.getByText(/1 worker works/)).toBeVisible()
+  expect(workers[0]).toHaveTextContent('host-12-ab2 jobs running')
+  expect(workers[1]).toHaveTextContent('last seen')
+  expect(screen.getByText(/1 worker running/)).toBeVisible()
   expect(await screen.findByText(/42.0 GB free on the disk/)).toBeVisible()
   const jobs = await screen.findByRole('list', { name: 'Jobs' })
-  expect(within(jobs).getByText('the server itself')).toBeVisible()
+  expect(within(jobs).getByText('the server')).toBeVisible()
   await userEvent.click(screen.getByRole('button', { name: 'Shield Wing studio' }))
   await waitFor(() => expect(asked.some(({ path }) => path === '/v1/studios/s1/jobs')).toBe(true))
-  expect(await screen.findByText('Nothing to do.')).toBeVisible()
+  expect(await screen.findByText('No jobs')).toBeVisible()
+})
+
+test('limits show who is near, to an operator and to a producer', async () => {
+  const cues = { kind: 'cues', used: 19_000, limit: 20_000, default: 500_000 }
+  const people = { kind: 'people', used: 3, limit: 2_000, default: 2_000 }
+  const masters = { kind: 'master_bytes', used: 2_000_000_000, limit: 2_000_000_000, default: 2_000_000_000_000 }
+  serve(
+    as(
+      { ...ME, is_operator: true },
+      {
+        'GET /v1/operations': { counts: [], lanes: [], workers: [] },
+        'GET /v1/operations/storage': { studios: [KEPT], free_bytes: null },
+        'GET /v1/operations/jobs': { items: [], next: null },
+        'GET /v1/operations/quotas': [
+          { studio_id: 's2', studio_name: 'Deep Field studio', quotas: [masters, people] },
+          { studio_id: 's1', studio_name: 'Shield Wing studio', quotas: [people] },
+        ],
+        'GET /v1/studios/s1/operations': { counts: [], lanes: [], workers: 1 },
+        'GET /v1/studios/s1/storage': KEPT,
+        'GET /v1/studios/s1/jobs': { items: [], next: null },
+        'GET /v1/studios/s1/quotas': [people, cues],
+      },
+    ),
+  )
+  openApp('/operations')
+  const limits = within(await screen.findByRole('list', { name: /Limits/ }))
+  const [first, second] = await limits.findAllByRole('listitem')
+  expect(first).toHaveTextContent('Deep Field studioStorage for masters2.0 GB of 2.0 GBLimit reachedMembers')
+  expect(second).toHaveTextContent('Shield Wing studioMembers')
+  expect(screen.getByText('1 studio near')).toBeVisible()
+  await userEvent.click(screen.getByRole('button', { name: 'Shield Wing studio' }))
+  expect(await screen.findByText('Almost full')).toBeVisible()
+  const own = within(screen.getByRole('list', { name: /Limits/ })).getByRole('listitem')
+  expect(own).toHaveTextContent(/^Cues/)
 })
 
 test('the states filter what is asked for', async () => {
@@ -155,36 +191,36 @@ test('the states filter what is asked for', async () => {
     }),
   )
   openApp('/operations')
-  await userEvent.click(await screen.findByRole('button', { name: /Gave up/ }))
-  expect(await screen.findByText('Nothing gave up.')).toBeVisible()
+  await userEvent.click(await screen.findByRole('button', { name: /Failed/ }))
+  expect(await screen.findByText('No failed jobs')).toBeVisible()
   expect(asked.some(({ path, query }) => path.endsWith('/jobs') && query.get('state') === 'parked')).toBe(true)
 })
 
 test('who neither produces nor runs the server is told whose it is', async () => {
   serve(as({ ...ME, studios: [{ ...STUDIO, roles: ['reviewer'] }] }, {}))
   openApp('/operations')
-  expect(await screen.findByText('Jobs and storage are a producer’s to see.')).toBeVisible()
+  expect(await screen.findByText('Only producers can see jobs and storage')).toBeVisible()
 })
 
 test('one line says whether all is well', () => {
-  expect(inOneLine([], 2, NOW)).toBe('Nothing gave up. Nothing waits. 2 workers work.')
+  expect(inOneLine([], 2, NOW)).toBe('None failed. No jobs are waiting. 2 workers running.')
   const waiting = counted('waiting', 3)
   expect(inOneLine([waiting, counted('delayed', 9)], 1, NOW)).toBe(
-    'Nothing gave up. 3 jobs wait, the oldest for 5 min. 1 worker works.',
+    'None failed. 3 jobs waiting, the oldest for 5 min. 1 worker running.',
   )
   expect(inOneLine([counted('parked', 1), counted('broken', 1), waiting], 0, new Date(AT))).toBe(
-    '2 jobs gave up. 3 jobs wait. No worker lives: what is delivered waits.',
+    '2 jobs failed. 3 jobs waiting. No worker is running. Deliveries are checked once one starts.',
   )
 })
 
 test('a lane says how much of what it has, and nothing of what it has not', () => {
-  expect(laneLine(LANE, NOW)).toBe('2 run, 40 wait, the oldest for 5 min')
+  expect(laneLine(LANE, NOW)).toBe('2 running, 40 waiting, the oldest for 5 min')
   expect(laneLine({ ...LANE, waiting: 1, running: 1, delayed: 3, oldest_at: AT }, new Date(AT))).toBe(
-    '1 runs, 1 waits, 3 later',
+    '1 running, 1 waiting, 3 scheduled',
   )
-  expect(laneLine({ ...LANE, waiting: 0, running: 0, delayed: 3, oldest_at: null }, NOW)).toBe('3 later')
-  expect(laneWords(LANE, 'server')).toBe('the server itself, in bulk')
-  expect(laneWords({ ...LANE, urgency: 'urgent' }, { studioId: 's1' })).toBe('What people wait for')
+  expect(laneLine({ ...LANE, waiting: 0, running: 0, delayed: 3, oldest_at: null }, NOW)).toBe('3 scheduled')
+  expect(laneWords(LANE, 'server')).toBe('the server, bulk')
+  expect(laneWords({ ...LANE, urgency: 'urgent' }, { studioId: 's1' })).toBe('Interactive')
 })
 
 test('a job is called by what it does, and one without words by its own name', () => {

@@ -5,43 +5,44 @@ import type { JobCount, JobState, Lane, Scope } from './api'
 
 /** What each job does, for people; one without words here is called by its own name. */
 const JOBS: Partial<Record<string, string>> = {
-  'builds.hear_pack': 'Listen to what a manifest lacks',
-  'builds.hear_take': 'Listen to an approved version',
+  'builds.fingerprint_pack': 'Analyse sounds missing from a manifest',
+  'builds.fingerprint_take': 'Analyse an approved version',
   'builds.seal_pack': 'Seal a pack',
   'conformance.check_take': 'Check a version',
-  'conformance.recheck_takes': 'Check again what a change touches',
-  'conformance.make_mend': 'Make a mended copy',
+  'conformance.recheck_takes': 'Recheck versions affected by a change',
+  'conformance.make_fix': 'Make a fixed copy',
   'deliveries.unpack_archive': 'Unpack a ZIP',
-  'notifications.mail_link': 'Write a mail with a link',
-  'notifications.send_mail': 'Send a mail',
-  'notifications.tell_answer': 'Tell an answer',
-  'notifications.tell_approval': 'Tell an approval',
-  'notifications.tell_build': 'Tell what a build refused',
-  'notifications.tell_changes': 'Tell requested changes',
-  'notifications.tell_check': 'Tell what a check said',
-  'notifications.tell_checks': 'Tell what checks said',
-  'notifications.tell_contract': 'Tell what became of a contract',
-  'notifications.tell_cut': 'Tell of a cut',
-  'notifications.tell_list_revised': 'Tell a new revision',
-  'notifications.tell_question': 'Tell a question',
-  'notifications.tell_untold': 'Tell what was left untold',
-  'renders.draw_mend': 'Draw a mended copy',
-  'renders.draw_take': 'Draw a sound',
-  'renders.hear_palette': 'Ask for what compares sounds',
-  'renders.hear_take': 'Measure the timbre of a sound',
+  'notifications.mail_link': 'Write an email with a link',
+  'notifications.send_mail': 'Send an email',
+  'notifications.notify_answer': 'Notify about an answer',
+  'notifications.notify_approval': 'Notify about an approval',
+  'notifications.notify_build': 'Notify about a refused build',
+  'notifications.notify_changes': 'Notify about requested changes',
+  'notifications.notify_check': 'Notify about a check',
+  'notifications.notify_checks': 'Notify about checks',
+  'notifications.notify_contract': 'Notify about a contract',
+  'notifications.notify_cut': 'Notify about a cut cue',
+  'notifications.notify_list_revised': 'Notify about a list revision',
+  'notifications.notify_question': 'Notify about a question',
+  'notifications.notify_overdue_checks': 'Send pending notifications',
+  'projects.name_invited_approver': 'Name an invited approver',
+  'renders.draw_fix': 'Draw the waveform of a fixed copy',
+  'renders.draw_take': 'Draw a waveform',
+  'renders.measure_palette': 'Queue sound comparisons',
+  'renders.measure_timbre': 'Measure timbre',
   'renders.export_master': 'Write provenance into a copy of a master',
-  'renders.make_next_of_batch': 'Make the next game files of a batch',
-  'renders.make_reel': 'Put versions in a row',
-  'renders.make_renders': 'Draw a sound and make its game files',
-  'renders.prepare_take': 'Check a version, draw it and make its game files',
+  'renders.render_next_of_batch': 'Render the next game files of a batch',
+  'renders.make_reel': 'Build a reel of versions',
+  'renders.make_renders': 'Draw the waveform and render game files',
+  'renders.prepare_take': 'Check a version, draw its waveform and render game files',
   'renders.plan_batch': 'Plan a batch of game files',
-  'renders.renew_renders': 'Ask for new game files',
-  'server.forget_done_jobs': 'Clear away old jobs',
-  'reviews.adopt_accepted': 'Take what was accepted before into its contract',
-  'reviews.mind_silence': 'Remind of waiting verdicts, and accept by silence',
-  'server.send_waiting': 'Send mails that wait',
-  'server.sweep_uploads': 'Clear away unfinished uploads',
-  'server.forget_rate_limits': 'Clear away old counts of attempts',
+  'renders.update_renders': 'Queue new game files',
+  'server.delete_finished_jobs': 'Delete old jobs',
+  'reviews.add_accepted_cues': 'Add earlier acceptances to a contract',
+  'reviews.apply_deemed_acceptance': 'Send review reminders and auto-accept overdue cues',
+  'server.send_pending': 'Send queued emails',
+  'server.sweep_uploads': 'Delete unfinished uploads',
+  'server.delete_expired_rate_limits': 'Delete old rate-limit counters',
 }
 
 export function jobWords(job: string): string {
@@ -53,23 +54,23 @@ export function jobWords(job: string): string {
 export const STATES_SHOWN: readonly JobState[] = ['parked', 'broken', 'running', 'waiting', 'delayed']
 
 export const STATE_FACES: Record<JobState, { kind: StateKind; word: string }> = {
-  parked: { kind: 'refused', word: 'Gave up' },
-  broken: { kind: 'unjudged', word: 'Broke' },
+  parked: { kind: 'refused', word: 'Failed' },
+  broken: { kind: 'unjudged', word: 'Retrying' },
   running: { kind: 'checking', word: 'Running' },
   waiting: { kind: 'waiting', word: 'Waiting' },
-  delayed: { kind: 'paused', word: 'Later' },
+  delayed: { kind: 'paused', word: 'Scheduled' },
 }
 
 export const jobsIn = (counts: readonly JobCount[], state: JobState): number =>
   counts.filter((count) => count.state === state).reduce((sum, { jobs }) => sum + jobs, 0)
 
-/** What nobody's studio asked for, the server did. */
-export const NOBODYS = 'the server itself'
+/** Jobs without a studio are the server's own. */
+export const NOBODYS = 'the server'
 
 const URGENCIES: Record<Lane['urgency'], string> = {
-  urgent: 'what people wait for',
-  normal: 'as it comes',
-  bulk: 'in bulk',
+  urgent: 'interactive',
+  normal: 'normal',
+  bulk: 'bulk',
 }
 
 export const laneKey = ({ studio_id, urgency }: Lane): string => `${studio_id ?? ''}:${urgency}`
@@ -83,10 +84,9 @@ export const laneWords = ({ studio_name, urgency }: Lane, scope: Scope): string 
 export function laneLine({ waiting, running, delayed, oldest_at }: Lane, now = new Date()): string {
   const oldest = oldest_at === null ? 'now' : age(oldest_at, now)
   return [
-    running > 0 && `${running} ${running === 1 ? 'runs' : 'run'}`,
-    waiting > 0 &&
-      `${waiting} ${waiting === 1 ? 'waits' : 'wait'}${oldest === 'now' ? '' : `, the oldest for ${oldest}`}`,
-    delayed > 0 && `${delayed} later`,
+    running > 0 && `${running} running`,
+    waiting > 0 && `${waiting} waiting${oldest === 'now' ? '' : `, the oldest for ${oldest}`}`,
+    delayed > 0 && `${delayed} scheduled`,
   ]
     .filter(Boolean)
     .join(', ')
@@ -100,14 +100,13 @@ export function inOneLine(counts: readonly JobCount[], alive: number, now = new 
     .filter(({ state }) => state === 'waiting')
     .map(({ oldest_at }) => oldest_at)
     .sort()[0]
-  const waits =
-    oldest === undefined ? 'Nothing waits.' : `${plural(waiting, 'job')} ${waiting === 1 ? 'waits' : 'wait'}`
+  const waits = oldest === undefined ? 'No jobs are waiting.' : `${plural(waiting, 'job')} waiting`
   const since = oldest === undefined ? '' : age(oldest, now) === 'now' ? '.' : `, the oldest for ${age(oldest, now)}.`
   return [
-    gaveUp === 0 ? 'Nothing gave up.' : `${plural(gaveUp, 'job')} gave up.`,
+    gaveUp === 0 ? 'None failed.' : `${plural(gaveUp, 'job')} failed.`,
     `${waits}${since}`,
     alive === 0
-      ? 'No worker lives: what is delivered waits.'
-      : `${plural(alive, 'worker')} ${alive === 1 ? 'works' : 'work'}.`,
+      ? 'No worker is running. Deliveries are checked once one starts.'
+      : `${plural(alive, 'worker')} running.`,
   ].join(' ')
 }

@@ -33,7 +33,7 @@ interface BuildReasonsProps {
 /** The files a build was refused for, with every reason; of one that passed, what it warns of. */
 export function BuildReasons({ build, projectId, most = 1000 }: BuildReasonsProps) {
   const { data: report, error, isPending } = useBuildReport(build.id)
-  if (isPending) return <p className={`small dim ${classes.pending}`}>The report is being read.</p>
+  if (isPending) return <p className={`small dim ${classes.pending}`}>Reading the report…</p>
   if (error) return <p className="small">{refusal(error).detail}</p>
   const refused = refusedFiles(report)
   const warned = warnedFiles(report)
@@ -47,7 +47,7 @@ export function BuildReasons({ build, projectId, most = 1000 }: BuildReasonsProp
       )}
       {refused.length < most && <Files files={warned.slice(0, most - refused.length)} tone="warn" />}
       {refused.length + warned.length === 0 && (
-        <p className="small mid">{`${plural(build.files, 'file')} judged, all conforming.`}</p>
+        <p className="small mid">{`${plural(build.files, 'file')} checked, all conforming.`}</p>
       )}
     </>
   )
@@ -58,7 +58,7 @@ function Files({ files, tone }: { files: readonly RefusedFile[]; tone: 'bad' | '
   return (
     <ul
       className={`small ${classes.files} tone-${tone}`}
-      aria-label={tone === 'bad' ? 'Refused files' : 'Files that warn'}
+      aria-label={tone === 'bad' ? 'Refused files' : 'Files with warnings'}
     >
       {files.map(({ path, reasons }) => (
         <li key={path}>

@@ -27,7 +27,7 @@ describe('builds', () => {
     expect(within(refused).getByText('assets/airlock.wav')).toBeVisible()
     expect(within(refused).getByText('Sample rate 44100 Hz')).toBeVisible()
     expect(within(refused).getByText(', accepted 48000 Hz. Render it again.')).toBeVisible()
-    expect(within(refused).getByText('Cannot be read')).toBeVisible()
+    expect(within(refused).getByText('Unreadable')).toBeVisible()
     expect(within(refused).queryByText('assets/let_through.wav')).toBeNull()
     expect(within(refused).queryByText(/true peak/i)).toBeNull()
   })
@@ -36,7 +36,7 @@ describe('builds', () => {
     serve(withBuilds())
     const press = userEvent.setup()
     openApp('/projects/p1')
-    await press.click(await screen.findByRole('button', { name: 'Copy all lines for CI' }))
+    await press.click(await screen.findByRole('button', { name: 'Copy all CI commands' }))
     expect(await navigator.clipboard.readText()).toBe(
       'curl spec\naudio-checks check --spec spec.toml assets/\ncurl report',
     )
@@ -58,19 +58,19 @@ describe('builds', () => {
     })
     const press = userEvent.setup()
     openApp('/projects/p1')
-    await press.click(await screen.findByRole('button', { name: 'Make a token' }))
-    const name = screen.getByLabelText('What the token is for')
+    await press.click(await screen.findByRole('button', { name: 'Create token' }))
+    const name = screen.getByLabelText('Token name')
     await press.clear(name)
     await press.type(name, 'Nightly')
-    await press.click(screen.getByRole('button', { name: 'Make the token' }))
+    await press.click(screen.getByRole('button', { name: 'Create token' }))
     expect(await screen.findByText('slt_once')).toBeVisible()
     expect(wrote(asked, 'POST /v1/projects/p1/tokens')[0]?.body).toEqual({
       name: 'Nightly',
       scopes: ['spec:read', 'list:read', 'checks:write', 'manifest:read'],
     })
-    await press.click(screen.getByRole('button', { name: 'Copy the secret' }))
+    await press.click(screen.getByRole('button', { name: 'Copy secret' }))
     expect(await navigator.clipboard.readText()).toBe('slt_once')
-    await press.click(screen.getByRole('button', { name: 'It is kept' }))
+    await press.click(screen.getByRole('button', { name: 'I’ve saved it' }))
     expect(screen.queryByText('slt_once')).toBeNull()
   })
 
@@ -96,7 +96,7 @@ describe('builds', () => {
     expect(wrote(asked, 'DELETE /v1/projects/p1/tokens/t1')).toHaveLength(0)
     answers['GET /v1/projects/p1/tokens'] = [{ ...token, revoked_at: '2026-11-21T10:00:00Z' }]
     await press.click(screen.getByRole('button', { name: 'Revoke “Nightly”' }))
-    expect(await screen.findByText('Worthless')).toBeVisible()
+    expect(await screen.findByText('Revoked')).toBeVisible()
     expect(wrote(asked, 'DELETE /v1/projects/p1/tokens/t1')).toHaveLength(1)
   })
 })

@@ -54,15 +54,15 @@ export function BuildsCard({ project: { id: projectId, mine }, builds }: BuildsC
         </>
       ) : (
         <div className={classes.inside}>
-          <EmptyState head="No build has reported yet." level={3}>
-            The game’s CI checks its audio by the same spec and list. It needs a token and the lines below.
+          <EmptyState head="No builds yet" level={3}>
+            The game’s CI checks its audio with the same spec and list. It needs a token and the commands below.
           </EmptyState>
         </div>
       )}
       <CiLines projectId={projectId} />
       {latest && (
         <p className={`small dim ${classes.foot}`}>
-          {`${plural(latest.files, 'file')} judged in build ${latest.label}. The rules are those of every upload.`}
+          {`${plural(latest.files, 'file')} checked in build ${latest.label}, with the same rules as uploads.`}
         </p>
       )}
       {mine.is_producer && (
@@ -104,7 +104,7 @@ function CiLines({ projectId }: { projectId: string }) {
           className="link small"
           to="/projects/$projectId/builds"
           params={{ projectId }}
-          aria-label={`All ${data.lines.length} lines that a build runs`}
+          aria-label={`Show all ${data.lines.length} commands a build runs`}
         >
           {`All ${data.lines.length}`}
         </Link>

@@ -14,7 +14,7 @@ import { CiCard } from './CiLines'
 import { Refusal } from './Refusal'
 import { TokensCard } from './Tokens'
 
-/** Every build that reported, and the tokens by which builds speak to us. */
+/** Every build that reported, and the tokens of builds. */
 export function BuildsPage() {
   useTitle('Builds')
   const { projectId } = useParams({ from: '/shell/projects/$projectId/builds' })
@@ -26,7 +26,7 @@ export function BuildsPage() {
       <div>
         <h1>Builds</h1>
         <p className="mid">
-          What the game’s CI found in its own checkout, by the spec and list of{' '}
+          Audio checks run by the game’s CI, with the spec and list of{' '}
           <Link className="link" to="/projects/$projectId" params={{ projectId }}>
             the project
           </Link>
@@ -36,11 +36,11 @@ export function BuildsPage() {
       <Refusal error={error} />
       <div className={`columns ${classes.columns}`}>
         <Card aria-labelledby="all-builds">
-          <CardHead id="all-builds" title="Builds" note="the newest first" />
+          <CardHead id="all-builds" title="Builds" note="newest first" />
           {builds?.length === 0 && (
             <div className={classes.inside}>
-              <EmptyState head="No build has reported yet." level={3}>
-                Make a token, put it into the CI’s secrets, and add the lines to the build.
+              <EmptyState head="No builds yet" level={3}>
+                Create a token, add it to the CI’s secrets, and add the commands to the build.
               </EmptyState>
             </div>
           )}

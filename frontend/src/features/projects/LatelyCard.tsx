@@ -23,13 +23,13 @@ const SPEAKS_FOR_ITSELF = new Set<Happening['kind']>(['build', 'returned'])
 
 /** The same said again, as when a set is approved sound by sound, is said once. */
 function once(happened: readonly Happening[]): (Happening & { times: number })[] {
-  const told: (Happening & { times: number })[] = []
+  const entries: (Happening & { times: number })[] = []
   for (const one of happened) {
-    const last = told.at(-1)
+    const last = entries.at(-1)
     if (last && last.kind === one.kind && last.who === one.who && last.text === one.text) last.times += 1
-    else told.push({ ...one, times: 1 })
+    else entries.push({ ...one, times: 1 })
   }
-  return told
+  return entries
 }
 
 // Names of sounds and files keep their small letters.
@@ -40,13 +40,13 @@ const said = ({ kind, who, text, times }: Happening & { times: number }) => {
 
 /** What happened last, the newest first. */
 export function LatelyCard({ happened }: { happened: readonly Happening[] }) {
-  const told = once(happened).slice(0, SHOWN)
+  const entries = once(happened).slice(0, SHOWN)
   return (
     <Card aria-labelledby="lately" className={classes.lately}>
-      <CardHead id="lately" title="Lately" />
-      {told.length === 0 && <p className={`mid ${classes.quiet}`}>Nothing has happened yet.</p>}
+      <CardHead id="lately" title="Recent activity" />
+      {entries.length === 0 && <p className={`mid ${classes.quiet}`}>No activity yet.</p>}
       <ul>
-        {told.map((one) => {
+        {entries.map((one) => {
           const { icon, tone } =
             one.kind === 'build' && one.text.includes('refused') ? { ...SIGNS.build, tone: 'bad' } : SIGNS[one.kind]
           return (

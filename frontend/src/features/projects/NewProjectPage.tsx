@@ -4,6 +4,7 @@ import { Link, type LinkProps, useNavigate } from '@tanstack/react-router'
 import { type FormEvent, useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { DraftNote, useDraft } from '@/app/drafts'
 import { useTitle } from '@/app/title'
 import { meQuery } from '@/judging/api'
 import { Button } from '@/ui/Button'
@@ -15,21 +16,21 @@ import classes from './New.module.css'
 import { Refusal } from './Refusal'
 import { against, proposedPrefix } from './words'
 
-type Preset = '44k1' | '48k'
+type Preset = '48k' | '44k1'
 
-/** The two beginnings, told by what they let in and what they make. */
+/** The specs to start from, the usual one first. */
 const PRESETS: Record<Preset, { head: string; accepts: string; makes: string; when: string }> = {
-  '44k1': {
-    head: '44.1 kHz game',
-    accepts: 'Masters at 44.1, 48 or 96 kHz, 16 or 24 bit, mono or stereo.',
-    makes: 'Two game files of each: “game” at 44.1 kHz, 16 bit, and “handheld” at 22.05 kHz, 16 bit, mono.',
-    when: 'For most engines, and where old libraries are used too.',
-  },
   '48k': {
-    head: '48 kHz game',
-    accepts: 'Masters at 48 or 96 kHz, 24 bit, mono or stereo.',
-    makes: 'One game file of each: “game” at 48 kHz, 16 bit.',
-    when: 'For consoles and film-like work, where all is recorded new.',
+    head: 'Game standard: 48 kHz / 24 bit',
+    accepts: 'Masters: 48 or 96 kHz, 24-bit, mono or stereo.',
+    makes: 'Game files: “game” at 48 kHz/16-bit.',
+    when: 'For current engines and consoles. The usual choice.',
+  },
+  '44k1': {
+    head: 'CD rate: 44.1 kHz / 16 bit',
+    accepts: 'Masters: 44.1, 48 or 96 kHz, 16- or 24-bit, mono or stereo.',
+    makes: 'Game files: “game” at 44.1 kHz/16-bit and “handheld” at 22.05 kHz/16-bit mono.',
+    when: 'For CD-rate projects and legacy libraries.',
   },
 }
 
@@ -43,17 +44,17 @@ export function NewProjectPage() {
     return (
       <div className="page page-narrow">
         <EmptyState
-          head="A producer opens projects."
+          head="Only producers create projects"
           level={1}
           action={
             <Link className="link" to="/account">
-              Open a studio of your own
+              Create your own studio
             </Link>
           }
         >
           {me.studios.length > 0
-            ? `You are no producer of ${me.studios.map(({ name }) => name).join(' or ')}. A producer there can open one and name you approver.`
-            : 'You belong to no studio. A designer is invited to a project by its studio.'}
+            ? `You are not a producer of ${me.studios.map(({ name }) => name).join(' or ')}. Ask one to create the project and make you its approver.`
+            : 'You are not in a studio. Studios invite sound designers to their projects.'}
         </EmptyState>
       </div>
     )
@@ -69,11 +70,11 @@ interface NewProjectFormProps {
 function NewProjectForm({ studios, isFirst }: NewProjectFormProps) {
   const navigate = useNavigate()
   const open = useOpenProject()
-  const [name, setName] = useState('')
+  const [name, setName, nameDraft] = useDraft('new-project:name', '')
   // Once typed, the prefix follows the name no longer.
   const [typed, setTyped] = useState<string | null>(null)
-  const [description, setDescription] = useState('')
-  const [preset, setPreset] = useState<Preset>('44k1')
+  const [description, setDescription, descriptionDraft] = useDraft('new-project:description', '')
+  const [preset, setPreset] = useState<Preset>('48k')
   const [studioId, setStudioId] = useState(studios[0]?.id ?? '')
   const prefix = typed ?? proposedPrefix(name)
   const send = (event: FormEvent) => {
@@ -82,7 +83,11 @@ function NewProjectForm({ studios, isFirst }: NewProjectFormProps) {
     open.mutate(
       { studio_id: studioId, name, cue_prefix: prefix, description, preset },
       {
-        onSuccess: ({ id }) => void navigate({ to: `/projects/${id}/sound-list` as LinkProps['to'] }),
+        onSuccess: ({ id }) => {
+          nameDraft.discard()
+          descriptionDraft.discard()
+          void navigate({ to: `/projects/${id}/sound-list` as LinkProps['to'] })
+        },
       },
     )
   }
@@ -93,12 +98,13 @@ function NewProjectForm({ studios, isFirst }: NewProjectFormProps) {
         <h1>New project</h1>
         <p className="mid">
           {isFirst
-            ? 'You have no project yet, so you begin here: it holds the sound list, what a file must be, and everybody who works on it.'
-            : 'It begins with an empty sound list and a delivery spec of the field’s defaults.'}
+            ? 'Start with a project. It holds the sound list, the delivery spec and the people who work on it.'
+            : 'It starts with an empty sound list and a standard delivery spec.'}
         </p>
       </div>
       <Card className={classes.card}>
         <form onSubmit={send} noValidate className={classes.form}>
+          <DraftNote draft={nameDraft} />
           {studios.length > 1 && (
             <Select
               className={classes.whole}
@@ -110,26 +116,24 @@ function NewProjectForm({ studios, isFirst }: NewProjectFormProps) {
             />
           )}
           <TextInput
-            label="Name of the game"
+            label="Game title"
             value={name}
             onChange={({ currentTarget }) => setName(currentTarget.value)}
             error={against(open.error, 'name')}
           />
           <TextInput
-            label="Prefix of cue numbers"
+            label="Cue ID prefix"
             value={prefix}
             onChange={({ currentTarget }) => setTyped(currentTarget.value.toUpperCase())}
             inputWrapperOrder={['label', 'input', 'description', 'error']}
-            description={
-              prefix === '' ? 'One to eight capitals or digits' : `Cues are numbered ${prefix}-001, ${prefix}-002 …`
-            }
+            description={prefix === '' ? '1–8 letters or digits' : `Cues are numbered ${prefix}-001, ${prefix}-002 …`}
             error={against(open.error, 'cue_prefix')}
           />
           <Textarea
             className={classes.whole}
-            label="What game is it, and where is it heard?"
+            label="Description (optional)"
             inputWrapperOrder={['label', 'input', 'description', 'error']}
-            description="A designer reads this first. It may stay empty."
+            description="What kind of game is it, and on what will it be played? Designers read this first."
             rows={2}
             resize="vertical"
             value={description}
@@ -137,7 +141,7 @@ function NewProjectForm({ studios, isFirst }: NewProjectFormProps) {
             error={against(open.error, 'description')}
           />
           <fieldset className={`${classes.presets} ${classes.whole}`}>
-            <legend>Delivery spec to begin from; everything in it can be changed later</legend>
+            <legend>Delivery spec (you can change everything later)</legend>
             {(Object.keys(PRESETS) as Preset[]).map((key) => {
               const { head, accepts, makes, when } = PRESETS[key]
               return (
@@ -166,9 +170,9 @@ function NewProjectForm({ studios, isFirst }: NewProjectFormProps) {
           {!hasFields && <Refusal error={open.error} />}
           <div className={`row wrap ${classes.whole}`}>
             <Button type="submit" variant="primary" aria-busy={open.isPending}>
-              Open the project
+              Create project
             </Button>
-            <span className="small mid">You have the last word until you name an approver.</span>
+            <span className="small mid">You are the approver until you name someone else.</span>
           </div>
         </form>
       </Card>

@@ -30,13 +30,13 @@ export function PackCard({ projectId }: { projectId: string }) {
         note={first && !nothing ? `${countOf(first.cues_accepted, first.cues_wanted)} cues` : undefined}
         end={
           <Link className="link" to="/projects/$projectId/packs" params={{ projectId }}>
-            Seal<span className="visually-hidden"> a pack, and see those handed out</span>
+            Seal<span className="visually-hidden"> a pack; see earlier packs</span>
           </Link>
         }
       />
       {noTarget ? (
         <p className={`mid ${classes.quiet}`}>
-          The spec names no target, so no game file is made. Add one to the spec.
+          The spec has no targets, so no game files are rendered. Add a target to the spec.
         </p>
       ) : (
         <Refusal error={error} />
@@ -44,7 +44,7 @@ export function PackCard({ projectId }: { projectId: string }) {
       {nothing && (
         <div className={classes.inside}>
           <EmptyState head="Nothing is accepted yet." level={3}>
-            The first approved sound makes the pack: game files by name, with a documentation key.
+            The pack contains the game files of accepted sounds, with a documentation key.
           </EmptyState>
         </div>
       )}

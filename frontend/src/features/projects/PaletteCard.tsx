@@ -36,7 +36,7 @@ export function PaletteCard({ projectId, palette, cues }: PaletteCardProps) {
       <CardHead
         id="palette"
         title="Palette"
-        note="what every new sound is held against"
+        note="reference sounds for the project"
         end={
           heard.length > 0 && (
             <Button variant="quiet" icon={goesOn ? 'pause' : 'play'} keys="Space" onClick={all}>
@@ -48,7 +48,7 @@ export function PaletteCard({ projectId, palette, cues }: PaletteCardProps) {
       {palette.length === 0 && (
         <div className={classes.empty}>
           <EmptyState
-            head="No sound sets the tone yet."
+            head="No reference sounds yet"
             level={3}
             action={
               <Link className="link" to={list as LinkProps['to']}>
@@ -56,8 +56,8 @@ export function PaletteCard({ projectId, palette, cues }: PaletteCardProps) {
               </Link>
             }
           >
-            Mark the first few cues of the list as the palette. Once delivered, they stand here, and new sounds are
-            heard beside them.
+            Mark a few cues as palette in the sound list. Once delivered, they appear here as a reference for new
+            sounds.
           </EmptyState>
         </div>
       )}

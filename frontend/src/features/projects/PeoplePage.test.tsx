@@ -34,22 +34,22 @@ describe('people', () => {
   test('a designer is invited by address, kind and note', async () => {
     const { asked, answers } = serve({ ...inProject(), 'POST /v1/projects/p1/invitations': answer(INVITATION, 201) })
     openApp('/projects/p1/people')
-    await userEvent.type(await screen.findByLabelText('Mail address'), 'foley@sound.example')
-    await userEvent.type(screen.getByLabelText(/Note/), 'Six palette sounds first.')
+    await userEvent.type(await screen.findByLabelText('Email'), 'foley@sound.example')
+    await userEvent.type(screen.getByLabelText(/Message/), 'Six palette sounds first.')
     answers['GET /v1/projects/p1/invitations'] = [INVITATION]
-    await userEvent.click(screen.getByRole('button', { name: 'Send the invitation' }))
-    const open = await screen.findByRole('list', { name: 'Open invitations' })
+    await userEvent.click(screen.getByRole('button', { name: 'Send invitation' }))
+    const open = await screen.findByRole('list', { name: 'Pending invitations' })
     expect(within(open).getByText('foley@sound.example')).toBeVisible()
     expect(wrote(asked, 'POST /v1/projects/p1/invitations')[0]?.body).toEqual({
       email: 'foley@sound.example',
       kind: 'contract',
       note: 'Six palette sounds first.',
     })
-    expect(screen.getByLabelText('Mail address')).toHaveValue('')
+    expect(screen.getByLabelText('Email')).toHaveValue('')
   })
 
   test('a refused address keeps what was typed, with the reason below', async () => {
-    const message = 'this designer is engaged on the project already'
+    const message = 'this designer is already on the project'
     serve({
       ...inProject(),
       'POST /v1/projects/p1/invitations': refusal(409, 'already-engaged', message, {
@@ -57,10 +57,10 @@ describe('people', () => {
       }),
     })
     openApp('/projects/p1/people')
-    await userEvent.type(await screen.findByLabelText('Mail address'), 'designer@sound.example')
-    await userEvent.click(screen.getByRole('button', { name: 'Send the invitation' }))
-    expect(await screen.findByText('This designer is engaged on the project already.')).toBeVisible()
-    expect(screen.getByLabelText('Mail address')).toHaveValue('designer@sound.example')
+    await userEvent.type(await screen.findByLabelText('Email'), 'designer@sound.example')
+    await userEvent.click(screen.getByRole('button', { name: 'Send invitation' }))
+    expect(await screen.findByText('This designer is already on the project.')).toBeVisible()
+    expect(screen.getByLabelText('Email')).toHaveValue('designer@sound.example')
   })
 
   test('without a mail server the newest unsent link is there to copy, and only a link of an invitation', async () => {
@@ -90,7 +90,7 @@ describe('people', () => {
       'DELETE /v1/projects/p1/invitations/i1': answer(null, 204),
     })
     openApp('/projects/p1/people')
-    const button = await screen.findByRole('button', { name: /^Revoke the invitation of foley/ })
+    const button = await screen.findByRole('button', { name: /^Revoke the invitation to foley/ })
     answers['GET /v1/projects/p1/invitations'] = []
     await userEvent.click(button)
     await waitFor(() => expect(screen.queryByText('foley@sound.example')).toBeNull())
@@ -120,7 +120,7 @@ describe('people', () => {
     })
     openApp('/projects/p1/people')
     await userEvent.click(await screen.findByRole('button', { name: /^End/ }))
-    expect(await screen.findByRole('button', { name: /^Take up again/ })).toBeVisible()
+    expect(await screen.findByRole('button', { name: /^Resume/ })).toBeVisible()
     await userEvent.click(screen.getByRole('button', { name: /Undo/ }))
     expect(await screen.findByRole('button', { name: /^End/ })).toBeVisible()
     expect(wrote(asked, 'PATCH /v1/projects/p1/engagements/e1').map(({ body }) => body)).toEqual([
@@ -132,9 +132,9 @@ describe('people', () => {
   test('a producer takes the last word over, with a reason that is kept', async () => {
     const { asked, answers } = serve({
       ...inProject(),
-      'PUT /v1/projects/p1/decider': ({ body }: Asked) => {
+      'PUT /v1/projects/p1/approver': ({ body }: Asked) => {
         const change = body as { reason: string }
-        answers['GET /v1/projects/p1/decider-history'] = [
+        answers['GET /v1/projects/p1/approver-history'] = [
           {
             person: people.producer,
             reason: change.reason,
@@ -142,26 +142,26 @@ describe('people', () => {
             created_at: '2026-11-21T10:00:00Z',
           },
           {
-            person: people.decider,
+            person: people.approver,
             reason: 'Knows the game',
             changer: people.producer,
             created_at: '2026-11-01T10:00:00Z',
           },
         ]
-        return aProject('producer', { decider: people.producer })
+        return aProject('producer', { approver: people.producer })
       },
     })
     openApp('/projects/p1/people')
-    await userEvent.click(await screen.findByRole('button', { name: 'Take it over' }))
-    await userEvent.type(screen.getByLabelText('Why; it is kept'), 'Away until Monday')
-    await userEvent.click(screen.getByRole('button', { name: 'Give the last word' }))
-    const had = await screen.findByRole('list', { name: 'Who had the last word' })
+    await userEvent.click(await screen.findByRole('button', { name: 'Make me the approver' }))
+    await userEvent.type(screen.getByLabelText('Reason (logged)'), 'Away until Monday')
+    await userEvent.click(screen.getByRole('button', { name: 'Make approver' }))
+    const had = await screen.findByRole('list', { name: 'Earlier approvers' })
     await waitFor(() => expect(within(had).getAllByRole('listitem')).toHaveLength(2))
-    expect(within(had).getAllByRole('listitem')[0]).toHaveTextContent('Producer took it over: Away until Monday.')
+    expect(within(had).getAllByRole('listitem')[0]).toHaveTextContent('Producer took over: Away until Monday.')
     expect(within(had).getAllByRole('listitem')[1]).toHaveTextContent(
       'Audio director named by Producer: Knows the game.',
     )
-    expect(wrote(asked, 'PUT /v1/projects/p1/decider')[0]?.body).toEqual({
+    expect(wrote(asked, 'PUT /v1/projects/p1/approver')[0]?.body).toEqual({
       person_id: 'x1',
       reason: 'Away until Monday',
     })
@@ -171,30 +171,47 @@ describe('people', () => {
     const message = 'must have at least 1 character'
     serve({
       ...inProject(),
-      'PUT /v1/projects/p1/decider': refusal(422, 'invalid', 'a field does not fit', {
+      'PUT /v1/projects/p1/approver': refusal(422, 'invalid', 'a field does not match', {
         errors: [{ where: 'reason', message }],
       }),
     })
     openApp('/projects/p1/people')
-    await userEvent.click(await screen.findByRole('button', { name: 'Name another' }))
-    await userEvent.click(screen.getByRole('button', { name: 'Give the last word' }))
+    await userEvent.click(await screen.findByRole('button', { name: 'Change approver' }))
+    await userEvent.click(screen.getByRole('button', { name: 'Make approver' }))
     expect(await screen.findByText('Must have at least 1 character.')).toBeVisible()
   })
 
   test('a liaison is made; the approver stays one, and it is said why', async () => {
     const { asked } = serve({
       ...inProject(),
-      'PUT /v1/projects/p1/liaisons/x4': aProject('producer', { liaisons: [people.decider, people.composer] }),
-      'DELETE /v1/projects/p1/liaisons/x2': refusal(409, 'liaison-decides', 'this liaison is the project’s approver', {
-        fix: 'name another approver first',
-      }),
+      'POST /v1/projects/p1/approver-invitations': { email: 'ana@shieldwing.test', is_named: false },
     })
     openApp('/projects/p1/people')
-    await userEvent.click(await screen.findByRole('button', { name: 'Make liaison: Composer' }))
-    expect(await screen.findByRole('button', { name: 'Remove as liaison: Composer' })).toBeVisible()
+    const form = within(await screen.findByRole('form', { name: 'Invite an approver' }))
+    await userEvent.type(form.getByLabelText('Approver’s email'), 'ana@shieldwing.test{Enter}')
+    expect(await screen.findByText('Invitation sent to ana@shieldwing.test.')).toBeVisible()
+    expect(wrote(asked, 'POST /v1/projects/p1/approver-invitations')).toHaveLength(1)
+  })
+
+  test('an audio lead is made; the approver stays one, and it is said why', async () => {
+    const { asked } = serve({
+      ...inProject(),
+      'PUT /v1/projects/p1/liaisons/x4': aProject('producer', { liaisons: [people.approver, people.composer] }),
+      'DELETE /v1/projects/p1/liaisons/x2': refusal(
+        409,
+        'liaison-is-approver',
+        'this audio lead is the project’s approver',
+        {
+          fix: 'name another approver first',
+        },
+      ),
+    })
+    openApp('/projects/p1/people')
+    await userEvent.click(await screen.findByRole('button', { name: 'Make audio lead: Composer' }))
+    expect(await screen.findByRole('button', { name: 'Remove as audio lead: Composer' })).toBeVisible()
     expect(wrote(asked, 'PUT /v1/projects/p1/liaisons/x4')).toHaveLength(1)
-    await userEvent.click(screen.getByRole('button', { name: 'Remove as liaison: Audio director' }))
+    await userEvent.click(screen.getByRole('button', { name: 'Remove as audio lead: Audio director' }))
     const alert = await screen.findByRole('alert')
-    expect(alert).toHaveTextContent('This liaison is the project’s approver. Name another approver first.')
+    expect(alert).toHaveTextContent('This audio lead is the project’s approver. Name another approver first.')
   })
 })

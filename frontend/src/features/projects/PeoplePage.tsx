@@ -10,7 +10,7 @@ import { TeamCard } from './people/TeamCard'
 import classes from './Project.module.css'
 import { Refusal } from './Refusal'
 
-/** Who speaks for the team, who has the last word, who makes the sounds. */
+/** The liaisons, the approver and the designers. */
 export function PeoplePage() {
   useTitle('People')
   const { projectId } = useParams({ from: '/shell/projects/$projectId/people' })
@@ -25,15 +25,17 @@ export function PeoplePage() {
       <div>
         <h1>People</h1>
         <p className="mid">
-          Who works on{' '}
+          The people on{' '}
           <Link className="link" to="/projects/$projectId" params={{ projectId }}>
             {project?.name ?? 'the project'}
           </Link>
-          {', and what they may do.'}
+          {' and their roles.'}
         </p>
       </div>
       <Refusal error={error ?? noMembers} />
-      {project && !isTeam && <p>{`${project.decider.name} decides. The team keeps its own list of people.`}</p>}
+      {project && !isTeam && (
+        <p>{`${project.approver.name} is the approver. Only the game team can see its members.`}</p>
+      )}
       {project && isTeam && (
         <div className={`columns ${classes.columns}`}>
           <div className="stack">

@@ -51,7 +51,7 @@ describe('placeholders', () => {
     const next = within(card).getByRole('link', { name: 'mine_arm' })
     expect(next).toHaveAttribute('href', '/projects/p1/sound-list/cues/c7')
     expect(card).toHaveTextContent('SW-007 weapon/mine_arm.wav')
-    expect(within(card).getByRole('link', { name: /^The register/ })).toHaveAttribute(
+    expect(within(card).getByRole('link', { name: /^All placeholders/ })).toHaveAttribute(
       'href',
       '/projects/p1/placeholders',
     )
@@ -59,12 +59,12 @@ describe('placeholders', () => {
 
   test('that are all under way leave nothing to record', async () => {
     const card = await shown({ ...COUNTDOWN, next: null })
-    expect(await within(card).findByText('Of all that is left a version is under way.')).toBeVisible()
+    expect(await within(card).findByText('All remaining cues have a version in progress.')).toBeVisible()
   })
 
   test('that are all replaced are said to be', async () => {
     const card = await shown({ ...COUNTDOWN, cues_left: 0, left: 0, next: null })
-    expect(await within(card).findByText('none, every cue is accepted')).toBeVisible()
+    expect(await within(card).findByText('none: every cue is accepted')).toBeVisible()
     expect(within(card).queryByText(/under way/)).toBeNull()
   })
 

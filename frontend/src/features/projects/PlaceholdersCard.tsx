@@ -10,7 +10,7 @@ import { type Countdown, countdownQuery } from './api'
 import classes from './Project.module.css'
 import { Refusal } from './Refusal'
 
-/** What the game still plays a stand-in for: how much is left, where, and what to record next. */
+/** What the game still plays a placeholder-file for: how much is left, where, and what to record next. */
 export function PlaceholdersCard({ projectId }: { projectId: string }) {
   const { data: countdown, error } = useQuery(countdownQuery(projectId))
   if (error instanceof ApiProblem && error.code === 'target-unknown') return null // the pack says so
@@ -22,7 +22,7 @@ export function PlaceholdersCard({ projectId }: { projectId: string }) {
         note={countdown && headOf(countdown)}
         end={
           <Link className="link" to="/projects/$projectId/placeholders" params={{ projectId }} search={{}}>
-            The register<span className="visually-hidden"> of placeholders</span>
+            All placeholders<span className="visually-hidden"> and their files</span>
           </Link>
         }
       />
@@ -33,8 +33,8 @@ export function PlaceholdersCard({ projectId }: { projectId: string }) {
 }
 
 function headOf({ cues, cues_left }: Countdown): string {
-  if (cues === 0) return 'the list asks for nothing yet'
-  if (cues_left === 0) return 'none, every cue is accepted'
+  if (cues === 0) return 'the sound list is empty'
+  if (cues_left === 0) return 'none: every cue is accepted'
   return `${cues_left} of ${plural(cues, 'cue')} without an accepted sound`
 }
 
@@ -70,7 +70,7 @@ function Counted({ projectId, countdown }: { projectId: string; countdown: Count
           <span className="mono small dim">{next.cue}</span> <span className="mono small mid">{next.path}</span>
         </p>
       ) : (
-        left > 0 && <p className="mid">Of all that is left a version is under way.</p>
+        left > 0 && <p className="mid">All remaining cues have a version in progress.</p>
       )}
     </div>
   )

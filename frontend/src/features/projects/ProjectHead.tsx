@@ -23,13 +23,13 @@ interface Someone {
 /** Those who run, decide and make, in this order; the rest of the studio is a number. */
 function usePeople(project: Project): Someone[] {
   const { data: members } = useQuery({ ...membersQuery(project.studio.id), enabled: project.mine.is_team })
-  const { decider } = project
+  const { approver } = project
   const designers = project.engagements.filter(({ ended_at }) => ended_at === null)
   const producers = (members ?? []).filter(
-    ({ roles, person }) => roles.includes('producer') && person.id !== decider.id,
+    ({ roles, person }) => roles.includes('producer') && person.id !== approver.id,
   )
   return [
-    { ...decider, part: `${decider.name}, decides` },
+    { ...approver, part: `${approver.name}, approver` },
     ...producers.map(({ person: { id, name } }) => ({
       id,
       name,
@@ -57,7 +57,8 @@ export function ProjectHead({ project, members = 0 }: ProjectHeadProps) {
       <div>
         <h1>{project.name}</h1>
         <p className="mid">
-          {project.description || (mine.is_producer ? 'No description yet: what game is it, where is it heard?' : '')}
+          {project.description ||
+            (mine.is_producer ? 'No description yet. What kind of game is it, and on what will it be played?' : '')}
           {mine.is_producer && (
             <>
               {' '}
@@ -76,7 +77,7 @@ export function ProjectHead({ project, members = 0 }: ProjectHeadProps) {
               {part}
             </li>
           ))}
-          {mine.is_team && others > 0 && <li className="wide-only">{`+ ${plural(others, 'other')} of the team`}</li>}
+          {mine.is_team && others > 0 && <li className="wide-only">{`+ ${plural(others, 'other')} team members`}</li>}
         </ul>
         {mine.is_team && (
           <Link className="link" to="/projects/$projectId/people" params={{ projectId }}>
@@ -90,7 +91,9 @@ export function ProjectHead({ project, members = 0 }: ProjectHeadProps) {
         )}
       </div>
       {project.archived_at !== null && (
-        <p className={classes.away}>This project is put away. It can be read; it stands on no list of running ones.</p>
+        <p className={classes.away}>
+          This project is archived. It is read-only in lists of active projects and can be restored.
+        </p>
       )}
     </div>
   )
@@ -110,7 +113,7 @@ function ChangeProject({ project, onDone }: { project: Project; onDone: () => vo
       { name: said('name'), description: said('description'), cue_prefix: said('cue_prefix') },
       {
         onSuccess: ({ name }) => {
-          showToast(`${name} is changed.`, () => void change.mutate(named(project)))
+          showToast(`${name} updated.`, () => void change.mutate(named(project)))
           onDone()
         },
       },
@@ -122,7 +125,7 @@ function ChangeProject({ project, onDone }: { project: Project; onDone: () => vo
       {
         onSuccess: ({ name }) => {
           showToast(
-            archived ? `${name} is put away.` : `${name} runs again.`,
+            archived ? `${name} archived.` : `${name} restored.`,
             () => void change.mutate({ archived: !archived }),
           )
           onDone()
@@ -133,18 +136,18 @@ function ChangeProject({ project, onDone }: { project: Project; onDone: () => vo
   return (
     <Card className={classes.change}>
       <h1 className="visually-hidden">{project.name}</h1>
-      <form onSubmit={send} noValidate aria-label="What the project is called">
+      <form onSubmit={send} noValidate aria-label="Project details">
         <TextInput name="name" label="Name" defaultValue={project.name} error={against(change.error, 'name')} />
         <TextInput
           name="cue_prefix"
-          label="Prefix of cue numbers"
+          label="Cue ID prefix"
           defaultValue={project.cue_prefix}
           error={against(change.error, 'cue_prefix')}
         />
         <Textarea
           className={classes.whole}
           name="description"
-          label="Description: what game, heard where"
+          label="Description"
           rows={2}
           resize="vertical"
           defaultValue={project.description}
@@ -155,10 +158,10 @@ function ChangeProject({ project, onDone }: { project: Project; onDone: () => vo
             Save
           </Button>
           <Button variant="quiet" onClick={onDone}>
-            Keep as it is
+            Cancel
           </Button>
           <Button variant="quiet" className="end" onClick={() => putAway(!isAway)}>
-            {isAway ? 'Take up again' : 'Put away'}
+            {isAway ? 'Restore' : 'Archive'}
           </Button>
         </div>
       </form>

@@ -40,9 +40,9 @@ describe('the project page', () => {
     expect(within(spec).getByText('0.01–30 s')).toBeVisible()
     expect(within(spec).getByText('−1.0 dBTP')).toHaveTextContent('−1.0 dBTP, warns')
     expect(within(spec).getByText('−0.1 dBFS')).toHaveTextContent('−0.1 dBFS, returns')
-    expect(within(spec).getByText('48 kHz, 16 bit, as master')).toBeVisible()
+    expect(within(spec).getByText('48 kHz, 16 bit, same as master')).toBeVisible()
     expect(await within(spec).findByRole('row', { name: 'music 1 music up to 300 s' })).toBeVisible()
-    expect(within(spec).getByText(/As above: impact \(1\)/)).toBeVisible()
+    expect(within(spec).getByText(/General rules: impact \(1\)/)).toBeVisible()
   })
 
   test('`e` opens the spec for those who speak for the team', async () => {
@@ -56,7 +56,7 @@ describe('the project page', () => {
   test('a designer sees cues, spec and what happened, and nothing of builds, packs and people', async () => {
     const { asked } = serve(inProject('designer', { 'GET /v1/projects/p1/desk': refusal(403, 'x', 'no desk') }))
     openApp('/projects/p1')
-    expect(await screen.findByText('Audio director, decides')).toBeVisible()
+    expect(await screen.findByText('Audio director, approver')).toBeVisible()
     expect(await screen.findByRole('link', { name: 'SW-001 shield_hit: To review' })).toHaveAttribute(
       'href',
       '/projects/p1/sound-list/cues/c1',
@@ -71,26 +71,23 @@ describe('the project page', () => {
   test('an empty project says what to do first', async () => {
     serve(inProject('producer', { 'GET /v1/projects/p1/overview': anOverview({ steps: [], cues: 0, counts: {} }) }))
     openApp('/projects/p1')
-    expect(await screen.findByRole('heading', { name: 'Nothing is asked yet.' })).toBeVisible()
-    expect(screen.getByRole('link', { name: 'Import the list' })).toHaveAttribute(
-      'href',
-      '/projects/p1/sound-list/import',
-    )
+    expect(await screen.findByRole('heading', { name: 'No cues yet' })).toBeVisible()
+    expect(screen.getByRole('link', { name: 'Import cues' })).toHaveAttribute('href', '/projects/p1/sound-list/import')
     expect(screen.getByRole('link', { name: 'Invite a designer' })).toHaveAttribute('href', '/projects/p1/people')
-    expect(screen.getByText('No build has reported yet.')).toBeVisible()
+    expect(screen.getByText('No builds yet')).toBeVisible()
     expect(await screen.findByText('Nothing is accepted yet.')).toBeVisible()
   })
 
   test('a list that nobody works on asks for a designer', async () => {
     serve(inProject('producer', { 'GET /v1/projects/p1': aProject('producer', { engagements: [] }) }))
     openApp('/projects/p1')
-    expect(await screen.findByText('Nobody makes these sounds yet.')).toBeVisible()
+    expect(await screen.findByText('No designer yet')).toBeVisible()
   })
 
   test('a project that is not there says so', async () => {
     serve(inProject('producer', { 'GET /v1/projects/p1': refusal(404, 'project-not-found', 'no such project') }))
     openApp('/projects/p1')
-    expect(await screen.findByRole('heading', { name: 'Nothing stands at this address.' })).toBeVisible()
+    expect(await screen.findByRole('heading', { name: 'Page not found' })).toBeVisible()
   })
 
   test('axe finds nothing', async () => {

@@ -30,10 +30,10 @@ export function ProjectPage() {
   const maySpeak = project !== undefined && speaks(project)
   const isTeam = project?.mine.is_team ?? false
   const openSpec = () => void navigate({ to: '/projects/$projectId/spec', params: { projectId } })
-  useHotkeys(maySpeak ? [{ keys: 'e', label: 'Change the delivery spec', group: 'Project', run: openSpec }] : [])
+  useHotkeys(maySpeak ? [{ keys: 'e', label: 'Edit delivery spec', group: 'Project', run: openSpec }] : [])
   useCommands([
     ...(maySpeak
-      ? [{ id: 'spec', label: 'Change the delivery spec', icon: 'pencil' as const, keys: 'e', run: openSpec }]
+      ? [{ id: 'spec', label: 'Edit delivery spec', icon: 'pencil' as const, keys: 'e', run: openSpec }]
       : []),
     ...(isTeam
       ? [
@@ -55,14 +55,14 @@ export function ProjectPage() {
             id: 'packs',
             label: 'Packs',
             icon: 'box' as const,
-            also: ['seal', 'hand out'],
+            also: ['seal', 'release'],
             run: () => void navigate({ to: '/projects/$projectId/packs', params: { projectId } }),
           },
           {
             id: 'placeholders',
             label: 'Placeholders',
             icon: 'dashedSquare' as const,
-            also: ['stand-in'],
+            also: ['placeholder-file'],
             run: () => void navigate({ to: '/projects/$projectId/placeholders', params: { projectId }, search: {} }),
           },
           {

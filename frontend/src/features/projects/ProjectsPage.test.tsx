@@ -20,7 +20,7 @@ describe('projects', () => {
     const { at } = openApp('/projects')
     expect(await screen.findByRole('heading', { name: 'New project' })).toBeVisible()
     expect(at()).toBe('/projects/new')
-    expect(screen.getByText(/You have no project yet, so you begin here/)).toBeVisible()
+    expect(screen.getByText(/Start with a project/)).toBeVisible()
   })
 
   test('the prefix follows the name until it is typed; the new project opens on its list', async () => {
@@ -30,14 +30,14 @@ describe('projects', () => {
       'GET /v1/projects/p9/sound-list': { revision: 0, cues: [] },
     })
     const { at } = openApp('/projects/new')
-    await userEvent.type(await screen.findByLabelText('Name of the game'), 'Deep Field')
-    expect(screen.getByLabelText('Prefix of cue numbers')).toHaveValue('DF')
-    await userEvent.clear(screen.getByLabelText('Prefix of cue numbers'))
-    await userEvent.type(screen.getByLabelText('Prefix of cue numbers'), 'dfl')
-    await userEvent.type(screen.getByLabelText('Name of the game'), ' Two')
-    expect(screen.getByLabelText('Prefix of cue numbers')).toHaveValue('DFL')
-    await userEvent.click(screen.getByRole('radio', { name: '48 kHz game' }))
-    await userEvent.click(screen.getByRole('button', { name: 'Open the project' }))
+    await userEvent.type(await screen.findByLabelText('Game title'), 'Deep Field')
+    expect(screen.getByLabelText('Cue ID prefix')).toHaveValue('DF')
+    await userEvent.clear(screen.getByLabelText('Cue ID prefix'))
+    await userEvent.type(screen.getByLabelText('Cue ID prefix'), 'dfl')
+    await userEvent.type(screen.getByLabelText('Game title'), ' Two')
+    expect(screen.getByLabelText('Cue ID prefix')).toHaveValue('DFL')
+    await userEvent.click(screen.getByRole('radio', { name: 'Game standard: 48 kHz / 24 bit' }))
+    await userEvent.click(screen.getByRole('button', { name: 'Create project' }))
     await waitFor(() => expect(at()).toBe('/projects/p9/sound-list'))
     expect(wrote(asked, 'POST /v1/projects')[0]?.body).toEqual({
       studio_id: 's1',
@@ -52,21 +52,21 @@ describe('projects', () => {
     const message = 'must have at least 1 character'
     serve({
       ...firstTime(),
-      'POST /v1/projects': refusal(422, 'invalid', 'a field does not fit', { errors: [{ where: 'name', message }] }),
+      'POST /v1/projects': refusal(422, 'invalid', 'a field does not match', { errors: [{ where: 'name', message }] }),
     })
     openApp('/projects/new')
-    await userEvent.type(await screen.findByLabelText(/What game is it/), 'A game of rivers')
-    await userEvent.click(screen.getByRole('button', { name: 'Open the project' }))
+    await userEvent.type(await screen.findByLabelText(/Description/), 'A game of rivers')
+    await userEvent.click(screen.getByRole('button', { name: 'Create project' }))
     expect(await screen.findByText('Must have at least 1 character.')).toBeVisible()
-    expect(screen.getByLabelText('Name of the game')).toHaveAccessibleDescription('Must have at least 1 character.')
-    expect(screen.getByLabelText(/What game is it/)).toHaveValue('A game of rivers')
+    expect(screen.getByLabelText('Game title')).toHaveAccessibleDescription('Must have at least 1 character.')
+    expect(screen.getByLabelText(/Description/)).toHaveValue('A game of rivers')
   })
 
   test('who opens no projects is told who does', async () => {
     serve(inProject('reviewer'))
     openApp('/projects/new')
-    expect(await screen.findByRole('heading', { name: 'A producer opens projects.' })).toBeVisible()
-    expect(screen.queryByRole('button', { name: 'Open the project' })).toBeNull()
+    expect(await screen.findByRole('heading', { name: 'Only producers create projects' })).toBeVisible()
+    expect(screen.queryByRole('button', { name: 'Create project' })).toBeNull()
   })
 
   test('the list tells of each what one is in it; those put away stand apart', async () => {
@@ -80,10 +80,10 @@ describe('projects', () => {
     })
     openApp('/projects')
     const rows = within(await screen.findByRole('list', { name: 'Projects' })).getAllByRole('listitem')
-    expect(rows[0]).toHaveTextContent(/Shield Wing.*you run it.*Audio director decides/)
-    expect(rows[1]).toHaveTextContent(/Deep Field.*you make its sounds, by contract/)
-    await userEvent.click(screen.getByRole('button', { name: 'Put away' }))
-    expect(await screen.findByText('Nothing is put away.')).toBeVisible()
+    expect(rows[0]).toHaveTextContent(/Shield Wing.*you are a producer.*approver: Audio director/)
+    expect(rows[1]).toHaveTextContent(/Deep Field.*sound designer, contractor/)
+    await userEvent.click(screen.getByRole('button', { name: 'Archived' }))
+    expect(await screen.findByText('No archived projects')).toBeVisible()
     expect(wrote(asked, 'GET /v1/projects').at(-1)?.query.get('archived')).toBe('true')
   })
 

@@ -15,12 +15,12 @@ import classes from './Projects.module.css'
 import { Refusal } from './Refusal'
 import { KIND_WORDS } from './words'
 
-/** What the person at the screen is in a project, in words. */
+/** The current person's roles in a project, in words. */
 function partIn({ mine }: Project): string {
-  if (mine.engagement_kind) return `you make its sounds, ${KIND_WORDS[mine.engagement_kind]}`
-  if (mine.is_decider) return 'you decide'
-  if (mine.is_producer) return 'you run it'
-  return mine.is_liaison ? 'you speak for the team' : 'you listen and comment'
+  if (mine.engagement_kind) return `sound designer, ${KIND_WORDS[mine.engagement_kind]}`
+  if (mine.is_approver) return 'you are the approver'
+  if (mine.is_producer) return 'you are a producer'
+  return mine.is_liaison ? 'you are an audio lead' : 'you are a reviewer'
 }
 
 /** Every project in sight, for those with several. */
@@ -38,10 +38,10 @@ export function ProjectsPage() {
         <h1>Projects</h1>
         <div className="row wrap">
           <Segmented
-            label="Which projects"
+            label="Filter projects"
             options={[
-              { value: 'running', label: 'Running' },
-              { value: 'away', label: 'Put away' },
+              { value: 'running', label: 'Active' },
+              { value: 'away', label: 'Archived' },
             ]}
             value={which}
             onChange={setWhich}
@@ -56,14 +56,12 @@ export function ProjectsPage() {
       <Refusal error={error} />
       {projects?.length === 0 &&
         (which === 'away' ? (
-          <EmptyState head="Nothing is put away.">
-            A producer puts a project away on its page, once it is done.
-          </EmptyState>
+          <EmptyState head="No archived projects">Producers can archive a finished project on its page.</EmptyState>
         ) : (
-          <EmptyState head="You are part of no project.">
+          <EmptyState head="No projects yet">
             {mayOpen
-              ? 'Open one: it holds the sound list, what a file must be, and everybody who works on it.'
-              : 'A studio invites you by mail; the link in it opens the project.'}
+              ? 'Create one. It holds the sound list, the delivery spec and the people who work on it.'
+              : 'A studio can invite you by email. The link opens the project.'}
           </EmptyState>
         ))}
       {projects !== undefined && projects.length > 0 && (
@@ -78,7 +76,7 @@ export function ProjectsPage() {
                 <span className="small mid">{partIn(project)}</span>
                 <span className="small dim">
                   {[
-                    project.mine.is_decider ? '' : `${project.decider.name} decides`,
+                    project.mine.is_approver ? '' : `approver: ${project.approver.name}`,
                     several ? project.studio.name : '',
                   ]
                     .filter(Boolean)

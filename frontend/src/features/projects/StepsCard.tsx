@@ -47,11 +47,11 @@ export function StepsCard({ project, overview: { steps, cues, counts } }: StepsC
         <p className={`small mid ${classes.next}`}>
           The first {figure(steps.length)} in list order.{' '}
           <Link className="link" to={`/projects/${project.id}/sound-list` as LinkProps['to']}>
-            All {figure(cues)} stand in the sound list
+            All {figure(cues)} in the sound list
           </Link>
         </p>
       )}
-      <ul className={classes.legend} aria-label="How many stand where">
+      <ul className={classes.legend} aria-label="Cues by state">
         {statuses.map((status) => (
           <li key={status}>
             <State kind={STATUSES[status].kind}>
@@ -84,7 +84,7 @@ function Cell({ step: { cue, status }, project }: { step: Step; project: Project
   )
 }
 
-/** A list without anybody who works on it. */
+/** A list without a designer. */
 function NobodyMakes({ project }: { project: Project }) {
   const engaged = project.engagements.some(({ ended_at }) => ended_at === null)
   const { data: invitations } = useQuery({ ...invitationsQuery(project.id), enabled: !engaged })
@@ -94,7 +94,7 @@ function NobodyMakes({ project }: { project: Project }) {
     <p className={`row small ${classes.next}`}>
       <Icon name="people" />
       {open.length === 0
-        ? 'Nobody makes these sounds yet.'
+        ? 'No designer yet'
         : `${plural(open.length, 'invitation')} not accepted yet: ${open.map(({ email }) => email).join(', ')}.`}
       <Link className="link end" to="/projects/$projectId/people" params={{ projectId: project.id }}>
         {open.length === 0 ? 'Invite a designer' : 'People'}
@@ -106,22 +106,18 @@ function NobodyMakes({ project }: { project: Project }) {
 function NothingAsked({ project }: { project: Project }) {
   const list = `/projects/${project.id}/sound-list`
   if (!project.mine.is_team) {
-    return (
-      <EmptyState head="Nothing is asked yet.">
-        The studio has not posted its sound list. You get a mail when the first cues stand on it.
-      </EmptyState>
-    )
+    return <EmptyState head="No cues yet">The studio has not added cues yet. You get an email when it does.</EmptyState>
   }
   return (
     <EmptyState
-      head="Nothing is asked yet."
+      head="No cues yet"
       action={
         <>
           <ButtonLink component={Link} variant="primary" to={`${list}/import`}>
-            Import the list
+            Import cues
           </ButtonLink>
           <ButtonLink component={Link} to={list}>
-            Write it here
+            Write the list here
           </ButtonLink>
           <Link className="link" to="/projects/$projectId/people" params={{ projectId: project.id }}>
             Invite a designer
@@ -129,8 +125,8 @@ function NothingAsked({ project }: { project: Project }) {
         </>
       }
     >
-      First post the sound list, from your table or line by line. Then invite a designer: the link shows the list and
-      the delivery spec at once.
+      First add cues, from a spreadsheet or one by one. Then invite a designer: the link shows the list and the delivery
+      spec right away.
     </EmptyState>
   )
 }

@@ -19,7 +19,7 @@ const SCOPE_WORDS: Record<Scope, string> = {
   'spec:read': 'reads the spec',
   'list:read': 'reads the list and waivers',
   'checks:write': 'posts reports',
-  'manifest:read': 'fetches the pack and what it is compared by',
+  'manifest:read': 'downloads packs and their manifest',
   'deliveries:write': 'delivers files',
 }
 /** What the lines for CI need, and the pack that a build may fetch. */
@@ -47,25 +47,25 @@ export function TokenMaker({ projectId }: { projectId: string }) {
   if (!asking) {
     return (
       <Button icon="plus" onClick={() => setAsking(true)}>
-        Make a token
+        Create token
       </Button>
     )
   }
   return (
-    <form onSubmit={send} noValidate className={classes.maker} aria-label="Make a token">
+    <form onSubmit={send} noValidate className={classes.maker} aria-label="Create token">
       <TextInput
         name="name"
-        label="What the token is for"
-        defaultValue="The game’s CI"
+        label="Token name"
+        defaultValue="Game CI"
         error={against(make.error, 'name')}
         description={`It ${listed(FOR_CI.map((scope) => SCOPE_WORDS[scope]))}, of this project alone.`}
       />
       <div className="row wrap">
         <Button type="submit" variant="primary" aria-busy={make.isPending}>
-          Make the token
+          Create token
         </Button>
         <Button variant="quiet" onClick={() => setAsking(false)}>
-          Leave it
+          Cancel
         </Button>
       </div>
       <Refusal error={make.error} />
@@ -76,22 +76,23 @@ export function TokenMaker({ projectId }: { projectId: string }) {
 function Secret({ token: { name, secret }, onDone }: { token: TokenMade; onDone: () => void }) {
   const copy = async () => {
     await navigator.clipboard.writeText(secret)
-    showToast('The token is copied.')
+    showToast('Token copied.')
   }
   return (
     <div className={classes.maker} role="status">
       <p>
-        <span className="strong">{`The secret of “${name}” is shown this once.`}</span>{' '}
+        <span className="strong">{`Copy the secret of “${name}” now. It is not shown again.`}</span>{' '}
         <span className="mid">
-          Put it into the CI’s secrets as <code className="mono">SOUNDLIST_TOKEN</code>. Lost, it is made anew.
+          Add it to the CI’s secrets as <code className="mono">SOUNDLIST_TOKEN</code>. If you lose it, create a new
+          token.
         </span>
       </p>
       <div className={classes.secret}>
         <code className="mono">{secret}</code>
-        <Button variant="quiet" square icon="copy" aria-label="Copy the secret" onClick={() => void copy()} />
+        <Button variant="quiet" square icon="copy" aria-label="Copy secret" onClick={() => void copy()} />
       </div>
       <div>
-        <Button onClick={onDone}>It is kept</Button>
+        <Button onClick={onDone}>I’ve saved it</Button>
       </div>
     </div>
   )
@@ -103,12 +104,12 @@ export function TokensCard({ projectId }: { projectId: string }) {
   const revoke = useRevokeToken(projectId)
   return (
     <Card aria-labelledby="tokens">
-      <CardHead id="tokens" title="Tokens" note="for builds; they open no page" />
+      <CardHead id="tokens" title="Tokens" note="access for builds" />
       <Refusal error={error ?? revoke.error} />
       {tokens?.length === 0 && (
         <div className={classes.inside}>
-          <EmptyState head="No token yet." level={3}>
-            A build needs one to read the spec and to post what it found.
+          <EmptyState head="No tokens yet" level={3}>
+            A build needs a token to read the spec and report its results.
           </EmptyState>
         </div>
       )}
@@ -133,10 +134,10 @@ function TokenRow({ token, onRevoke }: { token: Token; onRevoke: () => void }) {
         <p className={revoked_at ? 'struck' : 'strong'}>{name}</p>
         <p className="small mid">{listed(scopes.map((scope) => SCOPE_WORDS[scope]))}</p>
         <p className="small dim">
-          {`made by ${creator.name} ${ago(created_at)}; ${last_used_at ? `used ${ago(last_used_at)}` : 'never used'}`}
+          {`created by ${creator.name} ${ago(created_at)}; ${last_used_at ? `used ${ago(last_used_at)}` : 'never used'}`}
         </p>
       </div>
-      {revoked_at !== null && <State kind="cut">Worthless</State>}
+      {revoked_at !== null && <State kind="cut">Revoked</State>}
       {revoked_at === null && !sure && (
         <Button variant="quiet" aria-label={`Revoke ${name}`} onClick={() => setSure(true)}>
           Revoke
@@ -144,10 +145,10 @@ function TokenRow({ token, onRevoke }: { token: Token; onRevoke: () => void }) {
       )}
       {revoked_at === null && sure && (
         <div className="row wrap">
-          <span className="small">Builds that use it are turned away at once.</span>
+          <span className="small">Builds that use it stop working immediately.</span>
           <Button onClick={onRevoke}>{`Revoke “${name}”`}</Button>
           <Button variant="quiet" onClick={() => setSure(false)}>
-            Keep it
+            Cancel
           </Button>
         </div>
       )}

@@ -16,7 +16,7 @@ export type Project = Schemas['ProjectRead']
 export type Overview = Schemas['Overview']
 export type Step = Schemas['Step']
 export type PaletteSound = Schemas['PaletteSound']
-export type Happening = Schemas['Happening']
+export type Happening = Schemas['Activity']
 export type Build = Schemas['BuildSummary']
 export type BuildBrief = Schemas['BuildBrief']
 export type Pack = Schemas['PackRead']
@@ -26,12 +26,12 @@ export type TokenMade = Schemas['TokenMade']
 export type Scope = Schemas['Scope']
 export type Spec = Schemas['SpecRead']
 export type SpecBrief = Schemas['SpecBrief']
-export type SpecTried = Schemas['SpecTried']
+export type SpecDraftChecked = Schemas['SpecDraftChecked']
 export type Member = Schemas['MemberRead']
 export type Engagement = Schemas['EngagementRead']
 export type EngagementKind = Schemas['EngagementKind']
 export type Invitation = Schemas['InvitationRead']
-export type DeciderChange = Schemas['DeciderChangeRead']
+export type ApproverChange = Schemas['ApproverChangeRead']
 export type Cue = Schemas['CueRead']
 
 /** A report of a build, as far as a page shows it. */
@@ -57,7 +57,8 @@ const keys = {
   tokens: (projectId: string) => ['tokens', projectId] as const,
   packs: (projectId: string) => ['packs', projectId] as const,
   invitations: (projectId: string) => ['project-invitations', projectId] as const,
-  deciders: (projectId: string) => ['deciders', projectId] as const,
+  approvers: (projectId: string) => ['approvers', projectId] as const,
+  studioInvitations: (studioId: string) => ['studio-invitations', studioId] as const,
 }
 
 // Projects
@@ -82,7 +83,7 @@ export const overviewQuery = (projectId: string) =>
     queryFn: () => answered(api.GET('/v1/projects/{project_id}/overview', inProject(projectId))),
   })
 
-/** The cues of the list, for what stands beside their names: category and file names. */
+/** The cues of the list, for the columns next to their names: category and file names. */
 export const cuesQuery = (projectId: string) =>
   queryOptions({
     queryKey: ['sound-list', projectId, 'of the project'],
@@ -165,7 +166,7 @@ export type Written = { toml: string } | { tables: Record<string, unknown> }
 /** What a text or a form's tables come to; nothing is saved. */
 export const useSpecTry = (projectId: string, written: Written, enabled: boolean) =>
   useQuery({
-    queryKey: ['spec-try', projectId, written],
+    queryKey: ['spec-draft-check', projectId, written],
     queryFn: () =>
       answered(api.POST('/v1/projects/{project_id}/spec/check-toml', { ...inProject(projectId), body: written })),
     enabled,
@@ -325,7 +326,7 @@ function useProjectChange<Asked>(projectId: string, change: (asked: Asked) => Pr
     onSettled: () =>
       Promise.all([
         client.invalidateQueries({ queryKey: meQuery.queryKey }),
-        client.invalidateQueries({ queryKey: keys.deciders(projectId) }),
+        client.invalidateQueries({ queryKey: keys.approvers(projectId) }),
       ]),
   })
 }
@@ -337,15 +338,41 @@ export const useSetLiaison = (projectId: string) =>
     return answered(speaks ? api.PUT(path, where) : api.DELETE(path, where))
   })
 
-export const useNameDecider = (projectId: string) =>
-  useProjectChange(projectId, (body: Schemas['DeciderAdd']) =>
-    answered(api.PUT('/v1/projects/{project_id}/decider', { ...inProject(projectId), body })),
+export const useNameApprover = (projectId: string) =>
+  useProjectChange(projectId, (body: Schemas['ApproverAdd']) =>
+    answered(api.PUT('/v1/projects/{project_id}/approver', { ...inProject(projectId), body })),
   )
 
-export const deciderHistoryQuery = (projectId: string) =>
+/** Invite an address as the approver: a member becomes it at once, others when they join. */
+export function useInviteApprover(projectId: string, studioId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (email: string) =>
+      answered(
+        api.POST('/v1/projects/{project_id}/approver-invitations', { ...inProject(projectId), body: { email } }),
+      ),
+    onSuccess: () =>
+      Promise.all([
+        client.invalidateQueries({ queryKey: keys.project(projectId) }),
+        client.invalidateQueries({ queryKey: keys.approvers(projectId) }),
+        client.invalidateQueries({ queryKey: keys.studioInvitations(studioId) }),
+      ]),
+  })
+}
+
+/** Addresses that become the approver of a project when they join. */
+export const invitedApproversQuery = (projectId: string, studioId: string) =>
   queryOptions({
-    queryKey: keys.deciders(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/decider-history', inProject(projectId))),
+    queryKey: keys.studioInvitations(studioId),
+    queryFn: () =>
+      answered(api.GET('/v1/studios/{studio_id}/invitations', { params: { path: { studio_id: studioId } } })),
+    select: (invitations) => invitations.filter(({ approves_project_id: id }) => id === projectId),
+  })
+
+export const approverHistoryQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: keys.approvers(projectId),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/approver-history', inProject(projectId))),
   })
 
 export const invitationsQuery = (projectId: string) =>

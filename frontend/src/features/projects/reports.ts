@@ -44,8 +44,8 @@ export interface RefusedFile {
 }
 
 const UNHEARD: Partial<Record<ReportFile['verdict'], string>> = {
-  unreadable: 'Cannot be read',
-  unjudged: 'The check broke on it',
+  unreadable: 'Unreadable',
+  unjudged: 'Check failed',
 }
 
 function reasonOf({ message, fix }: ReportFile['findings'][number]): Reason {

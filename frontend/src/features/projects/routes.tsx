@@ -7,7 +7,7 @@ import { meQuery } from '@/judging/api'
 const version = (value: unknown): number | undefined =>
   typeof value === 'number' && Number.isInteger(value) && value >= 1 ? value : undefined
 
-/** Whoever may open projects and sees none begins by opening one. */
+/** A person who may open projects and sees none begins by opening one. */
 async function beginWithOne({ context }: { context: { queryClient: QueryClient } }): Promise<void> {
   const me = await context.queryClient.ensureQueryData(meQuery)
   if (me.projects.length > 0 || !me.studios.some(({ roles }) => roles.includes('producer'))) return

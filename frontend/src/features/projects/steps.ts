@@ -5,7 +5,7 @@ import type { Overview, Step } from './api'
 
 export type Status = Step['status']
 
-/** How a cue's standing is drawn, and in what order the legend names it. */
+/** How a cue's progress is drawn, and in what order the legend names it. */
 export const STATUSES: Record<Status, { kind: StateKind; word: string }> = {
   accepted: { kind: 'accepted', word: 'Accepted' },
   partly_accepted: { kind: 'approved', word: 'Partly accepted' },
@@ -16,7 +16,7 @@ export const STATUSES: Record<Status, { kind: StateKind; word: string }> = {
   question: { kind: 'question', word: 'Question' },
   placeholder: { kind: 'placeholder', word: 'Placeholder' },
   checking: { kind: 'checking', word: 'Checking' },
-  to_make: { kind: 'to_make', word: 'To make' },
+  to_make: { kind: 'to_make', word: 'To do' },
   cut: { kind: 'cut', word: 'Cut' },
 }
 

@@ -14,7 +14,8 @@ export function sentence(text: string): string {
 
 /** What was refused, and what to do about it, in sentences. */
 export function refusal(error: unknown): { detail: string; fix?: string } {
-  if (!(error instanceof ApiProblem)) return { detail: 'The page itself broke while sending. Nothing typed is lost.' }
+  if (!(error instanceof ApiProblem))
+    return { detail: 'Could not send. Something went wrong in the page; your text is kept.' }
   return { detail: sentence(error.detail), fix: error.fix === '' ? undefined : sentence(error.fix) }
 }
 
@@ -26,20 +27,20 @@ export function against(error: unknown, field: string): string | undefined {
 
 export const KIND_WORDS: Record<EngagementKind, string> = {
   advisory: 'advisory',
-  contract: 'by contract',
+  contract: 'contractor',
   'in-house': 'in-house',
 }
 
 export const KIND_MEANINGS: Record<EngagementKind, string> = {
-  advisory: 'helps without a fee',
-  contract: 'for a fee',
-  'in-house': 'on the payroll',
+  advisory: 'advises, unpaid',
+  contract: 'paid by contract',
+  'in-house': 'on the studio’s payroll',
 }
 
 export const KINDS = Object.keys(KIND_WORDS) as EngagementKind[]
 
 /** Who may change the spec and invite: a producer, a liaison or the approver. */
-export const speaks = ({ mine }: Project): boolean => mine.is_producer || mine.is_liaison || mine.is_decider
+export const speaks = ({ mine }: Project): boolean => mine.is_producer || mine.is_liaison || mine.is_approver
 
 /** "A", "A and B", "A, B and C". */
 export function listed(words: readonly string[], joint = 'and'): string {

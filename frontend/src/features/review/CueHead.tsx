@@ -2,12 +2,14 @@ import { Menu } from '@mantine/core'
 import { useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import type { CueReview, ReviewTake } from '@/judging/api'
+import { useDraftCount } from '@/judging/Drafts'
 import { inOrder, MASTER, variationName } from '@/judging/hearing'
 import { asked, capital } from '@/judging/words'
 import { Button } from '@/ui/Button'
-import { shortDay } from '@/ui/format'
+import { plural, shortDay } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { Segmented } from '@/ui/Segmented'
@@ -20,7 +22,7 @@ interface CueHeadProps {
   review: CueReview
   hand: ReviewTake | undefined
   waitingHere: boolean
-  /** Heard blind: what tells versions apart is hidden. */
+  /** Blind listening: everything that identifies a version is hidden. */
   blind: boolean
   targets: readonly string[]
   target: string
@@ -48,6 +50,7 @@ export function CueHead(props: CueHeadProps) {
   const { review, hand, targets, target } = props
   const { cue } = review
   const [cutting, setCutting] = useState(false)
+  const drafts = useDraftCount(props.projectId)
   const state = headState(review, props.waitingHere)
   return (
     <header className={classes.cue}>
@@ -66,6 +69,7 @@ export function CueHead(props: CueHeadProps) {
             <Button icon="headphones" onClick={props.onQueue} aria-controls="queue">
               {props.queued} waiting
             </Button>
+            {drafts > 0 && <Button onClick={props.onQueue}>{plural(drafts, 'change')} to send</Button>}
           </span>
           {targets.length > 1 && (
             <Segmented
@@ -136,7 +140,7 @@ function Versions({ review, hand, onTake }: VersionsProps) {
             onClick={() => onTake(take)}
           >
             Version {take.number}, {shortDay(take.received_at)}
-            {take.id === hand?.id && ', in the hand'}{' '}
+            {take.id === hand?.id && ', selected'}{' '}
           </Menu.Item>
         ))}
       </Menu.Dropdown>
@@ -153,14 +157,15 @@ interface CutFormProps {
 }
 
 function CutForm({ cueId, name, projectId, onClose, onCut }: CutFormProps) {
-  const [reason, setReason] = useState('')
+  const [reason, setReason, draft] = useDraft(`cut:${cueId}`, '')
   const cut = useCut(projectId, cueId)
   const submit = () => {
     const said = reason.trim()
     if (said === '' || cut.isPending) return
     cut.mutate(said, {
       onSuccess: () => {
-        showToast(`${name} is cut; its versions are kept.`)
+        draft.discard()
+        showToast(`${name} cut. Its versions are kept.`)
         onCut()
       },
     })
@@ -173,17 +178,15 @@ function CutForm({ cueId, name, projectId, onClose, onCut }: CutFormProps) {
         submit()
       }}
     >
-      <p className="small mid">
-        The game no longer needs {name}. It stays in the list, struck, with its reason and its versions.
-      </p>
+      <p className="small mid">Cut {name}? It stays in the list with the reason and its versions.</p>
       <div className="row">
         <input
           // The line was opened to be written in.
           // eslint-disable-next-line jsx-a11y/no-autofocus
           autoFocus
           className={classes.field}
-          aria-label={`Why ${name} is cut`}
-          placeholder="Why the game no longer needs it"
+          aria-label={`Why cut ${name}?`}
+          placeholder="Reason"
           maxLength={10_000}
           value={reason}
           onChange={(event) => setReason(event.currentTarget.value)}
@@ -191,11 +194,12 @@ function CutForm({ cueId, name, projectId, onClose, onCut }: CutFormProps) {
             if (event.key === 'Escape') onClose()
           }}
         />
-        <Button onClick={onClose}>Keep it</Button>
+        <Button onClick={onClose}>Cancel</Button>
         <Button type="submit" icon="struckRing" disabled={cut.isPending || reason.trim() === ''}>
           Cut {name}
         </Button>
       </div>
+      <DraftNote draft={draft} />
       {cut.error instanceof ApiProblem && <ProblemNote detail={cut.error.detail} fix={cut.error.fix} />}
     </form>
   )

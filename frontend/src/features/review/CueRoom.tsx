@@ -1,6 +1,7 @@
 import { useEffect, useMemo, useState } from 'react'
 import { flushSync } from 'react-dom'
 
+import { keepDraft, keptDraft } from '@/app/drafts'
 import { useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
 import { type Player, type PlayerState, spotOf } from '@/audio'
@@ -61,6 +62,9 @@ export function CueRoom(props: CueRoomProps) {
   const [chosen, setChosen] = useState<ReadonlyMap<number, string>>(new Map())
   const [changing, setChanging] = useState<{ positionS: number } | null>(null)
   const [writing, setWriting] = useState<Writing | null>(null)
+  useEffect(() => {
+    if (writing !== null) keepDraft(`comment:${cue.id}`, writing.text.trim() === '' ? null : writing)
+  }, [cue.id, writing])
   const [openSaid, setOpenSaid] = useState<string>()
   const comment = useComment(cue.id)
 
@@ -146,13 +150,14 @@ export function CueRoom(props: CueRoomProps) {
     if (hand === undefined) return
     const range = playing.range
     const startS = range?.startS ?? inside(player.positionS(), hand, target)
-    flushSync(() => setWriting({ text, startS, endS: range?.endS }))
+    const kept = text === '' ? keptDraft<Writing>(`comment:${cue.id}`) : null
+    flushSync(() => setWriting(kept ? { ...kept, isRestored: true } : { text, startS, endS: range?.endS }))
   }
   const wouldTake = () => {
     if (hand === undefined) return
     comment.mutate(
-      { takeId: hand.id, text: `I would take ${realName(hand)}.` },
-      { onSuccess: () => showToast(`Said: I would take ${realName(hand)}.`) },
+      { takeId: hand.id, text: `I’d pick ${realName(hand)}.` },
+      { onSuccess: () => showToast(`Comment sent: I’d pick ${realName(hand)}.`) },
     )
   }
   const goTo = (one: Said) => {
@@ -193,7 +198,7 @@ export function CueRoom(props: CueRoomProps) {
       run: () => choose(take),
     })),
     { keys: '[', label: 'Loop from here', group: 'Review', run: () => setEnd('startS') },
-    { keys: ']', label: 'Loop up to here', group: 'Review', run: () => setEnd('endS') },
+    { keys: ']', label: 'Loop to here', group: 'Review', run: () => setEnd('endS') },
     {
       keys: 't',
       label: 'Master, then each game file',
@@ -202,12 +207,12 @@ export function CueRoom(props: CueRoomProps) {
       disabled: targets.length < 2,
     },
     { keys: 'x', label: 'Select the variation', group: 'Review', run: () => pick(false), disabled: !isSet },
-    { keys: 'shift+x', label: 'Select up to it', group: 'Review', run: () => pick(true), disabled: !isSet },
+    { keys: 'shift+x', label: 'Select range to here', group: 'Review', run: () => pick(true), disabled: !isSet },
     { keys: 'c', label: 'Comment here', group: 'Review', run: () => write() },
-    { keys: 'y', label: 'Praise what is heard here', group: 'Review', run: () => write('Keep this. ') },
+    { keys: 'y', label: 'Leave a positive note', group: 'Review', run: () => write('Keep this. ') },
     {
       keys: 'h',
-      label: 'Hold to play a set as the game does',
+      label: 'Hold to play the set randomised, as in game',
       group: 'Review',
       run: asGame,
       release: () => player.pause(),
@@ -327,7 +332,7 @@ function inside(positionS: number, take: ReviewTake | undefined, target: string)
 
 function whySilent(take: ReviewTake, target: string): string {
   const { refusal } = soundOf(take, target)
-  return refusal ? `There is no such game file: ${refusal}` : 'There is no preview of this sound yet.'
+  return refusal ? `This game file does not exist: ${refusal}` : 'The preview is not ready yet.'
 }
 
 function nextWords(heard: readonly ReviewTake[], hand: ReviewTake, nameOf: (take: ReviewTake) => string): string {

@@ -37,13 +37,13 @@ export function Figures({ take }: { take: ReviewTake }) {
       marked('loudness', take.loudness_lufs === null ? 'not measured' : level(take.loudness_lufs, 'LUFS')),
     ],
   ]
-  if (head !== null) lines.push(['Silence before', marked('head-silence', milliseconds(head))])
-  if (tail !== null) lines.push(['Silence after', marked('tail-silence', milliseconds(tail))])
+  if (head !== null) lines.push(['Leading silence', marked('head-silence', milliseconds(head))])
+  if (tail !== null) lines.push(['Trailing silence', marked('tail-silence', milliseconds(tail))])
   if (bandwidth !== null) lines.push(['Highest frequency', `${figure(bandwidth / 1000, 1)} kHz`])
   for (const { target, state, attenuation_db } of take.renders) {
-    if (state === 'waiting') lines.push([`File for ${target}`, 'being made'])
+    if (state === 'waiting') lines.push([`File for ${target}`, 'rendering'])
     else if (attenuation_db !== null && attenuation_db > 0.05) {
-      lines.push([`File for ${target}`, `comes down ${figure(attenuation_db, 1)} dB`])
+      lines.push([`File for ${target}`, `lowered by ${figure(attenuation_db, 1)} dB`])
     }
   }
   return (

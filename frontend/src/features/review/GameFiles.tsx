@@ -12,7 +12,7 @@ export function GameFiles({ take: { renders } }: { take: ReviewTake }) {
   const [chosen, setChosen] = useState(renders[0]?.target ?? '')
   const file = renders.find(({ target }) => target === chosen)
   if (file === undefined) {
-    return <p className={`${classes.quiet} mid`}>The delivery spec names no target, so no game file is made.</p>
+    return <p className={`${classes.quiet} mid`}>The delivery spec has no targets, so there are no game files.</p>
   }
   return (
     <section className={classes.block} aria-label={`Game file for ${file.target}`}>
@@ -27,8 +27,8 @@ export function GameFiles({ take: { renders } }: { take: ReviewTake }) {
         </p>
       )}
       {file.state === 'made' && file.id && <LossPanel key={file.id} renderId={file.id} target={file.target} />}
-      {file.state === 'waiting' && <p className="mid">It is being made.</p>}
-      {file.state === 'refused' && <p className="mid">{sentence(file.refusal ?? 'It was refused.')}</p>}
+      {file.state === 'waiting' && <p className="mid">Rendering…</p>}
+      {file.state === 'refused' && <p className="mid">{sentence(file.refusal ?? 'Refused.')}</p>}
     </section>
   )
 }

@@ -12,7 +12,7 @@ export function JudgedLately({ projectId }: { projectId: string }) {
   if (judged.length === 0) return null
   return (
     <>
-      <h3 className={`${classes.sub} small`}>Judged in the last 7 days</h3>
+      <h3 className={`${classes.sub} small`}>Reviewed in the last 7 days</h3>
       <ul>
         {judged.map(({ cue, status }) => (
           <li key={cue.id}>

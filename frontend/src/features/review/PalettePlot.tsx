@@ -22,7 +22,7 @@ const NAMES_APART = 0.24
 const LETTERS_APART = 0.09
 const STOREY_PX = 20
 
-/** How loud the versions are beside the sounds of the palette, on one line. */
+/** The loudness of the versions and of the palette's sounds, on one line. */
 export function PalettePlot({ projectId, takes, hand, nameOf }: PalettePlotProps) {
   const { data: sounds = [] } = useQuery(paletteQuery(projectId))
   const palette = sounds.flatMap(({ cue, loudness_lufs }): Point[] =>
@@ -39,11 +39,13 @@ export function PalettePlot({ projectId, takes, hand, nameOf }: PalettePlotProps
   const to = Math.max(...all) + 2
   const share = (lufs: number) => (lufs - from) / (to - from)
   const storeys = stacked(own, share)
-  const words = [...own, ...palette].map(({ name, lufs }) => `${name || 'this one'} ${level(lufs, 'LUFS')}`).join('; ')
+  const words = [...own, ...palette]
+    .map(({ name, lufs }) => `${name || 'this version'} ${level(lufs, 'LUFS')}`)
+    .join('; ')
   return (
-    <section className={classes.block} aria-label="Beside the palette">
+    <section className={classes.block} aria-label="Compared with the palette">
       <p className="row between small">
-        <span className="strong">Beside the palette</span>
+        <span className="strong">Compared with the palette</span>
         <span className="dim">LUFS</span>
       </p>
       <div

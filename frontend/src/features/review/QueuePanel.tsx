@@ -22,14 +22,15 @@ interface QueuePanelProps {
   projectId: string
   queue: Queue
   cueId: string
-  mayDecide: boolean
+  mayApprove: boolean
   /** As a drawer over a narrow page. */
   opened: boolean
+  onOpen: () => void
   onClose: () => void
 }
 
 /** What waits, what is noted, what was judged lately. */
-export function QueuePanel({ projectId, queue, cueId, mayDecide, opened, onClose }: QueuePanelProps) {
+export function QueuePanel({ projectId, queue, cueId, mayApprove, opened, onOpen, onClose }: QueuePanelProps) {
   const waiting = queue.open
   const drafts = useDraftCount(projectId)
   const list = useRef<HTMLUListElement>(null)
@@ -40,11 +41,11 @@ export function QueuePanel({ projectId, queue, cueId, mayDecide, opened, onClose
   return (
     <aside className={classes.queue} aria-label="Queue" id="queue" data-opened={opened || undefined}>
       <header className={classes.head}>
-        <h2>{mayDecide ? 'For you' : 'For the approver'}</h2>
+        <h2>{mayApprove ? 'For you' : 'Waiting for the approver'}</h2>
         <Count of={counted(queue.waits)} what="waiting" />
-        <span className="small dim end">the oldest first</span>
+        <span className="small dim end">oldest first</span>
         <span className={classes.close}>
-          <Button variant="quiet" icon="cross" square aria-label="Close the queue" onClick={onClose} />
+          <Button variant="quiet" icon="cross" square aria-label="Close queue" onClick={onClose} />
         </span>
       </header>
       <div className={classes.scroll} onScroll={onScroll}>
@@ -59,26 +60,24 @@ export function QueuePanel({ projectId, queue, cueId, mayDecide, opened, onClose
             />
           ))}
         </ul>
-        {queue.isKnown && waiting.length === 0 && (
-          <p className={`${classes.sub} small`}>Nothing waits for a verdict.</p>
-        )}
-        {drafts > 0 && (
-          <section aria-label="Noted, not sent">
-            <h3 className={`${classes.sub} small`}>Noted, not sent</h3>
-            <Drafts projectId={projectId} mayDecide={mayDecide} />
-          </section>
-        )}
+        {queue.isKnown && waiting.length === 0 && <p className={`${classes.sub} small`}>Nothing to review</p>}
         <JudgedLately projectId={projectId} />
       </div>
+      {drafts > 0 && (
+        <section aria-label="Drafts, not sent" className={classes.drafts}>
+          <h3 className={`${classes.sub} small`}>Drafts, not sent</h3>
+          <Drafts projectId={projectId} mayApprove={mayApprove} onAsk={onOpen} />
+        </section>
+      )}
       <footer className={classes.foot}>
         <KeysLine
           keys={[
             { keys: ['j', 'k'], label: 'next, previous' },
             { keys: ['u'], label: 'undo' },
-            { keys: ['?'], label: 'all keys' },
+            { keys: ['?'], label: 'shortcuts' },
           ]}
         />
-        {waiting.length > 1 && <p className="small dim">The next three are loaded.</p>}
+        {waiting.length > 1 && <p className="small dim">The next three sounds are preloaded.</p>}
       </footer>
     </aside>
   )

@@ -15,7 +15,7 @@ import {
   aReview,
   aServer,
   aTake,
-  DECIDER,
+  APPROVER,
   PROJECT,
   somePeaks,
 } from '@/test/review'
@@ -81,9 +81,9 @@ describe('the queue', () => {
     const waiting = within(screen.getByRole('complementary', { name: 'Queue' }))
     expect(waiting.getByRole('link', { name: /shield_hit/ })).toHaveAttribute('aria-current')
     expect(waiting.getByRole('link', { name: /shield_hit/ })).toHaveTextContent(
-      'Accepted after Friday 15 March 2030 without a verdict',
+      'Auto-accepted after Friday 15 March 2030 if nobody responds',
     )
-    expect(waiting.getByRole('link', { name: /foot_deck_walk/ })).not.toHaveTextContent(/without a verdict/)
+    expect(waiting.getByRole('link', { name: /foot_deck_walk/ })).not.toHaveTextContent(/if nobody responds/)
     expect(await waiting.findByRole('link', { name: /dock_clamp Approved/ })).toBeVisible()
   })
 
@@ -104,7 +104,7 @@ describe('the queue', () => {
   test('with nothing waiting it says so', async () => {
     queue = []
     open('')
-    expect(await screen.findByRole('heading', { name: 'Nothing waits for a verdict.' })).toBeVisible()
+    expect(await screen.findByRole('heading', { name: 'Nothing to review' })).toBeVisible()
   })
 
   test('a cue out of sight is said', async () => {
@@ -164,7 +164,7 @@ describe('alternates', () => {
     await opened()
     await userEvent.click(screen.getByRole('button', { name: /^Version 1 of 3/ }))
     await userEvent.click(await screen.findByRole('menuitem', { name: /^Version 3/ }))
-    expect(await screen.findByText('This version went back with a change request.')).toBeVisible()
+    expect(await screen.findByText('A change was requested for this version.')).toBeVisible()
     expect(screen.queryByRole('button', { name: /^Approve / })).toBeNull()
     expect(screen.getByRole('slider')).toHaveAccessibleName('Position in shield_hit, version 3')
   })
@@ -211,7 +211,7 @@ describe('what is said', () => {
       text: 'a clear attack',
       start_s: null,
       end_s: null,
-      author: DECIDER,
+      author: APPROVER,
       decides: true,
       created_at: '2026-11-20T10:00:00Z',
       resolved_at: null,
@@ -223,22 +223,22 @@ describe('what is said', () => {
   })
 
   test('stays in its field when it is refused', async () => {
-    server.on('POST /v1/takes/a/comments', () => refusal(422, 'range-invalid', 'It lies beyond the end of the sound.'))
+    server.on('POST /v1/takes/a/comments', () => refusal(422, 'range-invalid', 'It is beyond the end of the sound.'))
     await opened()
     await userEvent.keyboard('cclear{Control>}{Enter}{/Control}')
-    expect(await screen.findByRole('alert')).toHaveTextContent('It lies beyond the end of the sound.')
+    expect(await screen.findByRole('alert')).toHaveTextContent('It is beyond the end of the sound.')
     expect(screen.getByRole('textbox', { name: /^Comment/ })).toHaveValue('clear')
   })
 
   test('those who advise say which they would take, and are told who decides', async () => {
-    tell(aReview(shield, { may_decide: false }))
+    tell(aReview(shield, { may_approve: false }))
     server.on('POST /v1/takes/a/comments', { id: 'c1', take_id: 'a' })
     await opened()
-    expect(screen.getByText('You advise. Audio director decides.')).toBeVisible()
+    expect(screen.getByText('You can comment. Audio director approves.')).toBeVisible()
     expect(screen.queryByRole('button', { name: /^Approve |^Request/ })).toBeNull()
     await userEvent.keyboard('a')
     await waitFor(() => expect(posts()).toHaveLength(1))
-    expect(posts()[0]).toMatchObject({ path: '/v1/takes/a/comments', body: { text: 'I would take A.' } })
+    expect(posts()[0]).toMatchObject({ path: '/v1/takes/a/comments', body: { text: 'I’d pick A.' } })
   })
 
   test('findings stand in their tab with the limit and what to do', async () => {
@@ -246,7 +246,7 @@ describe('what is said', () => {
     await userEvent.click(screen.getByRole('tab', { name: 'Findings 1' }))
     const finding = screen.getByRole('article', { name: 'True peak −0.60 dBTP, limit −1 dBTP' })
     expect(finding).toHaveTextContent('Lower the level by 0.40 dB or more.')
-    expect(within(finding).getByRole('button', { name: 'The spot' })).toBeVisible()
+    expect(within(finding).getByRole('button', { name: 'Go to position' })).toBeVisible()
   })
 })
 
@@ -261,16 +261,16 @@ describe('a version that came back', () => {
     server.on('POST /v1/takes/a/waiver', {})
     await opened()
     await userEvent.click(screen.getByRole('tab', { name: 'Findings 1' }))
-    const through = screen.getByRole('button', { name: 'Let version 1 through' })
+    const through = screen.getByRole('button', { name: 'Waive version 1' })
     expect(through).toBeDisabled()
-    await userEvent.type(screen.getByRole('textbox', { name: 'Let it through, because' }), 'meant to clip')
+    await userEvent.type(screen.getByRole('textbox', { name: 'Waive the findings: reason' }), 'meant to clip')
     await userEvent.click(through)
     await waitFor(() => expect(posts()).toHaveLength(1))
     expect(posts()[0]).toMatchObject({ path: '/v1/takes/a/waiver', body: { reason: 'meant to clip' } })
   })
 
   test('is not offered to those who advise', async () => {
-    tell(aReview(shield, { takes: [came], may_decide: false }))
+    tell(aReview(shield, { takes: [came], may_approve: false }))
     await opened()
     await userEvent.click(screen.getByRole('tab', { name: 'Findings 1' }))
     expect(screen.queryByRole('button', { name: /through/ })).toBeNull()
@@ -319,7 +319,7 @@ describe('what a pick makes due', () => {
     await userEvent.keyboard('j')
     await screen.findByRole('heading', { name: 'foot_deck_walk', level: 1 })
     await waitFor(() => expect(server.of('GET /v1/cues/walk/money')).toHaveLength(1))
-    expect(bar()).toHaveTextContent('All 2 are approved at once.')
+    expect(bar()).toHaveTextContent('Approves all 2 variations at once.')
     expect(bar()).not.toHaveTextContent('due')
   })
 
@@ -329,14 +329,14 @@ describe('what a pick makes due', () => {
     server.on('GET /v1/me', aMe({ is_producer: true })).on('GET /v1/cues/walk/money', MONEY)
     await opened('/walk')
     await waitFor(() => expect(server.of('GET /v1/cues/walk/money')).toHaveLength(1))
-    expect(await screen.findByText('1 variation of the set is still to come.')).toBeVisible()
+    expect(await screen.findByText('1 variation of the set is missing.')).toBeVisible()
     expect(bar()).not.toHaveTextContent('due')
   })
 
   test('is not even asked for by who decides without sight of money', async () => {
     server.on('GET /v1/cues/shield/money', MONEY)
     await opened()
-    expect(bar()).toHaveTextContent('You decide.')
+    expect(bar()).toHaveTextContent('Your call.')
     expect(bar()).not.toHaveTextContent('$')
     expect(asked()).toEqual([])
   })
@@ -350,7 +350,7 @@ describe('cutting', () => {
     await opened()
     await userEvent.click(await screen.findByRole('button', { name: 'More for shield_hit' }))
     await userEvent.click(await screen.findByRole('menuitem', { name: 'Cut this cue' }))
-    await userEvent.type(await screen.findByRole('textbox', { name: 'Why shield_hit is cut' }), 'No shields any more')
+    await userEvent.type(await screen.findByRole('textbox', { name: 'Why cut shield_hit?' }), 'No shields any more')
     await userEvent.click(screen.getByRole('button', { name: 'Cut shield_hit' }))
   }
 
@@ -367,7 +367,7 @@ describe('cutting', () => {
     server.on('POST /v1/cues/shield/cut', () => refusal(409, 'cue-is-cut', 'The cue is cut already.'))
     await cut()
     expect(await screen.findByRole('alert')).toHaveTextContent('The cue is cut already.')
-    expect(screen.getByRole('textbox', { name: 'Why shield_hit is cut' })).toHaveValue('No shields any more')
+    expect(screen.getByRole('textbox', { name: 'Why cut shield_hit?' })).toHaveValue('No shields any more')
   })
 })
 

@@ -36,7 +36,7 @@ export function ReviewPage(): ReactNode {
   // Sums are a matter of producers and of the cue's own designer; who decides and neither is, needs none to decide.
   const seesMoney = project?.is_producer === true || project?.part === 'designer'
   const { data: money } = useQuery({ ...cueMoneyQuery(cueId), enabled: seesMoney })
-  const [player, playing] = usePlayer()
+  const [player, playing] = usePlayer({ held: true })
   const [queueOpen, setQueueOpen] = useState(false)
   const [target, setTarget] = useState(MASTER)
   useTitle(review ? `Review ${review.cue.name}` : 'Review')
@@ -54,7 +54,7 @@ export function ReviewPage(): ReactNode {
 
   const at = waiting.findIndex(({ cue }) => cue.id === cueId)
   const ahead = at < 0 ? waiting : [...waiting.slice(at + 1), ...waiting.slice(0, at)]
-  useReady(player, waiting[at]?.takes ?? NONE, ahead)
+  useReady(player, waiting[at]?.takes ?? NONE, ahead[0], review !== undefined)
   const aheadIds = ahead
     .slice(0, AHEAD)
     .map(({ cue }) => cue.id)
@@ -79,14 +79,14 @@ export function ReviewPage(): ReactNode {
     { keys: 'k', label: 'Previous in the queue', group: 'Review', run: () => void step(-1) },
     {
       keys: 'g q',
-      label: 'Go to the queue',
+      label: 'Go to queue',
       group: 'Review',
       run: () => {
         setQueueOpen(true)
         requestAnimationFrame(() => document.querySelector<HTMLElement>('#queue a')?.focus())
       },
     },
-    { keys: 'Escape', label: 'Close the queue', group: 'Review', run: () => setQueueOpen(false), disabled: !queueOpen },
+    { keys: 'Escape', label: 'Close queue', group: 'Review', run: () => setQueueOpen(false), disabled: !queueOpen },
   ])
 
   return (
@@ -95,8 +95,9 @@ export function ReviewPage(): ReactNode {
         projectId={projectId}
         queue={queue}
         cueId={cueId}
-        mayDecide={project?.is_decider ?? false}
+        mayApprove={project?.is_approver ?? false}
         opened={queueOpen}
+        onOpen={() => setQueueOpen(true)}
         onClose={() => setQueueOpen(false)}
       />
       {review ? (

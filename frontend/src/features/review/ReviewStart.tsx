@@ -45,25 +45,25 @@ export function ReviewStart(): ReactNode {
   return (
     <div className={`page ${classes.nothing}`}>
       <EmptyState
-        head="Nothing waits for a verdict."
+        head="Nothing to review"
         level={1}
         action={
           <Link to="/projects/$projectId/today" params={{ projectId }} className="link">
-            To Today
+            Go to Today
           </Link>
         }
       >
         {noted.length > 0
-          ? 'The changes that you noted go out when you send them.'
-          : 'New versions come here once they are checked and their game files are made.'}
+          ? 'Your draft change requests are sent when you send them all.'
+          : 'New versions appear here once they are checked and their game files are rendered.'}
       </EmptyState>
       {noted.length > 0 && (
         <Card aria-labelledby="drafts">
           <CardHead id="drafts" title="Changes to send" />
-          <Drafts projectId={projectId} mayDecide={project?.is_decider ?? false} />
+          <Drafts projectId={projectId} mayApprove={project?.is_approver ?? false} />
         </Card>
       )}
-      <Card aria-label="Judged lately">
+      <Card aria-label="Recently reviewed">
         <JudgedLately projectId={projectId} />
       </Card>
     </div>

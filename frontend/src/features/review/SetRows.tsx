@@ -28,7 +28,7 @@ export function SetRows({ takes, handId, nameOf, picked, onChoose, cue }: SetRow
           {here} of {cue.variations} variations
         </span>
         <span className="dim wide-only">
-          hold <Key keys="h" /> to play as the game does
+          hold <Key keys="h" /> to play randomised, as in game
         </span>
       </p>
       <ul className={classes.setRows} aria-label="Variations">
@@ -50,7 +50,7 @@ export function SetRows({ takes, handId, nameOf, picked, onChoose, cue }: SetRow
               </span>
               <span className="small mid num">{length(soundOf(take, MASTER).durationS)}</span>
               <span className={`small cut-text ${classes.setSays}`}>
-                <Standing take={take} odd={odd?.take.id === take.id} />
+                <CueProgress take={take} odd={odd?.take.id === take.id} />
               </span>
               <span className={`small ${classes.setPick}`}>
                 {picked.has(take.id) && (
@@ -67,10 +67,10 @@ export function SetRows({ takes, handId, nameOf, picked, onChoose, cue }: SetRow
   )
 }
 
-function Standing({ take, odd }: { take: ReviewTake; odd: boolean }) {
+function CueProgress({ take, odd }: { take: ReviewTake; odd: boolean }) {
   const away = take.away_from_set_lu
   const worst = take.findings.find(({ severity }) => severity === 'error') ?? take.findings[0]
-  if (take.draft_change) return <span className="tone-change toned">change noted, not sent</span>
+  if (take.draft_change) return <span className="tone-change toned">draft change request</span>
   if (odd && away !== null) {
     return (
       <span className="tone-warn toned">

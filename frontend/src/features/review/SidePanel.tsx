@@ -1,10 +1,19 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
-import { type KeyboardEvent, type ReactNode, useLayoutEffect, useRef, useState } from 'react'
+import {
+  type Dispatch,
+  type KeyboardEvent,
+  type ReactNode,
+  type SetStateAction,
+  useLayoutEffect,
+  useRef,
+  useState,
+} from 'react'
 
 import { ApiProblem } from '@/api'
+import { DraftNote, keepDraft, keptDraft } from '@/app/drafts'
 import type { CueReview, ReviewFinding, ReviewTake } from '@/judging/api'
-import { capital, happened, sentence, spot, told } from '@/judging/words'
+import { capital, happened, sentence, spot, historyText } from '@/judging/words'
 import { Button } from '@/ui/Button'
 import { Finding } from '@/ui/Finding'
 import { age, clock, day, place, range } from '@/ui/format'
@@ -24,6 +33,7 @@ export interface Writing {
   text: string
   startS: number
   endS?: number
+  isRestored?: boolean
 }
 
 interface SidePanelProps {
@@ -38,7 +48,7 @@ interface SidePanelProps {
   onSpot: (startS: number) => void
   writing: Writing | null
   onWrite: () => void
-  onWriting: (writing: Writing | null) => void
+  onWriting: Dispatch<SetStateAction<Writing | null>>
   comment: ReturnType<typeof useComment>
   blind: boolean
 }
@@ -88,14 +98,14 @@ export function SidePanel(props: SidePanelProps) {
       <div role="tabpanel" id={`panel-${tab}`} aria-labelledby={`tab-${tab}`} className={classes.panel}>
         {blind ? (
           <p className={`${classes.quiet} mid`}>
-            What others said, what was found and the figures stay hidden until you pick, or press <Key keys="d" />
+            Comments, findings and figures are hidden until you pick, or press <Key keys="d" />
             <span className="visually-hidden">d</span> again.
           </p>
         ) : (
           <>
             {tab === 'comments' && <Comments {...props} />}
             {tab === 'findings' && hand && <Findings take={hand} onSpot={props.onSpot} />}
-            {tab === 'findings' && hand?.state === 'returned' && props.review.may_decide && (
+            {tab === 'findings' && hand?.state === 'returned' && props.review.may_approve && (
               <Waiver key={hand.id} take={hand} cueId={props.review.cue.id} projectId={props.projectId} />
             )}
             {tab === 'files' && hand && <GameFiles key={hand.id} take={hand} />}
@@ -112,7 +122,7 @@ function Comments({ review, projectId, hand, heard, nameOf, said, openSaid, onOp
   const resolve = useResolve(review.cue.id)
   return (
     <>
-      {said.length === 0 && <p className={`${classes.quiet} mid`}>Nobody has said anything of it yet.</p>}
+      {said.length === 0 && <p className={`${classes.quiet} mid`}>No comments yet</p>}
       <ul aria-label="Comments">
         {said.map((one) => (
           <SaidLine
@@ -175,7 +185,13 @@ function SaidLine({ said, open, on, onOpen, onResolve }: SaidLineProps) {
   const where = spot(said.startS, said.endS)
   const resolved = Boolean(said.comment?.resolved_at)
   const role =
-    said.kind === 'change' ? (said.draft ? 'change, not sent' : 'wants a change') : said.decides ? 'decides' : 'advises'
+    said.kind === 'change'
+      ? said.draft
+        ? 'draft change request'
+        : 'requests a change'
+      : said.decides
+        ? 'approver'
+        : 'advises'
   return (
     <li className={classes.said} data-open={open || undefined} data-resolved={resolved || undefined}>
       <p className="row">
@@ -193,7 +209,7 @@ function SaidLine({ said, open, on, onOpen, onResolve }: SaidLineProps) {
         <p className={classes.saidActs}>
           {(where !== undefined || on !== null) && (
             <Button variant="quiet" className="small" onClick={onOpen}>
-              {where === undefined ? `Take ${on} in the hand` : 'The spot'}
+              {where === undefined ? `Select ${on}` : 'Go to position'}
               <span className="visually-hidden">{said.number === null ? '' : ` of ${said.number}`}</span>
             </Button>
           )}
@@ -208,16 +224,17 @@ function SaidLine({ said, open, on, onOpen, onResolve }: SaidLineProps) {
   )
 }
 
-function Composer({ hand, writing, onWrite, onWriting, comment }: SidePanelProps & { hand: ReviewTake }) {
+function Composer({ review, hand, writing, onWrite, onWriting, comment }: SidePanelProps & { hand: ReviewTake }) {
   const field = useRef<HTMLTextAreaElement>(null)
   const opened = writing !== null
-  // Before the next key: whoever types on at once must not decide anything with it.
+  // Before the next key: continued typing must not decide anything.
   useLayoutEffect(() => {
     if (!opened) return
     field.current?.focus()
     field.current?.setSelectionRange(field.current.value.length, field.current.value.length)
   }, [opened])
   const text = writing?.text ?? ''
+  const draftKey = `comment:${review.cue.id}`
   const where = whereWords(writing)
   const send = () => {
     if (writing === null || text.trim() === '' || comment.isPending) return
@@ -229,15 +246,22 @@ function Composer({ hand, writing, onWrite, onWriting, comment }: SidePanelProps
         startS: isPoint ? writing.startS : undefined,
         endS: writing.endS,
       },
-      { onSuccess: () => onWriting(null) },
+      {
+        onSuccess: () => {
+          keepDraft(draftKey, null)
+          onWriting((now) => (now === writing ? null : now))
+        },
+        onError: () => field.current?.focus(),
+      },
     )
+    field.current?.blur() // the next key is a single-key shortcut again
   }
   return (
     <div className={classes.composer}>
       <textarea
         ref={field}
         aria-label={`Comment ${where}`}
-        placeholder={opened ? `What you hear ${where}` : 'Say what you hear'}
+        placeholder={opened ? `Comment ${where}` : 'Write a comment'}
         rows={opened ? 3 : 1}
         maxLength={10_000}
         value={text}
@@ -262,16 +286,25 @@ function Composer({ hand, writing, onWrite, onWriting, comment }: SidePanelProps
             capital(where)
           ) : (
             <>
-              <Key keys="c" /> writes at the playhead
+              <Key keys="c" /> {keptDraft(draftKey) === null ? 'comment at the playhead' : 'open your draft'}
             </>
           )}
         </span>
         {opened && (
           <Button keys="mod+Enter" disabled={comment.isPending || text.trim() === ''} onClick={send}>
-            Say it
+            Send
           </Button>
         )}
       </p>
+      <DraftNote
+        draft={{
+          isRestored: writing?.isRestored === true,
+          discard: () => {
+            keepDraft(draftKey, null)
+            if (writing) onWriting({ ...writing, text: '', isRestored: false })
+          },
+        }}
+      />
       {comment.error instanceof ApiProblem && <ProblemNote detail={comment.error.detail} fix={comment.error.fix} />}
     </div>
   )
@@ -287,18 +320,18 @@ const worstFirst = (findings: readonly ReviewFinding[]): ReviewFinding[] =>
 
 function Findings({ take, onSpot }: { take: ReviewTake; onSpot: (startS: number) => void }) {
   if (take.findings.length === 0) {
-    return <p className={`${classes.quiet} mid`}>Every check of the delivery spec passed.</p>
+    return <p className={`${classes.quiet} mid`}>All checks passed.</p>
   }
   return (
     <div className={classes.findings}>
       <p className="small">
         <Link className="link" to="/takes/$takeId" params={{ takeId: take.id }}>
-          All figures of this version
+          All measurements
         </Link>
       </p>
       {take.waived && (
         <p className="small mid">
-          Let through by the approver{take.waiver_reason ? `: “${take.waiver_reason}”` : ''}. What was found stays.
+          Waived by the approver{take.waiver_reason ? `: “${take.waiver_reason}”` : ''}. The findings are kept.
         </p>
       )}
       {worstFirst(take.findings).map((finding, index) => (
@@ -310,7 +343,7 @@ function Findings({ take, onSpot }: { take: ReviewTake; onSpot: (startS: number)
           actions={
             <>
               {finding.start_s !== null && finding.start_s !== undefined && (
-                <Button onClick={() => onSpot(finding.start_s ?? 0)}>The spot</Button>
+                <Button onClick={() => onSpot(finding.start_s ?? 0)}>Go to position</Button>
               )}
               <Link className="link small" to="/checks/$check" params={{ check: finding.check }}>
                 {finding.check}
@@ -319,7 +352,7 @@ function Findings({ take, onSpot }: { take: ReviewTake; onSpot: (startS: number)
           }
         >
           {finding.waived ? 'Waived. ' : ''}
-          {capital(finding.fix)}.{finding.mend && ` A mend ${finding.mend}.`}
+          {capital(finding.fix)}.{finding.auto_fix && ` A fix ${finding.auto_fix}.`}
         </Finding>
       ))}
     </div>
@@ -342,7 +375,7 @@ function History({ take }: { take: ReviewTake }) {
               {age(entry.at)}
             </time>
           </p>
-          {entry.text && <Quoted spotWords={spot(entry.start_s, entry.end_s)}>{told(entry)}</Quoted>}
+          {entry.text && <Quoted spotWords={spot(entry.start_s, entry.end_s)}>{historyText(entry)}</Quoted>}
         </li>
       ))}
     </ol>

@@ -31,7 +31,7 @@ export function TakeCards({ takes, handId, nameOf, blind, onChoose }: TakeCardsP
             gain(matchGainDb(take, takes[0])),
             take.draft_change ? (
               <span key="change" className="tone-change toned">
-                change noted
+                draft change
               </span>
             ) : (
               `version ${take.number}`

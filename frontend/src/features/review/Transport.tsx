@@ -74,7 +74,7 @@ export function Transport({
       </HotkeyButton>
       <HotkeyButton
         keys="v"
-        keyLabel="Play it backwards"
+        keyLabel="Play in reverse"
         keyGroup="Review"
         icon="reverse"
         pressed={playing.reversed}
@@ -86,7 +86,7 @@ export function Transport({
       {onNext && (
         <HotkeyButton
           keys="b"
-          keyLabel="Next one at the same position"
+          keyLabel="Switch to the next one at the same position"
           keyGroup="Review"
           icon="ab"
           className={classes.early}
@@ -107,13 +107,13 @@ export function Transport({
         Match level
       </HotkeyButton>
       {blind && (
-        <HotkeyButton keys="d" keyLabel="Hear them blind" keyGroup="Review" pressed={blind.on} onPress={blind.toggle}>
+        <HotkeyButton keys="d" keyLabel="Compare blind" keyGroup="Review" pressed={blind.on} onPress={blind.toggle}>
           Blind
         </HotkeyButton>
       )}
       {asGame && (
         <Button keys="h" pressed={playing.asGame} onClick={() => (playing.asGame ? player.pause() : asGame())}>
-          As game
+          Randomise
         </Button>
       )}
       {trouble && (

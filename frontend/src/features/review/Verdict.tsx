@@ -17,7 +17,7 @@ interface VerdictProps {
   review: CueReview
   money: CueMoney | null
   hand: ReviewTake | undefined
-  /** What a verdict is for: the take in the hand, or the selected ones. */
+  /** What a verdict is for: the current take, or the selected ones. */
   meant: readonly ReviewTake[]
   name: string
   /** A whole set waits and can be accepted at once. */
@@ -37,17 +37,17 @@ interface VerdictProps {
 
 const STATE_WORDS: Partial<Record<ReviewTake['state'], string>> = {
   received: 'This version is being checked.',
-  returned: 'This version was returned by the checker.',
-  unjudged: 'The check of this version broke. That is our fault; no round counts.',
-  change_requested: 'This version went back with a change request.',
-  set_aside: 'This version was set aside; it can still be picked.',
+  returned: 'This version was returned by the automatic check.',
+  unjudged: 'The check of this version failed. That is our fault; no round is counted.',
+  change_requested: 'A change was requested for this version.',
+  set_aside: 'This version was set aside. You can still pick it.',
   approved: 'This version is approved.',
 }
 
 /** Who decides, what follows, and the buttons that do it. */
 export function Verdict(props: VerdictProps) {
   const { review, hand, meant, name, whole, judge, changing } = props
-  const { cue, may_decide } = review
+  const { cue, may_approve } = review
   const state = hand?.state
   const canApprove = state === 'conforming' || state === 'set_aside'
   const canChange = state === 'conforming' || state === 'approved'
@@ -60,26 +60,41 @@ export function Verdict(props: VerdictProps) {
       {refusal && <ProblemNote detail={`${refusal.what} ${refusal.problem.detail}`} fix={refusal.problem.fix} />}
       {changing && (
         <ChangeForm
+          takeId={meant[0]?.id ?? cue.id}
           what={`${cue.name} ${name}`}
           positionS={changing.positionS}
           range={props.range}
           saving={judge.change.isPending}
           problem={judge.changeProblem}
           onClose={props.onCloseChange}
-          onSave={(said) => judge.change.mutate({ takes: meant, said }, { onSuccess: () => props.onChanged(meant) })}
+          onSave={(said, done) =>
+            judge.change.mutate(
+              { takes: meant, said },
+              {
+                onSuccess: () => {
+                  done()
+                  props.onChanged(meant)
+                },
+              },
+            )
+          }
         />
       )}
     </>
   )
 
   return (
-    <VerdictBar who={whoDecides(review)} follows={[follows(props), due(props)].filter(Boolean).join(' ')} above={above}>
+    <VerdictBar
+      who={whoDecides(review, props.money)}
+      follows={[follows(props), due(props)].filter(Boolean).join(' ')}
+      above={above}
+    >
       {!whole && (
         <Button keys="c" icon="comment" tall className={classes.optional} onClick={props.onComment}>
           Comment
         </Button>
       )}
-      {may_decide && !isCut && canChange && (
+      {may_approve && !isCut && canChange && (
         <HotkeyButton
           keys="r"
           keyLabel="Request a change"
@@ -92,10 +107,10 @@ export function Verdict(props: VerdictProps) {
           Request a change
         </HotkeyButton>
       )}
-      {may_decide && !isCut && canApprove && isSet && (
+      {may_approve && !isCut && canApprove && isSet && (
         <HotkeyButton
           keys={whole ? 'shift+a' : 'a'}
-          keyLabel={whole ? 'Approve the variation alone' : 'Approve the variation'}
+          keyLabel={whole ? 'Approve only this variation' : 'Approve this variation'}
           keyGroup="Review"
           variant={whole ? 'plain' : 'primary'}
           icon={whole ? undefined : 'tick'}
@@ -106,7 +121,7 @@ export function Verdict(props: VerdictProps) {
           Approve {name}
         </HotkeyButton>
       )}
-      {may_decide && !isCut && whole && (
+      {may_approve && !isCut && whole && (
         <HotkeyButton
           keys="a"
           keyLabel="Accept the set"
@@ -119,7 +134,7 @@ export function Verdict(props: VerdictProps) {
           Accept the set
         </HotkeyButton>
       )}
-      {may_decide && !isCut && canApprove && !isSet && (
+      {may_approve && !isCut && canApprove && !isSet && (
         <HotkeyButton
           keys="a"
           keyLabel="Approve"
@@ -132,41 +147,42 @@ export function Verdict(props: VerdictProps) {
           Approve {name}
         </HotkeyButton>
       )}
-      {!may_decide && canApprove && (
+      {!may_approve && canApprove && (
         <HotkeyButton
           keys="a"
-          keyLabel="Say which you would take"
+          keyLabel="Say which one you’d pick"
           keyGroup="Review"
           variant="primary"
           tall
           onPress={props.onWouldTake}
         >
-          I would take {name}
+          I’d pick {name}
         </HotkeyButton>
       )}
     </VerdictBar>
   )
 }
 
-function whoDecides({ may_decide, decider, rounds }: CueReview): string {
-  if (!may_decide) return `You advise. ${decider.name} decides.`
+function whoDecides({ may_approve, approver, rounds }: CueReview, money: CueMoney | null): string {
+  if (!may_approve) return `You can comment. ${approver.name} approves.`
   const counted = rounds.filter(({ number }) => number !== null).length
-  return `You decide. ${counted === 0 ? 'No round yet.' : `${plural(counted, 'round')} so far.`}`
+  if (money) return `Your call. Revision round ${counted} of ${money.rounds_included}.`
+  return `Your call. ${counted === 0 ? 'No revision round yet.' : `${plural(counted, 'revision round')} so far.`}`
 }
 
 function follows({ review, hand, meant, waiting, whole }: VerdictProps): string {
   const { cue } = review
-  if (cue.state === 'cut') return 'The game no longer needs this cue.'
-  if (hand === undefined) return 'No version was delivered yet.'
+  if (cue.state === 'cut') return 'This cue was cut.'
+  if (hand === undefined) return 'No version yet.'
   const draft = hand.draft_change
-  if (draft) return `Noted, not sent: “${draft.text}”`
+  if (draft) return `Draft, not sent: “${draft.text}”`
   if (hand.state !== 'conforming') return STATE_WORDS[hand.state] ?? ''
-  if (!review.may_decide) return ''
-  if (whole) return `All ${cue.variations} are approved at once.`
+  if (!review.may_approve) return ''
+  if (whole) return `Approves all ${cue.variations} variations at once.`
   if (cue.variations > 1) {
     const missing = cue.variations - new Set(waiting.map(({ variation }) => variation)).size
     const left = missing - review.approved_variations.length
-    return left > 0 ? `${plural(left, 'variation')} of the set ${left === 1 ? 'is' : 'are'} still to come.` : ''
+    return left > 0 ? `${plural(left, 'variation')} of the set ${left === 1 ? 'is' : 'are'} missing.` : ''
   }
   const others = waiting.filter((take) => !meant.includes(take))
   return others.length > 0
@@ -174,7 +190,7 @@ function follows({ review, hand, meant, waiting, whole }: VerdictProps): string 
     : `${namesOf([cue.name])} is accepted with it.`
 }
 
-/** What picking the version in the hand makes due, where it is the pick that accepts the cue. */
+/** What picking the current version makes due, where it is the pick that accepts the cue. */
 function due({ review: { cue }, money, hand, whole }: VerdictProps): string {
   if (money === null || cue.state === 'cut' || hand === undefined || hand.draft_change) return ''
   const canApprove = hand.state === 'conforming' || hand.state === 'set_aside'

@@ -1,7 +1,7 @@
 import { TextInput } from '@mantine/core'
-import { useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import type { ReviewTake } from '@/judging/api'
 import { Button } from '@/ui/Button'
@@ -18,14 +18,19 @@ interface WaiverProps {
 
 /** The approver lets a returned version through, with a reason. */
 export function Waiver({ take, cueId, projectId }: WaiverProps) {
-  const [reason, setReason] = useState('')
+  const [reason, setReason, draft] = useDraft(`waiver:${take.id}`, '')
   const waive = useWaive(projectId, cueId)
   const said = reason.trim()
   const submit = () => {
     if (said === '' || waive.isPending) return
     waive.mutate(
       { takeId: take.id, reason: said },
-      { onSuccess: () => showToast(`Version ${take.number} goes on; its game files are being made.`) },
+      {
+        onSuccess: () => {
+          draft.discard()
+          showToast(`Version ${take.number} waived. Its game files are being rendered.`)
+        },
+      },
     )
   }
   return (
@@ -37,14 +42,15 @@ export function Waiver({ take, cueId, projectId }: WaiverProps) {
       }}
     >
       <TextInput
-        label="Let it through, because"
-        description="It goes to review as it is. The findings stay with it, and the game’s CI is told."
+        label="Waive the findings: reason"
+        description="It goes to review unchanged. The findings are kept, and the game’s CI accepts the file."
         value={reason}
         onChange={(event) => setReason(event.currentTarget.value)}
       />
       <Button type="submit" disabled={said === '' || waive.isPending}>
-        Let version {take.number} through
+        Waive version {take.number}
       </Button>
+      <DraftNote draft={draft} />
       {waive.error instanceof ApiProblem && <ProblemNote detail={waive.error.detail} fix={waive.error.fix} />}
     </form>
   )

@@ -25,14 +25,14 @@ interface WaveStageProps {
   range: TimeRange | null
   comments: readonly CommentMark[]
   openComment?: string
-  /** Heard blind: nothing is drawn that tells one from another. */
+  /** Blind listening: nothing is drawn that identifies a version. */
   hidden: boolean
   /** Rows of a set stand above it. */
   small: boolean
   onMark: (fromS: number, id: string) => void
 }
 
-/** The sound in the hand, large: its wave with what was found and said, its spectrum, its level. */
+/** The current sound, large: its wave with what was found and said, its spectrum, its level. */
 export function WaveStage(props: WaveStageProps) {
   const { take, name, target, player, range, comments, openComment, hidden, small, onMark } = props
   const narrow = useMediaQuery('(max-width: 760px)')
@@ -78,7 +78,7 @@ function findingMarks(take: ReviewTake): FindingMark[] {
     label: sentence(finding.message),
     more:
       down && LEVELS.has(finding.check)
-        ? `${down.target} file comes down ${figure(down.attenuation_db ?? 0, 1)} dB`
+        ? `${down.target} file is lowered by ${figure(down.attenuation_db ?? 0, 1)} dB`
         : undefined,
     startS: finding.start_s ?? undefined,
     endS: finding.end_s ?? undefined,

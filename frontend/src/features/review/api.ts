@@ -9,7 +9,7 @@ export type Comment = Schemas['CommentRead']
 export type HistoryEntry = Schemas['HistoryEntry']
 export type PaletteSound = Schemas['PaletteSound']
 
-export type Judged = Schemas['Judged']
+export type Judged = Schemas['RecentVerdict']
 
 /** What was decided within a week, the newest first. */
 export const judgedQuery = (projectId: string) =>

@@ -3,7 +3,7 @@ import { createRoute, lazyRouteComponent } from '@tanstack/react-router'
 import { shellRoute } from '@/app/roots'
 
 interface Spot {
-  /** The version in the hand. */
+  /** The selected version. */
   take?: string
   /** Where the playhead stands, in seconds. */
   at?: number

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 
-import { aCue, aDraft, anItem, aReview, aTake, DECIDER } from '@/test/review'
+import { aCue, aDraft, anItem, aReview, aTake, APPROVER } from '@/test/review'
 
 import { shuffled } from './blind'
 import { marksOf, saidOf } from './said'
@@ -12,7 +12,7 @@ const comment = (id: string, at: string, startS: number | null, endS: number | n
   text: id,
   start_s: startS,
   end_s: endS,
-  author: DECIDER,
+  author: APPROVER,
   decides: true,
   created_at: at,
   resolved_at: null,

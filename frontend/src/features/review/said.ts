@@ -3,7 +3,7 @@ import type { CueReview, ReviewTake } from '@/judging/api'
 
 import type { Comment } from './api'
 
-/** One thing said of a take: advice, or a change that the decider wants. */
+/** One thing said of a take: advice, or a change that the approver wants. */
 export interface Said {
   id: string
   takeId: string
@@ -61,7 +61,7 @@ export function saidOf(review: CueReview, takes: readonly ReviewTake[]): Said[] 
     .map((one) => ({ ...one, number: one.startS === null ? null : (number += 1) }))
 }
 
-/** What stands in the wave of one take. */
+/** The markers in the waveform of one take. */
 export function marksOf(said: readonly Said[], takeId: string): CommentMark[] {
   return said.flatMap(({ id, number, startS, endS, takeId: of }) =>
     number === null || startS === null || of !== takeId

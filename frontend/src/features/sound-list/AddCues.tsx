@@ -1,6 +1,7 @@
 import { type KeyboardEvent, useEffect, useRef, useState } from 'react'
 
 import type { ApiProblem } from '@/api'
+import { DraftNote, keepDraft, keptDraft } from '@/app/drafts'
 import { useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
@@ -25,11 +26,10 @@ const HEADS: Record<NewField, string> = {
   duration_s: 'Length, s',
   variations: 'Variations',
   loop: 'Loop',
-  state: 'Settled',
+  state: 'Design status',
 }
 
-/** Typed rows that are not saved, by project: leaving the page loses nothing. */
-const kept = new Map<string, NewRow[]>()
+const keyOf = (projectId: string) => `new-cues:${projectId}`
 
 interface AddCuesProps {
   projectId: string
@@ -43,9 +43,10 @@ interface AddCuesProps {
 /** Several cues, typed like rows of a table, saved together. */
 export function AddCues({ projectId, categories, name, onAdded, onClose }: AddCuesProps) {
   const [rows, setRowsOnly] = useState<NewRow[]>(() => {
-    const typed = kept.get(projectId)?.filter((row) => !isBlank(row)) ?? []
+    const typed = (keptDraft<CueDraft[]>(keyOf(projectId)) ?? []).map((draft) => ({ ...blankRow(), draft }))
     return withRoom(name ? [...typed, blankRow(name)] : typed)
   })
+  const [wasKept, setWasKept] = useState(() => keptDraft(keyOf(projectId)) !== null)
   const [refusal, setRefusal] = useState<ApiProblem | null>(null)
   const add = useAddCues(projectId)
   const table = useRef<HTMLTableElement>(null)
@@ -53,7 +54,8 @@ export function AddCues({ projectId, categories, name, onAdded, onClose }: AddCu
 
   const setRows = (next: NewRow[]) => {
     setRowsOnly(next)
-    kept.set(projectId, next)
+    const typed = next.filter((row) => !isBlank(row)).map(({ draft }) => draft)
+    keepDraft(keyOf(projectId), typed.length > 0 ? typed : null)
   }
   const focusOn = (row: number, field: NewField) =>
     table.current?.querySelector<HTMLElement>(`[data-cell="${row} ${field}"]`)?.focus()
@@ -80,7 +82,7 @@ export function AddCues({ projectId, categories, name, onAdded, onClose }: AddCu
     if (read.some(({ faults }) => Object.keys(faults).length > 0)) return
     try {
       const added = await add.mutateAsync(read.map(({ facts }) => facts))
-      kept.delete(projectId)
+      keepDraft(keyOf(projectId), null)
       const labels = [added[0]?.label, added.at(-1)?.label]
       const which = added.length > 1 ? `${labels[0]} to ${labels[1]}` : `${labels[0]} ${added[0]?.name}`
       showToast(`${plural(added.length, 'cue')} added: ${which}.`)
@@ -99,7 +101,7 @@ export function AddCues({ projectId, categories, name, onAdded, onClose }: AddCu
       if (refused.size === 0) setRefusal(problem)
     }
   }
-  useHotkeys([{ keys: 'mod+Enter', label: 'Save the new cues', group: 'List', run: () => void save() }])
+  useHotkeys([{ keys: 'mod+Enter', label: 'Save new cues', group: 'List', run: () => void save() }])
 
   const goOn = (event: KeyboardEvent, at: number, field: NewField) => {
     if (event.key !== 'Enter' || event.ctrlKey || event.metaKey) return
@@ -113,7 +115,16 @@ export function AddCues({ projectId, categories, name, onAdded, onClose }: AddCu
       <CardHead
         id="new-cues"
         title="New cues"
-        note="They join the end of the list. Cells pasted from a spreadsheet fill the rows."
+        note="They are added at the end of the list. You can paste cells from a spreadsheet."
+      />
+      <DraftNote
+        draft={{
+          isRestored: wasKept,
+          discard: () => {
+            setWasKept(false)
+            setRows(withRoom([]))
+          },
+        }}
       />
       <table ref={table} className={classes.table} aria-labelledby="new-cues">
         <thead>
@@ -124,7 +135,7 @@ export function AddCues({ projectId, categories, name, onAdded, onClose }: AddCu
               </th>
             ))}
             <th scope="col" className={classes.drop}>
-              <span className="visually-hidden">Take out</span>
+              <span className="visually-hidden">Remove</span>
             </th>
           </tr>
         </thead>
@@ -152,7 +163,7 @@ export function AddCues({ projectId, categories, name, onAdded, onClose }: AddCu
                     square
                     variant="quiet"
                     icon="cross"
-                    aria-label={`Take out row ${at + 1}`}
+                    aria-label={`Remove row ${at + 1}`}
                     onClick={() => setRows(withRoom(rows.filter(({ key }) => key !== row.key)))}
                   />
                 )}
@@ -170,8 +181,8 @@ export function AddCues({ projectId, categories, name, onAdded, onClose }: AddCu
       <footer className={classes.foot}>
         <span className={wrong > 0 ? 'tone-bad toned' : 'small dim'} role="status">
           {wrong > 0
-            ? `${plural(wrong, 'row')} to mend; nothing is saved until then, and nothing is lost.`
-            : 'Enter goes to the next row. A name is enough.'}
+            ? `${plural(wrong, 'row')} with errors. Fix them to save; nothing you typed is lost.`
+            : 'Press Enter for the next row. Only the name is required.'}
         </span>
         <Button className="end" keys="Escape" onClick={onClose}>
           Close

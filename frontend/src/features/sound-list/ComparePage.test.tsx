@@ -48,7 +48,7 @@ test('the newest revision is compared with the one before: added, before and aft
 test('any two can be chosen, and the address says which', async () => {
   const server = served()
   const app = openApp(`${server.path}/compare`)
-  await userEvent.selectOptions(await screen.findByRole('combobox', { name: 'From' }), 'The empty list')
+  await userEvent.selectOptions(await screen.findByRole('combobox', { name: 'From' }), 'Empty list')
   expect(await screen.findByText('In the list of revision 3: 1 added, 1 changed.')).toBeInTheDocument()
   expect(app.search()).toEqual({ from: 0, to: 3 })
   await userEvent.click(screen.getByRole('link', { name: /change 2/ }))

@@ -70,12 +70,12 @@ export function ComparePage(): ReactNode {
       </header>
       {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
       {list?.revision === 0 && (
-        <EmptyState head="The list has no revision yet.">The first cues that are added make revision 1.</EmptyState>
+        <EmptyState head="No revisions yet">Adding the first cues creates revision 1.</EmptyState>
       )}
       {newest > 0 && (
         <div className={`columns ${classes.columns}`}>
           <div className="stack">
-            <Card aria-label="What is compared" className={classes.choose}>
+            <Card aria-label="Revisions to compare" className={classes.choose}>
               <RevisionSelect
                 label="From"
                 value={from}
@@ -93,7 +93,7 @@ export function ComparePage(): ReactNode {
                 onChange={(value) => show({ from, to: value })}
               />
             </Card>
-            {nothing && <EmptyState head={`Revisions ${from} and ${to} say the same.`} />}
+            {nothing && <EmptyState head={`Revisions ${from} and ${to} are identical.`} />}
             {compared.data && (
               <>
                 <Differences title="Added" lines={compared.data.added} projectId={projectId} fresh />
@@ -103,7 +103,7 @@ export function ComparePage(): ReactNode {
             )}
           </div>
           <Card aria-labelledby="revisions">
-            <CardHead id="revisions" title="Revisions" count={newest} end="the newest first" />
+            <CardHead id="revisions" title="Revisions" count={newest} end="newest first" />
             <ol className={classes.revisions}>
               {known.map((revision) => (
                 <li key={revision.number}>
@@ -153,7 +153,7 @@ function inWords(
     cut.length > 0 ? `${cut.length} cut` : '',
   ].filter(Boolean)
   const since = from === 0 ? `In the list of revision ${to}` : `From revision ${from} to ${to}`
-  return `${since}: ${parts.join(', ') || 'nothing differs'}.`
+  return `${since}: ${parts.join(', ') || 'no differences'}.`
 }
 
 interface RevisionSelectProps {
@@ -168,7 +168,7 @@ interface RevisionSelectProps {
 function RevisionSelect({ label, value, first, last, known, onChange }: RevisionSelectProps) {
   const summaries = new Map(known.map(({ number, summary }) => [number, summary]))
   const word = (number: number) =>
-    number === 0 ? 'The empty list' : `Revision ${number}${summaries.has(number) ? `: ${summaries.get(number)}` : ''}`
+    number === 0 ? 'Empty list' : `Revision ${number}${summaries.has(number) ? `: ${summaries.get(number)}` : ''}`
   return (
     <Select label={label} value={value} onChange={({ currentTarget }) => onChange(Number(currentTarget.value))}>
       {Array.from({ length: last - first + 1 }, (_, place) => last - place).map((number) => (

@@ -31,7 +31,7 @@ export function CueFields({ draft, faults, categories, onChange }: CueFieldsProp
   return (
     <div className={classes.fields}>
       <TextInput {...text('name', 'two')} data-autofocus />
-      <TextInput {...text('file_name', 'two')} placeholder="From its name" />
+      <TextInput {...text('file_name', 'two')} placeholder="From the name" />
       <Autocomplete
         label={fieldWord('category')}
         value={draft.category}
@@ -48,11 +48,11 @@ export function CueFields({ draft, faults, categories, onChange }: CueFieldsProp
       <NativeSelect {...text('reverb')} size="xs" data={[...REVERBS]} />
       <TextInput {...text('playback_priority')} inputMode="numeric" />
       <fieldset className={classes.flags}>
-        <legend className="visually-hidden">What it is</legend>
+        <legend className="visually-hidden">Properties</legend>
         {flag('loop', 'Loop')}
         {flag('length_locked', 'Exact length')}
-        {flag('placeholder', 'The game plays a stand-in')}
-        {flag('palette', 'In the palette')}
+        {flag('placeholder', 'Placeholder in build')}
+        {flag('palette', 'Part of the palette')}
       </fieldset>
       {draft.length_locked && <TextInput {...text('frame_rate_fps')} placeholder="60" inputMode="decimal" />}
     </div>

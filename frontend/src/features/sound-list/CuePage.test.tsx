@@ -75,6 +75,8 @@ function opened(part: 'team' | 'designer' = 'team') {
               file_name: 'coolant_splash.wav',
               note: '',
               received_at: AT,
+              discarded_at: null,
+              sure: null,
               guesses: [],
             },
           ]
@@ -110,7 +112,7 @@ test('the cue, its versions with findings, and its history stand on one page', a
   const finding = await screen.findByRole('article', { name: 'Sample peak 0.00 dBFS, limit −0.1 dBFS' })
   expect(finding).toHaveTextContent('Lower the level by 0.10 dB or more.')
   expect(screen.getByRole('button', { name: 'Play version 1' })).toBeInTheDocument()
-  const [review] = screen.getAllByRole('link', { name: 'Hear it in review' })
+  const [review] = screen.getAllByRole('link', { name: 'Open in review' })
   expect(review).toHaveAttribute('href', `/projects/${server.projectId}/review/${id}`)
   const history = await screen.findByRole('region', { name: 'History' })
   await waitFor(() => expect(history).toHaveTextContent(/Length was 0.70 s.*0.80 s/))
@@ -139,7 +141,7 @@ test('an answer that came too late says so, and keeps its text', async () => {
   )
   const field = await screen.findByRole('textbox', { name: 'Your answer' })
   await userEvent.type(field, 'A drop.')
-  await userEvent.click(screen.getByRole('checkbox', { name: 'It joins the description of the cue' }))
+  await userEvent.click(screen.getByRole('checkbox', { name: 'Add it to the cue’s description' }))
   await userEvent.click(screen.getByRole('button', { name: 'Answer' }))
   expect(await screen.findByRole('alert')).toHaveTextContent('this question was answered already')
   expect(field).toHaveValue('A drop.')
@@ -181,15 +183,15 @@ test('all takes are heard in a row, once they are put together', async () => {
   }
   server.answers[`POST /v1/cues/${id}/reels`] = reel
   server.answers['GET /v1/reels/r1'] = { ...reel, state: 'made', duration_s: 1.12, file_url: '/v1/reels/r1/file' }
-  await userEvent.click(await screen.findByText('How they follow one another'))
+  await userEvent.click(await screen.findByText('Playback options'))
   await userEvent.click(screen.getByRole('button', { name: 'Crossfade' }))
-  const seconds = screen.getByRole('textbox', { name: 'Length of the crossfade' })
+  const seconds = screen.getByRole('textbox', { name: 'Crossfade length' })
   await userEvent.clear(seconds)
   await userEvent.type(seconds, '0.25')
   await userEvent.click(screen.getByRole('button', { name: 'Beeps' }))
   await userEvent.click(screen.getByRole('button', { name: 'Newest first' }))
-  await userEvent.click(await screen.findByRole('button', { name: 'Hear all versions in a row' }))
-  const audio = await screen.findByLabelText<HTMLAudioElement>('All versions of coolant_splash in a row')
+  await userEvent.click(await screen.findByRole('button', { name: 'Play all versions' }))
+  const audio = await screen.findByLabelText<HTMLAudioElement>('All versions of coolant_splash')
   expect(server.sent('POST', `/v1/cues/${id}/reels`)[0]?.body).toEqual({
     gap_ms: 0,
     crossfade_ms: 250,
@@ -200,34 +202,34 @@ test('all takes are heard in a row, once they are put together', async () => {
   const play = vi.spyOn(audio, 'play').mockResolvedValue()
   await userEvent.click(screen.getByRole('button', { name: /^version 2/ }))
   expect([audio.currentTime, play.mock.calls.length]).toEqual([1.53, 1])
-  const download = screen.getByRole('link', { name: 'Download the reel' })
+  const download = screen.getByRole('link', { name: 'Download reel' })
   expect(download).toHaveAttribute('href', '/v1/reels/r1/file')
   expect(download).toHaveAttribute('download', 'coolant_splash_reel.wav')
-  expect(screen.getByText(/2 versions, 1.12 s. As many beeps as its number before each./)).toBeInTheDocument()
+  expect(screen.getByText(/2 versions, 1.12 s. Beeps before each give its version number./)).toBeInTheDocument()
 })
 
 test('a reel that is refused says why', async () => {
   const { server, id } = opened()
   server.answers[`POST /v1/cues/${id}/reels`] = refusal(409, 'takes-being-drawn', 'a take is still being drawn')
-  await userEvent.click(await screen.findByRole('button', { name: 'Hear all versions in a row' }))
+  await userEvent.click(await screen.findByRole('button', { name: 'Play all versions' }))
   expect(await screen.findByRole('alert')).toHaveTextContent('a take is still being drawn')
-  expect(screen.queryByRole('link', { name: 'Download the reel' })).not.toBeInTheDocument()
+  expect(screen.queryByRole('link', { name: 'Download reel' })).not.toBeInTheDocument()
 })
 
 test('a designer sees the cue and asks; who answers is said', async () => {
   opened('designer')
   const question = await screen.findByRole('article', { name: 'Question: What falls in?' })
-  expect(within(question).getByText('The team answers; it waits with them.')).toBeInTheDocument()
+  expect(within(question).getByText('Waiting for the team’s answer.')).toBeInTheDocument()
   expect(screen.queryByRole('button', { name: /Edit/ })).not.toBeInTheDocument()
   expect(screen.queryByRole('link', { name: /review/ })).not.toBeInTheDocument()
-  expect(screen.getByRole('textbox', { name: 'What must be known to make coolant_splash?' })).toBeInTheDocument()
+  expect(screen.getByRole('textbox', { name: 'Your question about coolant_splash' })).toBeInTheDocument()
 })
 
 test('a cue that is not there says so and leads back', async () => {
   const server = new ListServer([])
   server.answers['GET /v1/cues/nowhere'] = refusal(404, 'cue-not-found', 'no cue nowhere')
   openApp(`${server.path}/cues/nowhere`)
-  expect(await screen.findByRole('heading', { level: 1, name: 'This cue is not here.' })).toBeInTheDocument()
+  expect(await screen.findByRole('heading', { level: 1, name: 'Cue not found' })).toBeInTheDocument()
   expect(screen.getByRole('alert')).toHaveTextContent('no cue nowhere')
-  expect(screen.getByRole('link', { name: 'To the sound list' })).toHaveAttribute('href', server.path)
+  expect(screen.getByRole('link', { name: 'Go to the sound list' })).toHaveAttribute('href', server.path)
 })

@@ -18,7 +18,7 @@ import {
   cueQuery,
   listQuery,
   problemIn,
-  standingQuery,
+  progressQuery,
   type Version,
   versionsQuery,
   useRights,
@@ -44,14 +44,14 @@ export function CuePage(): ReactNode {
   if (cue === undefined) {
     return (
       <div className="page stack">
-        <h1 className={problem ? undefined : 'visually-hidden'}>{problem ? 'This cue is not here.' : 'Cue'}</h1>
+        <h1 className={problem ? undefined : 'visually-hidden'}>{problem ? 'Cue not found' : 'Cue'}</h1>
         {problem && (
           <ProblemNote
             detail={problem.detail}
             fix={problem.fix}
             action={
               <Link className="link" to="/projects/$projectId/sound-list" params={{ projectId }}>
-                To the sound list
+                Go to the sound list
               </Link>
             }
           />
@@ -66,14 +66,14 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
   const navigate = useNavigate()
   const rights = useRights(projectId)
   const { data: list } = useQuery(listQuery(projectId))
-  const { data: standings } = useQuery(standingQuery(projectId))
+  const { data: progressList } = useQuery(progressQuery(projectId))
   const versions = useQuery(versionsQuery(projectId, cue.id))
   const changes = useInfiniteQuery(cueChangesQuery(projectId, cue))
   const [player, playing] = usePlayer()
   const [doing, setDoing] = useState<'edit' | 'cut' | null>(null)
 
   const cues = list?.cues
-  const row = useMemo(() => rowsOf([cue], { standings })[0], [cue, standings])
+  const row = useMemo(() => rowsOf([cue], { progressList })[0], [cue, progressList])
   const categories = useMemo(() => categoriesOf((cues ?? []).map((each) => ({ cue: each }))), [cues])
   const at = cues?.findIndex(({ id }) => id === cue.id) ?? -1
   const delivered = versions.data ?? NO_VERSIONS
@@ -130,14 +130,14 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
           </p>
           <div className="row wrap">
             <h1 className={isCut ? 'struck' : undefined}>{cue.name}</h1>
-            {row && standings && (
+            {row && progressList && (
               <State kind={row.kind} pill>
                 {row.stateWords}
               </State>
             )}
             {cue.placeholder && row?.kind !== 'placeholder' && !isCut && <State kind="placeholder" pill />}
           </div>
-          {stands && standings && (
+          {stands && progressList && (
             <p className="mid">
               {stands.before}
               {stands.marked && <span className={`tone-${stands.tone} toned`}>{stands.marked}</span>}
@@ -153,7 +153,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
           )}
           {rights.cuts && !isCut && (
             <Button icon="struckRing" onClick={() => setDoing('cut')}>
-              Cut it
+              Cut cue
             </Button>
           )}
           {rights.reviews && delivered.length > 0 && (
@@ -163,7 +163,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
               icon="headphones"
               to={`/projects/${projectId}/review/${cue.id}`}
             >
-              Hear it in review
+              Open in review
             </ButtonLink>
           )}
         </div>
@@ -172,7 +172,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
       <div className={`columns ${classes.columns}`}>
         <div className="stack">
           <Card aria-labelledby="facts">
-            <CardHead id="facts" title="What it is" end={row && `${wordOf(SETTLED, cue.state)}`} />
+            <CardHead id="facts" title="Brief" end={row && `${wordOf(SETTLED, cue.state)}`} />
             {doing === 'edit' && (
               <EditCue cue={cue} projectId={projectId} categories={categories} onClose={() => setDoing(null)} />
             )}
@@ -195,14 +195,14 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
             <CardHead
               id="questions"
               title="Questions"
-              note={open.length > 0 ? (open.length === 1 ? 'one waits' : `${open.length} wait`) : undefined}
+              note={open.length > 0 ? (open.length === 1 ? '1 unanswered' : `${open.length} unanswered`) : undefined}
             />
             <div className={classes.inside}>
               {[...open, ...answered].map((question) => (
                 <QuestionLine key={question.id} question={question} projectId={projectId} mayAnswer={rights.edits} />
               ))}
               {cue.questions.length === 0 && (
-                <p className="small dim">Nothing was asked. An answer joins the description.</p>
+                <p className="small dim">No questions. Answers are added to the description.</p>
               )}
               {!isCut && (
                 <div id="ask">
@@ -248,8 +248,8 @@ function Facts({ cue }: { cue: CueDetail }) {
     ['Variations', cue.variations > 1 && `a set of ${cue.variations}`],
     ['Reverb', cue.reverb && wordOf(REVERBS, cue.reverb).toLowerCase()],
     ['Priority', cue.playback_priority],
-    ['Placeholder', cue.placeholder && 'the game plays a stand-in; none may ship'],
-    ['Palette', cue.palette && 'new sounds are compared with it'],
+    ['Placeholder', cue.placeholder && 'the build has a placeholder, which must not ship'],
+    ['Palette', cue.palette && 'reference for new sounds'],
     [
       cue.stems.length > 1 ? 'File names' : 'File name',
       cue.stems.length > 0 && <span className="mono">{cue.stems.map((stem) => `${stem}.wav`).join(', ')}</span>,

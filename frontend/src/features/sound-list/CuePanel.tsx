@@ -33,7 +33,7 @@ export function CuePanel({ kind, cue, projectId, categories, rights, onKind, onC
       more={
         rights.cuts && (
           <Button icon="struckRing" onClick={() => onKind('cut')}>
-            Cut it
+            Cut cue
           </Button>
         )
       }

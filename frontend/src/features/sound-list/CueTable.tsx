@@ -98,7 +98,7 @@ export function CueTable(props: CueTableProps) {
       </colgroup>
       <thead>
         <tr>
-          <th scope="col">Number</th>
+          <th scope="col">ID</th>
           <th scope="col">Cue</th>
           <th scope="col">Category</th>
           <th scope="col">Use in the game</th>
@@ -106,9 +106,9 @@ export function CueTable(props: CueTableProps) {
             Length, s
           </th>
           <th scope="col">Set or loop</th>
-          <th scope="col">Newest version</th>
+          <th scope="col">Latest version</th>
           <th scope="col">State</th>
-          <th scope="col">What stands</th>
+          <th scope="col">Latest</th>
         </tr>
       </thead>
       <tbody>
@@ -266,7 +266,7 @@ const Line = memo(function Line(props: LineProps) {
 })
 
 function SetOrLoop({ row }: { row: CueRow }) {
-  const { cue, standing } = row
+  const { cue, progress } = row
   if (row.status === 'cut') return null
   if (cue.variations > MANY_VARIATIONS) {
     const here = blocksOf(row).filter(({ tone }) => tone !== 'idle').length
@@ -280,7 +280,7 @@ function SetOrLoop({ row }: { row: CueRow }) {
       </>
     )
   }
-  if (standing && standing.alternates > 1) return `${standing.alternates} alternates`
-  if (standing && standing.versions > 1) return `version ${standing.versions}`
+  if (progress && progress.alternates > 1) return `${progress.alternates} alternates`
+  if (progress && progress.versions > 1) return `version ${progress.versions}`
   return null
 }

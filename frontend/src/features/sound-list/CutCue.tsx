@@ -1,6 +1,7 @@
 import { TextInput } from '@mantine/core'
 import { useEffect, useRef, useState } from 'react'
 
+import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { ProblemNote } from '@/ui/ProblemNote'
@@ -16,7 +17,7 @@ interface CutCueProps {
 
 /** Cut a cue that the game no longer needs. It asks why, in place, since a cut stays. */
 export function CutCue({ cue, projectId, onClose }: CutCueProps) {
-  const [reason, setReason] = useState('')
+  const [reason, setReason, draft] = useDraft(`cut:${cue.id}`, '')
   const [missing, setMissing] = useState(false)
   const cut = useCut(projectId, cue.id)
   const problem = problemIn(cut.error)
@@ -28,7 +29,8 @@ export function CutCue({ cue, projectId, onClose }: CutCueProps) {
     if (why === '' || cut.isPending) return
     cut.mutate(why, {
       onSuccess: () => {
-        showToast(`${cue.label} ${cue.name} cut. It stays in the list with its reason.`)
+        draft.discard()
+        showToast(`${cue.label} ${cue.name} cut. It stays in the list with the reason.`)
         onClose()
       },
     })
@@ -42,23 +44,25 @@ export function CutCue({ cue, projectId, onClose }: CutCueProps) {
         send()
       }}
     >
+      <DraftNote draft={draft} />
       <div className={classes.say}>
         <TextInput
           ref={field}
-          label={`Why does the game no longer need ${cue.name}?`}
+          label={`Why cut ${cue.name}?`}
           value={reason}
-          error={missing ? 'A cut needs its reason; the designer reads it.' : undefined}
+          error={missing ? 'Enter a reason. The designer reads it.' : undefined}
           onChange={(event) => setReason(event.currentTarget.value)}
         />
         <span className="row">
-          <Button onClick={onClose}>Keep it</Button>
+          <Button onClick={onClose}>Cancel</Button>
           <Button type="submit" variant="primary" disabled={cut.isPending}>
             Cut {cue.name}
           </Button>
         </span>
       </div>
       <p className="small dim">
-        A cut cannot be taken back: {cue.label} stays with its reason and its versions, and its file name is free again.
+        A cut can’t be undone: {cue.label} stays in the list with its reason and versions, and its file name can be used
+        again.
       </p>
       {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
     </form>

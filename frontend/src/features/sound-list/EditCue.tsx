@@ -2,6 +2,7 @@ import { useQueryClient } from '@tanstack/react-query'
 import { type ReactNode, useEffect, useRef, useState } from 'react'
 
 import type { ApiProblem } from '@/api'
+import { DraftNote, keepDraft, keptDraft } from '@/app/drafts'
 import { useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
@@ -25,20 +26,19 @@ import {
 import classes from './Panel.module.css'
 
 interface Kept {
-  /** As the cue was read when typing began, or after somebody else's change. */
+  /** The cue as read when typing began, or after another person's change. */
   base: Cue
   draft: CueDraft
 }
 
-/** What was typed and not saved, by cue: closing or leaving loses nothing. */
-const kept = new Map<string, Kept>()
+const keyOf = (cue: Cue) => `cue:${cue.id}`
 
 interface EditCueProps {
   cue: Cue
   projectId: string
   categories: readonly string[]
   onClose: () => void
-  /** Beside the buttons: what else can be done with the cue. */
+  /** Next to the buttons: further actions on the cue. */
   more?: ReactNode
 }
 
@@ -46,7 +46,10 @@ interface EditCueProps {
 export function EditCue({ cue, projectId, categories, onClose, more }: EditCueProps) {
   const client = useQueryClient()
   const change = useChangeCue(projectId)
-  const [{ base, draft }, setEdit] = useState<Kept>(() => kept.get(cue.id) ?? { base: cue, draft: draftOf(cue) })
+  const [{ base, draft }, setEdit] = useState<Kept>(
+    () => keptDraft<Kept>(keyOf(cue)) ?? { base: cue, draft: draftOf(cue) },
+  )
+  const [wasKept, setWasKept] = useState(() => keptDraft(keyOf(cue)) !== null)
   const [faults, setFaults] = useState<Faults>({})
   const [whole, setWhole] = useState<string[]>([])
   const [theirs, setTheirs] = useState<FieldChange[]>([])
@@ -62,8 +65,7 @@ export function EditCue({ cue, projectId, categories, onClose, more }: EditCuePr
     const next = { base, draft: { ...draft, [field]: value } }
     setEdit(next)
     setFaults((before) => ({ ...before, [field]: undefined }))
-    if (touched(base, next.draft).length > 0) kept.set(cue.id, next)
-    else kept.delete(cue.id)
+    keepDraft(keyOf(cue), touched(base, next.draft).length > 0 ? next : null)
   }
 
   const takeTheirs = async () => {
@@ -71,7 +73,7 @@ export function EditCue({ cue, projectId, categories, onClose, more }: EditCuePr
     const next = { base: fresh, draft: rebased(base, fresh, draft) }
     setTheirs(changesBetween(base, fresh))
     setEdit(next)
-    kept.set(cue.id, next)
+    keepDraft(keyOf(cue), next)
   }
 
   const save = async () => {
@@ -88,16 +90,16 @@ export function EditCue({ cue, projectId, categories, onClose, more }: EditCuePr
     const facts = changedFacts(base, draft)
     try {
       const saved = await change.mutateAsync({ cueId: cue.id, edition: base.edition, facts })
-      kept.delete(cue.id)
+      keepDraft(keyOf(cue), null)
       const before = changedFacts(saved, draftOf(base))
-      showToast(`${saved.name} changed.`, async () => {
+      showToast(`${saved.name} saved.`, async () => {
         await change.mutateAsync({ cueId: cue.id, edition: saved.edition, facts: before })
       })
       onClose()
     } catch (error) {
       const problem = problemIn(error)
       if (problem === null) throw error
-      if (problem.code === 'cue-edited-meanwhile') {
+      if (problem.code === 'cue-changed') {
         await takeTheirs().catch(() => setRefusal(problem))
         return
       }
@@ -107,10 +109,10 @@ export function EditCue({ cue, projectId, categories, onClose, more }: EditCuePr
       if (refused === undefined) setRefusal(problem)
     }
   }
-  useHotkeys([{ keys: 'mod+Enter', label: 'Save the cue', group: 'List', run: () => void save() }])
+  useHotkeys([{ keys: 'mod+Enter', label: 'Save cue', group: 'List', run: () => void save() }])
 
   const drop = () => {
-    kept.delete(cue.id)
+    keepDraft(keyOf(cue), null)
     onClose()
   }
 
@@ -128,12 +130,22 @@ export function EditCue({ cue, projectId, categories, onClose, more }: EditCuePr
       {theirs.length > 0 && (
         <div role="alert" className={`${classes.theirs} tone-warn`}>
           <p>
-            <span className="strong toned">Somebody else changed {cue.name} meanwhile.</span> What you typed stays as it
-            is. Save once more to put it over theirs.
+            <span className="strong toned">Someone else changed {cue.name} meanwhile.</span> Your changes are kept. Save
+            again to replace theirs.
           </p>
           <Changes changes={theirs} />
         </div>
       )}
+      <DraftNote
+        draft={{
+          isRestored: wasKept && mine.length > 0,
+          discard: () => {
+            keepDraft(keyOf(cue), null)
+            setWasKept(false)
+            setEdit({ base: cue, draft: draftOf(cue) })
+          },
+        }}
+      />
       <CueFields draft={draft} faults={faults} categories={categories} onChange={put} />
       {whole.map((sentence) => (
         <ProblemNote key={sentence} detail={sentence} />
@@ -142,10 +154,10 @@ export function EditCue({ cue, projectId, categories, onClose, more }: EditCuePr
       <div className={classes.acts}>
         {more}
         <span className="small dim end">
-          {mine.length > 0 ? 'Not saved yet; closing keeps what you typed.' : 'Nothing is changed.'}
+          {mine.length > 0 ? 'Not saved yet. Your changes are kept if you close.' : 'No changes.'}
         </span>
         {mine.length > 0 ? (
-          <Button onClick={drop}>Drop what I typed</Button>
+          <Button onClick={drop}>Discard changes</Button>
         ) : (
           <Button keys="Escape" onClick={onClose}>
             Close

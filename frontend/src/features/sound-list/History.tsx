@@ -33,7 +33,7 @@ export function History({ cue, versions, changes }: HistoryProps) {
   const problem = problemIn(changes.error)
   return (
     <Card aria-labelledby="history">
-      <CardHead id="history" title="History" end="the newest first" />
+      <CardHead id="history" title="History" end="newest first" />
       {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
       <ol className={classes.history}>
         {all.map(({ key, at, who, what }) => (
@@ -46,7 +46,7 @@ export function History({ cue, versions, changes }: HistoryProps) {
       {changes.hasNextPage && (
         <p className={classes.further}>
           <Button disabled={changes.isFetchingNextPage} onClick={() => void changes.fetchNextPage()}>
-            Look further back
+            Show older
           </Button>
         </p>
       )}

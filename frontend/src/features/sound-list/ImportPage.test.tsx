@@ -62,7 +62,7 @@ test('a dry run says what becomes of every row; then it is imported', async () =
     revision: 3,
   }))
   await type('Sound\tLen\tMood\ndoor_open\t1.2\tcalm')
-  const table = await screen.findByRole('table', { name: 'Rows of the sheet' })
+  const table = await screen.findByRole('table', { name: 'Rows of the spreadsheet' })
   const [, first, second] = within(table).getAllByRole('row')
   expect(first).toHaveTextContent('2 Add')
   expect(second).toHaveTextContent(/3 Change\s*SW-001\s*shield_hit.*Length was 0.80 s.*1.20 s/)
@@ -94,13 +94,23 @@ test('errors stand at their row, and nothing can be imported until they are gone
 test('a column is read as what the person says; a field moves and is never read twice', async () => {
   const { sent } = opened(PLAN)
   await type('Sound\tLen\tMood\na\t1\tcalm')
-  await userEvent.selectOptions(await screen.findByRole('combobox', { name: 'Read Mood as' }), 'category')
+  await userEvent.selectOptions(await screen.findByRole('combobox', { name: 'Map Mood to' }), 'category')
   await waitFor(() => expect(sent().at(-1)).toMatchObject({ mapping: { Mood: 'category' } }))
-  await userEvent.selectOptions(screen.getByRole('combobox', { name: 'Read Sound as' }), 'category')
+  await userEvent.selectOptions(screen.getByRole('combobox', { name: 'Map Sound to' }), 'category')
   await waitFor(() => expect(sent().at(-1)).toMatchObject({ mapping: { Sound: 'category' } }))
   expect((sent().at(-1) as { mapping: object }).mapping).toEqual({ Sound: 'category' })
   await userEvent.click(screen.getByRole('button', { name: 'By name' }))
   await waitFor(() => expect(sent().at(-1)).toMatchObject({ match: 'name' }))
+})
+
+test('typing in the pasted rows keeps what was mapped by hand', async () => {
+  const { sent } = opened(PLAN)
+  await type('Sound\tLen\tMood\na\t1\tcalm')
+  await userEvent.selectOptions(await screen.findByRole('combobox', { name: 'Map Mood to' }), 'category')
+  await waitFor(() => expect(sent().at(-1)).toMatchObject({ mapping: { Mood: 'category' } }))
+  await userEvent.type(screen.getByRole('textbox', { name: 'Pasted rows' }), 'er')
+  await waitFor(() => expect(sent().at(-1)).toMatchObject({ text: expect.stringMatching(/calmer$/) as string }))
+  expect(sent().at(-1)).toMatchObject({ mapping: { Mood: 'category' } })
 })
 
 test('a file goes as its bytes, and a sheet that cannot be read says why and stays', async () => {
@@ -119,7 +129,7 @@ test('a file that is too large is not sent', async () => {
   const file = new File(['x'], 'huge.csv')
   Object.defineProperty(file, 'size', { value: 6_000_000 })
   await userEvent.upload(document.querySelector('input[type=file]') as HTMLInputElement, file)
-  expect(await screen.findByRole('alert')).toHaveTextContent('huge.csv has 6.0 MB; at most 5.0 MB are read.')
+  expect(await screen.findByRole('alert')).toHaveTextContent('huge.csv has 6.0 MB; the limit is 5.0 MB.')
   expect(sent()).toEqual([])
 })
 
@@ -127,5 +137,7 @@ test('a designer is told who changes the list', async () => {
   const server = new ListServer([], {}, 'designer')
   server.answers[`GET ${server.at}/desk`] = { came_back: [], unmatched: 0, checking: 0 }
   openApp(`${server.path}/import`)
-  expect(await screen.findByRole('heading', { name: 'Producers and liaisons change this list.' })).toBeInTheDocument()
+  expect(
+    await screen.findByRole('heading', { name: 'Only producers and audio leads can edit the list' }),
+  ).toBeInTheDocument()
 })

@@ -4,6 +4,7 @@ import { keepPreviousData, useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams } from '@tanstack/react-router'
 import { type ReactNode, useEffect, useEffectEvent, useRef, useState } from 'react'
 
+import { DraftNote } from '@/app/drafts'
 import { useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
 import { useTitle } from '@/app/title'
@@ -19,7 +20,7 @@ import { Select } from '@/ui/Select'
 import { type ImportField, type ImportRead, importSheet, problemIn, useImport, useRights } from './api'
 import classes from './Import.module.css'
 import { ImportRows } from './ImportRows'
-import { EMPTY_SHEET, keepSheet, keptSheet, type SheetDraft } from './pasted'
+import { EMPTY_SHEET, keepSheet, keptSheet, mappingFor, type SheetDraft } from './pasted'
 import { IMPORT_FIELDS } from './words'
 
 const LARGEST_BYTES = 5_000_000
@@ -39,7 +40,9 @@ export function ImportPage(): ReactNode {
   const navigate = useNavigate()
   const rights = useRights(projectId)
   useTitle('Import')
-  const [sheet, setSheetOnly] = useState<SheetDraft>(() => keptSheet(projectId))
+  const [sheet, setSheetOnly] = useState<SheetDraft>(() => keptSheet(projectId) ?? EMPTY_SHEET)
+  const [wasKept, setWasKept] = useState(() => keptSheet(projectId) !== null)
+  const outlives = useRef(true)
   const [unread, setUnread] = useState<string | null>(null)
   const [over, setOver] = useState(false)
   const [asked] = useDebouncedValue(sheet, sheet.text === '' ? 0 : TYPING_MS)
@@ -56,7 +59,7 @@ export function ImportPage(): ReactNode {
 
   const setSheet = (next: SheetDraft) => {
     setSheetOnly(next)
-    keepSheet(projectId, next)
+    outlives.current = keepSheet(projectId, isGiven(next) ? next : null)
     send.reset()
   }
   const toList = () => void navigate({ to: '/projects/$projectId/sound-list', params: { projectId } })
@@ -67,7 +70,7 @@ export function ImportPage(): ReactNode {
     setUnread(null)
     const format = /\.xlsx$/i.test(file.name) ? 'xlsx' : 'csv'
     if (file.size > LARGEST_BYTES) {
-      setUnread(`${file.name} has ${bytes(file.size)}; at most ${bytes(LARGEST_BYTES)} are read. Nothing was sent.`)
+      setUnread(`${file.name} has ${bytes(file.size)}; the limit is ${bytes(LARGEST_BYTES)}. Nothing was uploaded.`)
       return
     }
     try {
@@ -77,6 +80,13 @@ export function ImportPage(): ReactNode {
     }
   }
   const takeDropped = useEffectEvent((file: File | undefined) => void take(file))
+  useEffect(() => {
+    const warn = (event: BeforeUnloadEvent) => {
+      if (!outlives.current) event.preventDefault()
+    }
+    window.addEventListener('beforeunload', warn)
+    return () => window.removeEventListener('beforeunload', warn)
+  }, [])
   useEffect(() => {
     const enter = (event: DragEvent) => {
       event.preventDefault()
@@ -113,6 +123,7 @@ export function ImportPage(): ReactNode {
           void plan.refetch()
           return
         }
+        outlives.current = true
         keepSheet(projectId, null)
         showToast(`${whatBecame(done)}. The list is at revision ${done.revision}.`)
         toList()
@@ -125,14 +136,14 @@ export function ImportPage(): ReactNode {
       <div className="page">
         <h1>Import</h1>
         <EmptyState
-          head="Producers and liaisons change this list."
+          head="Only producers and audio leads can edit the list"
           action={
             <Link className="link" to="/projects/$projectId/sound-list" params={{ projectId }}>
-              To the sound list
+              Go to the sound list
             </Link>
           }
         >
-          You can read it and ask about each sound.
+          You can read it and ask questions.
         </EmptyState>
       </div>
     )
@@ -143,7 +154,9 @@ export function ImportPage(): ReactNode {
       <header className={classes.top}>
         <div>
           <h1>Paste or import</h1>
-          <p className="mid">Rows of a spreadsheet become cues. With an error in any row nothing is imported.</p>
+          <p className="mid">
+            Turn the rows of a spreadsheet into cues. Nothing is imported while any row has an error.
+          </p>
         </div>
         <ButtonLink component={Link} to={`/projects/${projectId}/sound-list`} keys="Escape">
           Back to the list
@@ -153,14 +166,14 @@ export function ImportPage(): ReactNode {
       <Card aria-labelledby="sheet">
         <CardHead
           id="sheet"
-          title="The sheet"
+          title="Spreadsheet"
           note={sheet.file ? undefined : 'CSV, XLSX, or rows copied from a spreadsheet'}
         />
         <div className={classes.source} data-over={over || undefined}>
           {sheet.file ? (
             <p className={classes.file}>
               <span className="mono">{sheet.file.name}</span>
-              <Button onClick={() => setSheet({ ...sheet, mapping: {}, file: null })}>Take it out</Button>
+              <Button onClick={() => setSheet({ ...sheet, mapping: {}, file: null })}>Remove file</Button>
             </p>
           ) : (
             <Textarea
@@ -169,12 +182,24 @@ export function ImportPage(): ReactNode {
               rows={5}
               classNames={{ input: classes.text }}
               value={sheet.text}
-              onChange={(event) => setSheet({ ...sheet, mapping: {}, text: event.currentTarget.value })}
+              onChange={(event) => {
+                const text = event.currentTarget.value
+                setSheet({ ...sheet, mapping: mappingFor(text, sheet, plan.data?.header_row !== null), text })
+              }}
             />
           )}
+          <DraftNote
+            draft={{
+              isRestored: wasKept && given,
+              discard: () => {
+                setWasKept(false)
+                setSheet(EMPTY_SHEET)
+              },
+            }}
+          />
           <div className={classes.choose}>
             <Button icon="upload" onClick={() => picker.current?.click()}>
-              {sheet.file ? 'Choose another file' : 'Choose a file'}
+              {sheet.file ? 'Choose another file' : 'Choose file'}
             </Button>
             <span className="small dim">or drop it anywhere on this page</span>
             <input
@@ -206,11 +231,10 @@ export function ImportPage(): ReactNode {
           <ImportRows read={read} />
           <footer className={classes.bar} aria-label="Import">
             <div className={classes.says} role="status">
-              <p className="strong">{isStale ? 'Reading the sheet' : whatWould(read)}</p>
+              <p className="strong">{isStale ? 'Reading the spreadsheet' : whatWould(read)}</p>
               {read.errors.length > 0 && (
                 <p className="small tone-bad toned">
-                  {plural(read.errors.length, 'error')} to mend in the sheet or by another column; nothing is imported
-                  until then.
+                  {plural(read.errors.length, 'error')} Fix the rows, or map the columns differently.
                 </p>
               )}
             </div>
@@ -229,10 +253,10 @@ export function ImportPage(): ReactNode {
       )}
       {!given && (
         <p className="small dim">
-          The first row may name the columns, in any order and in your words; what we do not know is kept as it is. The
-          list’s own CSV comes back the same way.{' '}
+          The first row can hold column names, in any order. Unknown columns are kept as custom columns. You can also
+          re-import a CSV exported from the list.{' '}
           <button type="button" className="link" onClick={() => setSheet({ ...EMPTY_SHEET, text: EXAMPLE })}>
-            Show an example
+            Use an example
           </button>
         </p>
       )}
@@ -287,19 +311,19 @@ function Columns({ read, sheet, problem, onMap, onMatch }: ColumnsProps) {
     <Card aria-labelledby="columns">
       <CardHead
         id="columns"
-        title="The columns"
-        note={`${known} of ${plural(read.columns.length, 'column')} read as facts of a cue${
-          read.header_row === null ? '; the sheet has no head' : ''
+        title="Columns"
+        note={`${known} of ${plural(read.columns.length, 'column')} mapped${
+          read.header_row === null ? '; no header row' : ''
         }`}
         end={
           <Segmented
-            label="How a row finds its cue"
+            label="Match rows to cues"
             value={sheet.match}
             onChange={onMatch}
             options={[
-              { value: 'number', label: 'Match by number' },
+              { value: 'number', label: 'By ID' },
               { value: 'name', label: 'By name' },
-              { value: 'add', label: 'Add every row' },
+              { value: 'add', label: 'Add all as new' },
             ]}
           />
         }
@@ -312,7 +336,7 @@ function Columns({ read, sheet, problem, onMap, onMatch }: ColumnsProps) {
               {column.name}
             </span>
             <Select
-              aria-label={`Read ${column.name} as`}
+              aria-label={`Map ${column.name} to`}
               value={column.field}
               onChange={(event) => onMap(column.name, event.currentTarget.value as ImportField)}
             >

@@ -63,7 +63,7 @@ export function ImportRows({ read }: { read: ImportRead }) {
     <Card aria-labelledby="rows">
       <CardHead
         id="rows"
-        title="What would happen"
+        title="Preview"
         count={all.length}
         end={
           <Segmented
@@ -72,23 +72,23 @@ export function ImportRows({ read }: { read: ImportRead }) {
             onChange={setWanted}
             options={[
               { value: 'all', label: 'All' },
-              { value: 'changes', label: 'What differs' },
+              { value: 'changes', label: 'Changes' },
               ...(wrong > 0 ? [{ value: 'errors' as const, label: `${wrong} with errors` }] : []),
             ]}
           />
         }
       />
-      <table ref={table} className={classes.rows} aria-label="Rows of the sheet" aria-rowcount={rows.length + 1}>
+      <table ref={table} className={classes.rows} aria-label="Rows of the spreadsheet" aria-rowcount={rows.length + 1}>
         <thead>
           <tr>
             <th scope="col" className={`num ${classes.rowNumber}`}>
               Row
             </th>
             <th scope="col" className={classes.action}>
-              What happens
+              Action
             </th>
             <th scope="col" className={classes.label}>
-              Number
+              ID
             </th>
             <th scope="col" className={classes.cue}>
               Cue
@@ -99,7 +99,7 @@ export function ImportRows({ read }: { read: ImportRead }) {
             <th scope="col" className={`num ${classes.length}`}>
               Length, s
             </th>
-            <th scope="col">Before and after, or what is wrong</th>
+            <th scope="col">Changes or errors</th>
           </tr>
         </thead>
         <tbody>

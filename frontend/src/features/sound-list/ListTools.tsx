@@ -68,7 +68,7 @@ export function ListTools({ rows, categories, search, words, chips, filter, onSe
             value={search.category ?? ''}
             onChange={(event) => onSearch({ category: event.currentTarget.value || undefined })}
           >
-            <option value="">Any category</option>
+            <option value="">All categories</option>
             {categories.map((category) => (
               <option key={category} value={category}>
                 {category}

@@ -29,7 +29,7 @@ export function PickedBar({ projectId, cues, categories, onClear }: PickedBarPro
     const differing = live.filter((cue) => cue[field] !== value)
     if (set.isPending) return
     if (differing.length === 0) {
-      showToast(`${plural(live.length, 'cue')} said so already.`)
+      showToast(`${plural(live.length, 'cue')} already had this value.`)
       return
     }
     const before = differing.map((cue) => ({ cue, value: cue[field] }))
@@ -50,7 +50,7 @@ export function PickedBar({ projectId, cues, categories, onClear }: PickedBarPro
         <strong className="strong nowrap" role="status">
           {plural(cues.length, 'cue')} selected
         </strong>
-        {cut > 0 && <span className="small dim nowrap">{cut} cut, kept as it was</span>}
+        {cut > 0 && <span className="small dim nowrap">{cut} cut, not changed</span>}
         <form
           className="row"
           onSubmit={(event) => {
@@ -76,12 +76,12 @@ export function PickedBar({ projectId, cues, categories, onClear }: PickedBarPro
         </form>
         <span className={classes.select}>
           <select
-            aria-label="How settled the selected cues are"
+            aria-label="Design status of the selected cues"
             value=""
             onChange={(event) => put('state', event.currentTarget.value, `set to ${event.currentTarget.value}`)}
           >
             <option value="" disabled>
-              Settled
+              Design status
             </option>
             {SETTLED.map(({ value, label }) => (
               <option key={value} value={value}>
@@ -91,12 +91,15 @@ export function PickedBar({ projectId, cues, categories, onClear }: PickedBarPro
           </select>
           <Icon name="chevron" />
         </span>
-        <Button icon="dashedSquare" onClick={() => put('placeholder', true, 'marked: the game plays a stand-in')}>
+        <Button
+          icon="dashedSquare"
+          onClick={() => put('placeholder', true, 'marked as having a placeholder in the build')}
+        >
           Placeholder
         </Button>
-        <Button onClick={() => put('placeholder', false, 'marked: no stand-in')}>No placeholder</Button>
-        <Button onClick={() => put('palette', true, 'in the palette')}>To the palette</Button>
-        <Button onClick={() => put('palette', false, 'out of the palette')}>Out of it</Button>
+        <Button onClick={() => put('placeholder', false, 'marked as having no placeholder')}>No placeholder</Button>
+        <Button onClick={() => put('palette', true, 'added to the palette')}>Add to palette</Button>
+        <Button onClick={() => put('palette', false, 'removed from the palette')}>Remove from palette</Button>
         <Button className="end" keys="Escape" onClick={onClear}>
           Clear
         </Button>

@@ -1,6 +1,7 @@
 import { Checkbox, Textarea } from '@mantine/core'
 import { useEffect, useRef, useState } from 'react'
 
+import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { ago } from '@/ui/format'
@@ -10,21 +11,6 @@ import { State } from '@/ui/State'
 import { type Cue, problemIn, type Question, useAnswer, useAsk } from './api'
 import fields from './CueFields.module.css'
 import classes from './Panel.module.css'
-
-const kept = new Map<string, string>()
-
-/** A text that survives closing its field, until it is said. */
-function useKept(key: string): [string, (text: string) => void] {
-  const [text, setText] = useState(() => kept.get(key) ?? '')
-  return [
-    text,
-    (next) => {
-      setText(next)
-      if (next === '') kept.delete(key)
-      else kept.set(key, next)
-    },
-  ]
-}
 
 /** One question on a cue with its answer, or with the field for it. */
 export function QuestionLine({
@@ -59,13 +45,13 @@ export function QuestionLine({
         </>
       )}
       {question.answer === null && mayAnswer && <AnswerForm question={question} projectId={projectId} opens={opens} />}
-      {question.answer === null && !mayAnswer && <p className="small dim">The team answers; it waits with them.</p>}
+      {question.answer === null && !mayAnswer && <p className="small dim">Waiting for the team’s answer.</p>}
     </article>
   )
 }
 
 function AnswerForm({ question, projectId, opens }: { question: Question; projectId: string; opens: boolean }) {
-  const [text, setText] = useKept(`answer ${question.id}`)
+  const [text, setText, draft] = useDraft(`answer:${question.id}`, '')
   const [joins, setJoins] = useState(true)
   const answer = useAnswer(projectId)
   const field = useRef<HTMLTextAreaElement>(null)
@@ -80,8 +66,8 @@ function AnswerForm({ question, projectId, opens }: { question: Question; projec
       { questionId: question.id, text: said, joins },
       {
         onSuccess: () => {
-          setText('')
-          showToast(`Answered.${joins ? ` It joins what ${question.cue_name} says.` : ''}`)
+          draft.discard()
+          showToast(`Answered.${joins ? ` It was added to the description of ${question.cue_name}.` : ''}`)
         },
       },
     )
@@ -113,10 +99,11 @@ function AnswerForm({ question, projectId, opens }: { question: Question; projec
       <Checkbox
         mt="xs"
         classNames={{ input: fields.box, label: fields.boxLabel }}
-        label="It joins the description of the cue"
+        label="Add it to the cue’s description"
         checked={joins}
         onChange={(event) => setJoins(event.currentTarget.checked)}
       />
+      <DraftNote draft={draft} />
       {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
     </form>
   )
@@ -132,7 +119,7 @@ interface AskFormProps {
 
 /** Ask the team what it means by a cue. */
 export function AskForm({ cue, projectId, opens = false, onAsked }: AskFormProps) {
-  const [text, setText] = useKept(`ask ${cue.id}`)
+  const [text, setText, draft] = useDraft(`ask:${cue.id}`, '')
   const ask = useAsk(projectId, cue.id)
   const problem = problemIn(ask.error)
   const field = useRef<HTMLTextAreaElement>(null)
@@ -144,8 +131,8 @@ export function AskForm({ cue, projectId, opens = false, onAsked }: AskFormProps
     if (said === '' || ask.isPending) return
     ask.mutate(said, {
       onSuccess: () => {
-        setText('')
-        showToast(`Asked about ${cue.name}. The team sees it today.`)
+        draft.discard()
+        showToast(`Question about ${cue.name} sent. The team sees it on Today.`)
         onAsked?.()
       },
     })
@@ -161,8 +148,8 @@ export function AskForm({ cue, projectId, opens = false, onAsked }: AskFormProps
       <div className={classes.say}>
         <Textarea
           ref={field}
-          label={`What must be known to make ${cue.name}?`}
-          placeholder="Source, material, size, distance, mood"
+          label={`Your question about ${cue.name}`}
+          placeholder="For example source, material, size, distance or mood"
           rows={1}
           classNames={{ input: fields.grows }}
           value={text}
@@ -175,6 +162,7 @@ export function AskForm({ cue, projectId, opens = false, onAsked }: AskFormProps
           Ask
         </Button>
       </div>
+      <DraftNote draft={draft} />
       {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
     </form>
   )

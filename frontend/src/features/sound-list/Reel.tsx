@@ -10,11 +10,11 @@ import { problemIn, type Reel as Made, type ReelAdd, useReel } from './api'
 import classes from './Cue.module.css'
 
 const SLATES = {
-  spoken: 'Its number is said before each.',
-  beeped: 'As many beeps as its number before each.',
+  spoken: 'The version number is spoken before each.',
+  beeped: 'Beeps before each give its version number.',
   none: '',
 } as const satisfies Record<Made['slates'], string>
-const MOST_S = 5
+const MAX_S = 5
 
 /** All versions of a cue in a row, made when asked for; to be listened to, never for what ships. */
 export function Reel({ cueId, cueName }: { cueId: string; cueName: string }) {
@@ -25,20 +25,20 @@ export function Reel({ cueId, cueName }: { cueId: string; cueName: string }) {
     <div className={classes.inside}>
       <div className="row wrap">
         <Button icon="headphones" disabled={making} onClick={() => ask.mutate(how)}>
-          Hear all versions in a row
+          Play all versions
         </Button>
         {reel?.file_url && (
           <ButtonLink href={reel.file_url} download={reel.file_name} icon="download">
-            Download the reel
+            Download reel
           </ButtonLink>
         )}
       </div>
       <How how={how} onChange={setHow} />
       <p className="small dim" role="status">
-        {making && `Putting ${reel ? plural(reel.takes.length, 'version') : 'them'} in a row …`}
+        {making && `Building a reel of ${reel ? plural(reel.takes.length, 'version') : 'all versions'} …`}
         {reel?.file_url &&
           !making &&
-          `${reel.takes.length === 1 ? 'One version' : `${reel.takes.length} versions`}, ${length(reel.duration_s ?? 0)}. ${SLATES[reel.slates]} To listen to only: a reel is in no pack.`}
+          `${reel.takes.length === 1 ? 'One version' : `${reel.takes.length} versions`}, ${length(reel.duration_s ?? 0)}. ${SLATES[reel.slates]} For listening only: reels are not part of packs.`}
       </p>
       {reel?.file_url && !making && <Player key={reel.id} reel={reel} fileUrl={reel.file_url} cueName={cueName} />}
       {reel?.refusal && <ProblemNote detail={reel.refusal} />}
@@ -60,7 +60,7 @@ function How({ how, onChange }: HowProps) {
   const ms = join === 'gap' ? how.gap_ms : how.crossfade_ms
   return (
     <details className="small">
-      <summary className={classes.how}>How they follow one another</summary>
+      <summary className={classes.how}>Playback options</summary>
       <div className={`row wrap ${classes.howFields}`}>
         <Segmented
           label="Between versions"
@@ -72,10 +72,10 @@ function How({ how, onChange }: HowProps) {
           onChange={(by) => joined(by, ms || 500)}
         />
         <NumberInput
-          aria-label={join === 'gap' ? 'Length of the gap' : 'Length of the crossfade'}
+          aria-label={join === 'gap' ? 'Gap length' : 'Crossfade length'}
           suffix=" s"
           min={join === 'gap' ? 0 : 0.1}
-          max={MOST_S}
+          max={MAX_S}
           step={0.1}
           decimalScale={2}
           clampBehavior="strict"
@@ -84,7 +84,7 @@ function How({ how, onChange }: HowProps) {
           onChange={(value) => typeof value === 'number' && joined(join, Math.round(value * 1000))}
         />
         <Segmented
-          label="Before each version"
+          label="Announce versions by"
           options={[
             { value: 'spoken', label: 'Spoken number' },
             { value: 'beeped', label: 'Beeps' },
@@ -125,7 +125,7 @@ function Player({ reel, fileUrl, cueName }: { reel: Made; fileUrl: string; cueNa
         src={fileUrl}
         controls
         autoPlay
-        aria-label={`All versions of ${cueName} in a row`}
+        aria-label={`All versions of ${cueName}`}
       />
       <ol className="row wrap" aria-label="Versions in the reel">
         {reel.takes.map(({ take_id, variation, number, start_s }) => (

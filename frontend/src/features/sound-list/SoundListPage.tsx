@@ -20,7 +20,7 @@ import {
   listQuery,
   openQuestionsQuery,
   problemIn,
-  standingQuery,
+  progressQuery,
   unmatchedQuery,
   useRights,
 } from './api'
@@ -46,7 +46,7 @@ export function SoundListPage(): ReactNode {
   useTitle('Sound list')
   const rights = useRights(projectId)
   const list = useQuery(listQuery(projectId))
-  const standing = useQuery(standingQuery(projectId))
+  const progress = useQuery(progressQuery(projectId))
   const { data: counts } = useQuery(countsQuery(projectId))
   const { data: questions } = useQuery(openQuestionsQuery(projectId))
   const { data: unmatched } = useQuery(unmatchedQuery(projectId))
@@ -63,8 +63,8 @@ export function SoundListPage(): ReactNode {
 
   const cues = list.data?.cues ?? NO_CUES
   const rows = useMemo(
-    () => rowsOf(cues, { standings: standing.data, questions, unmatched }),
-    [cues, standing.data, questions, unmatched],
+    () => rowsOf(cues, { progressList: progress.data, questions, unmatched }),
+    [cues, progress.data, questions, unmatched],
   )
   const categories = useMemo(() => categoriesOf(rows), [rows])
   const sought = useDeferredValue(words)
@@ -106,7 +106,7 @@ export function SoundListPage(): ReactNode {
   )
   const play = useCallback(
     (row: CueRow) => {
-      const take = row.standing?.newest_take
+      const take = row.progress?.newest_take
       if (!take || row.previewUrl === null) return
       if (player.getState().sourceId === take.id) {
         void player.toggle()
@@ -180,14 +180,14 @@ export function SoundListPage(): ReactNode {
     { keys: 'x', label: 'Select', group: LIST, run: () => selected && pick(selected.id, false), disabled: !selected },
     {
       keys: 'shift+x',
-      label: 'Select up to here',
+      label: 'Select range to here',
       group: LIST,
       run: () => selected && pick(selected.id, true),
       disabled: !selected,
     },
   ]
   useHotkeys([
-    { keys: 'Escape', label: 'Close, or show all', group: LIST, run: escape },
+    { keys: 'Escape', label: 'Close or clear filters', group: LIST, run: escape },
     { keys: 'j', label: 'Next', group: LIST, run: () => step(1), repeats: true },
     { keys: 'k', label: 'Previous', group: LIST, run: () => step(-1), repeats: true },
     { keys: 'Enter', label: 'Open', group: LIST, run: () => selected && openCue(selected), disabled: !selected },
@@ -250,11 +250,11 @@ export function SoundListPage(): ReactNode {
   }, [rights.edits, projectId, toImport])
 
   const revision = list.data?.revision ?? 0
-  const refused = problemIn(list.error) ?? problemIn(standing.error)
+  const refused = problemIn(list.error) ?? problemIn(progress.error)
   const pickedCues = useMemo(() => rows.filter(({ id }) => picked.has(id)).map(({ cue }) => cue), [rows, picked])
   const openRow = panel && rows.find(({ id }) => id === panel.id)
   const playingTake = playing.status === 'playing' || playing.status === 'loading' ? playing.sourceId : null
-  const playingId = rows.find(({ standing: of }) => playingTake !== null && of?.newest_take?.id === playingTake)?.id
+  const playingId = rows.find(({ progress: of }) => playingTake !== null && of?.newest_take?.id === playingTake)?.id
   const csv = `/v1/projects/${projectId}/sound-list.csv`
   const isEmpty = list.isSuccess && cues.length === 0
 
@@ -297,9 +297,9 @@ export function SoundListPage(): ReactNode {
             <button
               type="button"
               className="link"
-              onClick={() => void Promise.all([list.refetch(), standing.refetch()])}
+              onClick={() => void Promise.all([list.refetch(), progress.refetch()])}
             >
-              Ask again
+              Try again
             </button>
           }
         />
@@ -335,7 +335,7 @@ export function SoundListPage(): ReactNode {
       )}
       {isEmpty && !adding && (
         <EmptyState
-          head="The sound list is empty."
+          head="The sound list is empty"
           action={
             rights.edits && (
               <>
@@ -350,8 +350,8 @@ export function SoundListPage(): ReactNode {
           }
         >
           {rights.edits
-            ? 'Type the first cues; a name is enough. Or copy rows in your spreadsheet and press Ctrl V here, or import a CSV or XLSX file.'
-            : 'The team has not written down a sound yet. What they add appears here.'}
+            ? 'Type the first cues (only a name is required), paste rows from a spreadsheet with Ctrl V, or import a CSV or XLSX file.'
+            : 'The team has not added any cues yet.'}
         </EmptyState>
       )}
       {cues.length > 0 && shown.length === 0 && (

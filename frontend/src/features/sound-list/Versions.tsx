@@ -37,9 +37,9 @@ interface VersionsProps {
 export function Versions({ cue, projectId, versions, problem, playingId, reviews, onPlay }: VersionsProps) {
   return (
     <Card aria-labelledby="versions">
-      <CardHead id="versions" title="Versions" count={versions?.length} end="the newest first" />
+      <CardHead id="versions" title="Versions" count={versions?.length} end="newest first" />
       {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
-      {versions?.length === 0 && <p className={`small dim ${classes.inside}`}>Nothing was delivered for it yet.</p>}
+      {versions?.length === 0 && <p className={`small dim ${classes.inside}`}>No versions yet.</p>}
       <ul>
         {versions?.map((version) => (
           <li key={version.take.id} className={classes.version}>
@@ -108,13 +108,13 @@ function Line({ cue, projectId, version, playing, reviews, onPlay }: LineProps) 
           head={sentence(finding.message)}
           where={finding.start_s === null ? undefined : place(finding.start_s)}
         >
-          {finding.waived ? 'Let through by the approver. ' : ''}
+          {finding.waived ? 'Waived by the approver. ' : ''}
           {sentence(finding.fix)}
           {finding.fix && !finding.fix.endsWith('.') ? '.' : ''}
         </Finding>
       ))}
       <Link className="link small" to="/takes/$takeId" params={{ takeId: take.id }}>
-        All figures<span className="visually-hidden"> of {name}</span>
+        All measurements<span className="visually-hidden"> of {name}</span>
       </Link>{' '}
       {reviews && (
         <Link
@@ -123,7 +123,7 @@ function Line({ cue, projectId, version, playing, reviews, onPlay }: LineProps) 
           params={{ projectId, cueId: cue.id }}
           search={{ take: take.id }}
         >
-          {take.state === 'conforming' ? 'Hear and decide' : 'Hear it in review'}
+          {take.state === 'conforming' ? 'Review' : 'Open in review'}
         </Link>
       )}
     </>

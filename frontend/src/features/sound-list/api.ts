@@ -16,7 +16,7 @@ export type Cue = Schemas['CueRead']
 export type CueDetail = Schemas['CueDetail']
 export type CueAdd = Schemas['CueAdd']
 export type CueStatus = Schemas['CueStatus']
-export type Standing = Schemas['Standing']
+export type CueProgress = Schemas['CueProgress']
 export type Question = Schemas['QuestionRead']
 export type Take = Schemas['TakeRead']
 export type Reel = Schemas['ReelRead']
@@ -35,9 +35,9 @@ const ofCue = (cueId: string) => ({ params: { path: { cue_id: cueId } } })
 
 const keys = {
   list: (projectId: string) => ['sound-list', projectId, 'list'] as const,
-  standings: (projectId: string) => ['standing', projectId] as const,
-  standing: (projectId: string) => ['standing', projectId, 'cues'] as const,
-  counts: (projectId: string) => ['standing', projectId, 'counts'] as const,
+  progressList: (projectId: string) => ['progress', projectId] as const,
+  progress: (projectId: string) => ['progress', projectId, 'cues'] as const,
+  counts: (projectId: string) => ['progress', projectId, 'counts'] as const,
   questions: (projectId: string) => ['sound-list', projectId, 'open questions'] as const,
   unmatched: (projectId: string) => ['sound-list', projectId, 'unmatched'] as const,
   revisions: (projectId: string) => ['sound-list', projectId, 'revisions'] as const,
@@ -82,14 +82,14 @@ export const listQuery = (projectId: string) =>
 const SOON_MS = 3000
 
 /** Where every cue stands; asked again soon while something is being checked, the longer the list the later. */
-export const standingQuery = (projectId: string) =>
+export const progressQuery = (projectId: string) =>
   queryOptions({
-    queryKey: keys.standing(projectId),
+    queryKey: keys.progress(projectId),
     queryFn: ({ client, queryKey }) =>
       readAll(
         client,
         queryKey,
-        (cursor) => answered(api.GET('/v1/projects/{project_id}/sound-list/standing', pageOf(projectId, cursor))),
+        (cursor) => answered(api.GET('/v1/projects/{project_id}/sound-list/progress', pageOf(projectId, cursor))),
         (pages) => pages.flatMap(({ cues }) => cues),
       ),
     refetchInterval: ({ state: { data } }) =>
@@ -267,20 +267,20 @@ export interface Rights {
 export function useRights(projectId: string): Rights {
   const project = useMyProject(projectId)
   const isProducer = project?.is_producer ?? false
-  const isDecider = project?.is_decider ?? false
+  const isApprover = project?.is_approver ?? false
   return {
-    edits: isProducer || isDecider || (project?.is_liaison ?? false),
-    cuts: isProducer || isDecider,
+    edits: isProducer || isApprover || (project?.is_liaison ?? false),
+    cuts: isProducer || isApprover,
     reviews: project?.part === 'team',
     known: project !== undefined,
   }
 }
 
-/** Ask anew for what a change of the list touches, whoever shows it. */
+/** Refetch everything that a change of the list affects, on any page. */
 async function refreshList(client: QueryClient, projectId: string): Promise<void> {
   const touched = [
     ['sound-list', projectId],
-    keys.standings(projectId),
+    keys.progressList(projectId),
     ['cue'],
     ['cue-review'],
     ['review-queue', projectId],

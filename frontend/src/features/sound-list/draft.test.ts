@@ -11,9 +11,9 @@ test('figures are read with a point or a comma, and an empty one is none', () =>
   expect(read('0,8').facts.duration_s).toBe(0.8)
   expect(read(' 1.5 s').facts.duration_s).toBe(1.5)
   expect(read('').facts.duration_s).toBeNull()
-  expect(read('long').faults).toEqual({ duration_s: 'Wanted seconds such as 1.5, found “long”.' })
+  expect(read('long').faults).toEqual({ duration_s: 'Enter seconds such as 1.5 (found “long”).' })
   expect(readDraft({ ...EMPTY_DRAFT, name: 'a', variations: '2.5' }).faults.variations).toMatch(/whole number/)
-  expect(readDraft(EMPTY_DRAFT).faults).toEqual({ name: 'A cue needs a name.' })
+  expect(readDraft(EMPTY_DRAFT).faults).toEqual({ name: 'Enter a name.' })
 })
 
 test('only what was typed is sent, and it stays on top of what somebody else changed', () => {

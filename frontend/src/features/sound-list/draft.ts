@@ -2,7 +2,7 @@ import type { ApiProblem } from '@/api'
 
 import type { Cue, CueAdd, CueFacts, FieldChange } from './api'
 
-/** A cue as it stands in fields: figures are what was typed. */
+/** A cue as form fields: figures are as typed. */
 export interface CueDraft {
   name: string
   file_name: string
@@ -79,7 +79,7 @@ function readFigure(text: string, { wanted, whole, needed }: Figure): number | n
   if (plain === '') return needed ? 1 : null
   const value = Number(plain)
   if (!/^[0-9]*\.?[0-9]*$/.test(plain) || Number.isNaN(value) || (whole && !Number.isInteger(value))) {
-    return { fault: `Wanted ${wanted}, found “${text.trim()}”.` }
+    return { fault: `Enter ${wanted} (found “${text.trim()}”).` }
   }
   return value
 }
@@ -98,7 +98,7 @@ export function readDraft(draft: CueDraft): ReadDraft {
     if (read !== null && typeof read === 'object') faults[field] = read.fault
     else facts[field] = read
   }
-  if (draft.name.trim() === '' && draft.file_name.trim() === '') faults.name = 'A cue needs a name.'
+  if (draft.name.trim() === '' && draft.file_name.trim() === '') faults.name = 'Enter a name.'
   return { facts: facts as unknown as CueAdd, faults }
 }
 
@@ -110,13 +110,13 @@ export const touched = (base: Cue, draft: CueDraft): DraftField[] => {
   return FIELDS.filter((field) => !sameDraft(before, draft, field))
 }
 
-/** Only what was changed, so that what somebody else changes meanwhile stays theirs. */
+/** Only the changed fields, so that another person's changes are kept. */
 export function changedFacts(base: Cue, draft: CueDraft): CueFacts {
   const { facts } = readDraft(draft)
   return Object.fromEntries(touched(base, draft).map((field) => [field, facts[field]]))
 }
 
-/** What somebody else changed between two readings of a cue. */
+/** What another person changed between two readings of a cue. */
 export function changesBetween(base: Cue, fresh: Cue): FieldChange[] {
   return FIELDS.filter((field) => base[field] !== fresh[field]).map((field) => ({
     field,

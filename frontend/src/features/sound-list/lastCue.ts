@@ -1,6 +1,6 @@
 const last = new Map<string, string>()
 
-/** The cue that was in the hand, by project: the list and the pages of its cues keep to one place. */
+/** The cue selected last, by project: the list and the pages of its cues keep to one place. */
 export const lastCue = (projectId: string): string | null => last.get(projectId) ?? null
 
 export function keepLastCue(projectId: string, cueId: string): void {

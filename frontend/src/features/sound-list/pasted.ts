@@ -1,3 +1,5 @@
+import { keepDraft, keptDraft } from '@/app/drafts'
+
 import type { ImportAsk, ImportField } from './api'
 
 /** A sheet on its way into the list, with how it is to be read. */
@@ -12,12 +14,15 @@ export interface SheetDraft {
 
 export const EMPTY_SHEET: SheetDraft = { text: '', file: null, mapping: {}, match: 'number' }
 
-const kept = new Map<string, SheetDraft>()
+const keyOf = (projectId: string) => `import:${projectId}`
 
 /** A sheet survives leaving the page, until it is imported. */
-export const keptSheet = (projectId: string): SheetDraft => kept.get(projectId) ?? EMPTY_SHEET
+export const keptSheet = (projectId: string): SheetDraft | null => keptDraft(keyOf(projectId))
 
-export function keepSheet(projectId: string, sheet: SheetDraft | null): void {
-  if (sheet === null) kept.delete(projectId)
-  else kept.set(projectId, sheet)
+/** Keep it; the answer is whether it outlives a reload, which a large file does not. */
+export const keepSheet = (projectId: string, sheet: SheetDraft | null): boolean => keepDraft(keyOf(projectId), sheet)
+
+/** What was chosen for columns that the text still has; columns without a head are named by their place. */
+export function mappingFor(text: string, { mapping }: SheetDraft, hasHead: boolean): SheetDraft['mapping'] {
+  return Object.fromEntries(Object.entries(mapping).filter(([name]) => !hasHead || text.includes(name)))
 }

@@ -1,8 +1,8 @@
 import { expect, test } from 'vitest'
 
-import { aCue, aNewestTake, aStanding } from '@/test/soundList'
+import { aCue, aNewestTake, aProgress } from '@/test/soundList'
 
-import type { Cue, Question, Standing, Take } from './api'
+import type { Cue, Question, CueProgress, Take } from './api'
 import { blocksOf, groupsOf, matching, rowsOf, sumsOf } from './rows'
 import { standsOf } from './stands'
 
@@ -19,7 +19,7 @@ const OVER = {
 
 test('the worst finding stands first and is coloured up to its comma', () => {
   const cue = aCue(9, 'airlock_cycle')
-  const stands = standsOf(cue, aStanding(cue, { status: 'returned', worst_finding: OVER }), {}, NOW)
+  const stands = standsOf(cue, aProgress(cue, { status: 'returned', worst_finding: OVER }), {}, NOW)
   expect(said(stands)).toEqual(['', 'Sample peak 0.00 dBFS', ', limit −0.1 dBFS'])
   expect(stands.tone).toBe('bad')
 })
@@ -27,12 +27,12 @@ test('the worst finding stands first and is coloured up to its comma', () => {
 test('a pick among alternates is said before a warning', () => {
   const cue = aCue(7, 'shield_hit')
   const warning = { ...OVER, severity: 'warning', message: 'true peak -0.60 dBTP, limit -1 dBTP' }
-  const stands = standsOf(cue, aStanding(cue, { status: 'to_review', alternates: 3, worst_finding: warning }), {}, NOW)
+  const stands = standsOf(cue, aProgress(cue, { status: 'to_review', alternates: 3, worst_finding: warning }), {}, NOW)
   expect(said(stands)).toEqual(['Pick one of three. ', 'True peak −0.60 dBTP', ', limit −1 dBTP'])
   expect(stands.tone).toBe('warn')
 })
 
-test.each<[string, Partial<Cue>, Partial<Standing>, string]>([
+test.each<[string, Partial<Cue>, Partial<CueProgress>, string]>([
   [
     'a cut',
     { state: 'cut', cut_reason: 'mines left', cut_at: '2026-11-09T12:00:00Z' },
@@ -51,18 +51,18 @@ test.each<[string, Partial<Cue>, Partial<Standing>, string]>([
     { status: 'to_review', variations: [{ variation: 1, stem: 's', status: 'to_review' }] },
     '1 of 2 here',
   ],
-  ['a stand-in', {}, { status: 'placeholder' }, 'The game plays a stand-in; none may ship'],
-  ['a concept', { state: 'concept' }, {}, 'Concept: not settled, work on it may be lost'],
-  ['a concept under review', { state: 'concept' }, { status: 'to_review' }, 'Conforming. Concept: may be lost'],
-  ['a broken check', {}, { status: 'unjudged' }, 'The check itself broke; that is our fault, and no round counts'],
+  ['a placeholder-file', {}, { status: 'placeholder' }, 'Placeholder in the build; it must not ship'],
+  ['a concept', { state: 'concept' }, {}, 'Concept: not final, the work may be discarded'],
+  ['a concept under review', { state: 'concept' }, { status: 'to_review' }, 'Conforming. Concept: may be discarded'],
+  ['a broken check', {}, { status: 'unjudged' }, 'The check failed. That is our fault; no round is counted'],
   ['a change', {}, { status: 'change_requested', rounds: 2 }, 'Round 2 is with the designer'],
-  ['part of a set', { variations: 8 }, { status: 'partly_accepted', accepted: 5 }, '3 variations still to come'],
-  ['a waiver', {}, { status: 'accepted', waived: true }, 'Let through with a reason'],
-  ['an older spec', {}, { status: 'accepted', not_to_spec: true }, 'Accepted to an earlier spec'],
+  ['part of a set', { variations: 8 }, { status: 'partly_accepted', accepted: 5 }, '3 variations missing'],
+  ['a waiver', {}, { status: 'accepted', waived: true }, 'Waived'],
+  ['an older spec', {}, { status: 'accepted', not_to_spec: true }, 'Accepted under an earlier spec'],
   ['nothing yet', {}, {}, ''],
-])('%s', (_what, facts, standing, line) => {
+])('%s', (_what, facts, progress, line) => {
   const cue = aCue(1, 'a', facts)
-  expect(said(standsOf(cue, aStanding(cue, standing), {}, NOW)).join('')).toBe(line)
+  expect(said(standsOf(cue, aProgress(cue, progress), {}, NOW)).join('')).toBe(line)
 })
 
 test('a question says when it was asked, and a file that may be the cue is named', () => {
@@ -71,7 +71,7 @@ test('a question says when it was asked, and a file that may be the cue is named
   const rows = rowsOf(
     [asked, waits],
     {
-      standings: [aStanding(asked, { status: 'question', open_question: 'What falls in?' }), aStanding(waits)],
+      progressList: [aProgress(asked, { status: 'question', open_question: 'What falls in?' }), aProgress(waits)],
       questions: [{ cue_id: asked.id, asked_at: '2026-11-16T10:00:00Z' } as Question],
       unmatched: [{ file_name: 'final_FINAL_sting2.wav', guesses: [{ cue_id: waits.id }] } as unknown as Take],
     },
@@ -79,7 +79,7 @@ test('a question says when it was asked, and a file that may be the cue is named
   )
   expect(rows.map(({ stands }) => said(stands).join(''))).toEqual([
     'What falls in? Asked 5 days ago',
-    'final_FINAL_sting2.wav may be this; not matched yet',
+    'final_FINAL_sting2.wav may be for this cue; not matched yet',
   ])
 })
 
@@ -91,8 +91,8 @@ const CUES = [
 const ROWS = rowsOf(
   CUES,
   {
-    standings: CUES.map((cue) =>
-      aStanding(cue, cue.palette ? { status: 'accepted', newest_take: aNewestTake('t') } : {}),
+    progressList: CUES.map((cue) =>
+      aProgress(cue, cue.palette ? { status: 'accepted', newest_take: aNewestTake('t') } : {}),
     ),
   },
   NOW,
@@ -104,7 +104,7 @@ test('the palette comes first in list order; headings count what is accepted and
     ['The rest', '0 of 1 accepted, 1 cut', 2],
   ])
   expect(groupsOf(ROWS, 'category').map(({ name }) => name)).toEqual(['ui', 'vehicle', 'weapon'])
-  expect(groupsOf(ROWS, 'state').map(({ name }) => name)).toEqual(['To make', 'Accepted', 'Cut'])
+  expect(groupsOf(ROWS, 'state').map(({ name }) => name)).toEqual(['To do', 'Accepted', 'Cut'])
   expect(sumsOf(ROWS, 14)).toBe('1 of 2 accepted; 1 cut; 14 files to review')
 })
 
@@ -120,7 +120,7 @@ test('the filter wants every word, somewhere in the row', () => {
 test('who needs nobody is not bold; a set has one block a variation', () => {
   expect(ROWS.map(({ needsSomeone }) => needsSomeone)).toEqual([false, false, false])
   const set = aCue(4, 'step', { variations: 3 })
-  const standing = aStanding(set, {
+  const progress = aProgress(set, {
     status: 'returned',
     variations: [
       { variation: 1, stem: 'step_01', status: 'accepted' },
@@ -128,7 +128,7 @@ test('who needs nobody is not bold; a set has one block a variation', () => {
       { variation: 3, stem: 'step_03', status: 'to_make' },
     ],
   })
-  const [row] = rowsOf([set], { standings: [standing] }, NOW)
+  const [row] = rowsOf([set], { progressList: [progress] }, NOW)
   expect(row?.needsSomeone).toBe(true)
   expect(row && blocksOf(row).map(({ tone }) => tone)).toEqual(['ok', 'bad', 'idle'])
 })

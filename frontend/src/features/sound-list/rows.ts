@@ -3,7 +3,7 @@ import { figure, plural } from '@/ui/format'
 import type { SetBlock } from '@/ui/SetBlocks'
 import { STATES, type StateKind } from '@/ui/State'
 
-import type { Cue, CueStatus, Question, Standing, Take } from './api'
+import type { Cue, CueStatus, Question, CueProgress, Take } from './api'
 import { type Stands, standsOf } from './stands'
 import { STATUS_ORDER, STATUS_WORDS } from './words'
 
@@ -11,13 +11,13 @@ import { STATUS_ORDER, STATUS_WORDS } from './words'
 export interface CueRow {
   id: string
   cue: Cue
-  standing: Standing | undefined
+  progress: CueProgress | undefined
   status: CueStatus
   kind: StateKind
   /** Other words than the state's own, as "5 of 8 accepted". */
   stateWords?: string
   stands: Stands
-  /** Somebody must do something: the name is bold. */
+  /** An action is needed: the name is bold. */
   needsSomeone: boolean
   peaks: Peaks | null
   previewUrl: string | null
@@ -26,7 +26,7 @@ export interface CueRow {
 }
 
 export interface Known {
-  standings?: readonly Standing[]
+  progressList?: readonly CueProgress[]
   questions?: readonly Question[]
   unmatched?: readonly Take[]
 }
@@ -36,25 +36,32 @@ export const kindOf = (status: CueStatus): StateKind => (status === 'partly_acce
 const RESTING: readonly CueStatus[] = ['to_make', 'checking', 'accepted', 'cut']
 
 /** Join what the list says with where each cue stands. */
-export function rowsOf(cues: readonly Cue[], { standings, questions, unmatched }: Known, now = new Date()): CueRow[] {
-  const standingOf = new Map(standings?.map((standing) => [standing.cue_id, standing]))
+export function rowsOf(
+  cues: readonly Cue[],
+  { progressList, questions, unmatched }: Known,
+  now = new Date(),
+): CueRow[] {
+  const progressOf = new Map(progressList?.map((progress) => [progress.cue_id, progress]))
   const askedAt = new Map(questions?.toReversed().map((question) => [question.cue_id, question.asked_at]))
   const guessed = new Map(
-    unmatched?.flatMap(({ file_name, guesses }) => (guesses[0] ? [[guesses[0].cue_id, file_name] as const] : [])),
+    unmatched?.flatMap(({ file_name, sure, guesses }) => {
+      const likeliest = sure ?? guesses[0]
+      return likeliest ? [[likeliest.cue_id, file_name] as const] : []
+    }),
   )
   return cues.map((cue) => {
-    const standing = standingOf.get(cue.id)
-    const status = cue.state === 'cut' ? 'cut' : (standing?.status ?? 'to_make')
-    const stands = standsOf(cue, standing, { askedAt: askedAt.get(cue.id), guessedFile: guessed.get(cue.id) }, now)
-    const newest = standing?.newest_take
+    const progress = progressOf.get(cue.id)
+    const status = cue.state === 'cut' ? 'cut' : (progress?.status ?? 'to_make')
+    const stands = standsOf(cue, progress, { askedAt: askedAt.get(cue.id), guessedFile: guessed.get(cue.id) }, now)
+    const newest = progress?.newest_take
     return {
       id: cue.id,
       cue,
-      standing,
+      progress,
       status,
       kind: kindOf(status),
       stateWords:
-        status === 'partly_accepted' && standing ? `${standing.accepted} of ${standing.wanted} accepted` : undefined,
+        status === 'partly_accepted' && progress ? `${progress.accepted} of ${progress.wanted} accepted` : undefined,
       stands,
       needsSomeone: !RESTING.includes(status),
       // A picture is an open object in the schema; its shape is that of a thumb.
@@ -69,8 +76,8 @@ export function rowsOf(cues: readonly Cue[], { standings, questions, unmatched }
 }
 
 /** One block a variation, coloured by where it stands. */
-export function blocksOf({ standing, cue }: CueRow): SetBlock[] {
-  const status = new Map(standing?.variations.map((each) => [each.variation, each.status]))
+export function blocksOf({ progress, cue }: CueRow): SetBlock[] {
+  const status = new Map(progress?.variations.map((each) => [each.variation, each.status]))
   return Array.from({ length: cue.variations }, (_, place) => {
     const each = status.get(place + 1)
     return { tone: each === undefined || each === 'to_make' ? 'idle' : STATES[kindOf(each)].tone }

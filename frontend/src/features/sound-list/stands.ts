@@ -2,7 +2,7 @@ import { measuredPart, spelled } from '@/judging/words'
 import { age, plural, shortDay } from '@/ui/format'
 import type { Tone } from '@/ui/State'
 
-import type { Cue, Finding, Standing } from './api'
+import type { Cue, Finding, CueProgress } from './api'
 
 /** What stands of a cue, in one line of which one part may be coloured. */
 export interface Stands {
@@ -12,7 +12,7 @@ export interface Stands {
   after: string
 }
 
-/** What is known of a cue beside its standing. */
+/** The facts of a cue besides its progress. */
 export interface Beside {
   /** When its oldest open question was asked. */
   askedAt?: string
@@ -30,44 +30,44 @@ function ofFinding(finding: Finding, before = ''): Stands {
 const isOld = (at: string, now: Date) => age(at, now) !== 'now'
 
 /** The line of a row: the worst finding first, then what is asked, awaited or unsettled. */
-export function standsOf(cue: Cue, standing: Standing | undefined, beside: Beside = {}, now = new Date()): Stands {
+export function standsOf(cue: Cue, progress: CueProgress | undefined, beside: Beside = {}, now = new Date()): Stands {
   if (cue.state === 'cut') {
     const on = cue.cut_at === null ? '' : ` on ${shortDay(cue.cut_at)}`
     return plain(`Cut${on}${cue.cut_reason ? `, “${cue.cut_reason}”` : ''}`)
   }
-  const finding = standing?.worst_finding as Finding | null | undefined
+  const finding = progress?.worst_finding as Finding | null | undefined
   const pick =
-    standing?.status === 'to_review' && standing.alternates > 1 ? `Pick one of ${spelled(standing.alternates)}` : ''
+    progress?.status === 'to_review' && progress.alternates > 1 ? `Pick one of ${spelled(progress.alternates)}` : ''
   if (finding) return ofFinding(finding, pick && `${pick}. `)
-  if (standing?.status === 'question' && standing.open_question) {
+  if (progress?.status === 'question' && progress.open_question) {
     const asked = beside.askedAt
     const since = asked === undefined ? '' : isOld(asked, now) ? ` Asked ${age(asked, now)} ago` : ' Asked just now'
-    return plain(`${standing.open_question}${since}`)
+    return plain(`${progress.open_question}${since}`)
   }
   if (pick) return plain(pick)
-  const line = ofStatus(cue, standing, now)
-  const unsettled = cue.state === 'concept' && standing?.status !== 'accepted'
+  const line = ofStatus(cue, progress, now)
+  const unsettled = cue.state === 'concept' && progress?.status !== 'accepted'
   if (unsettled && line === '') {
-    return { before: '', marked: 'Concept', tone: 'warn', after: ': not settled, work on it may be lost' }
+    return { before: '', marked: 'Concept', tone: 'warn', after: ': not final, the work may be discarded' }
   }
-  if (unsettled) return { before: `${line}. `, marked: 'Concept', tone: 'warn', after: ': may be lost' }
-  if (line !== '' || beside.guessedFile === undefined) return toned(line, standing)
-  return plain(`${beside.guessedFile} may be this; not matched yet`)
+  if (unsettled) return { before: `${line}. `, marked: 'Concept', tone: 'warn', after: ': may be discarded' }
+  if (line !== '' || beside.guessedFile === undefined) return toned(line, progress)
+  return plain(`${beside.guessedFile} may be for this cue; not matched yet`)
 }
 
-function toned(line: string, standing: Standing | undefined): Stands {
-  if (standing?.status === 'change_requested') {
+function toned(line: string, progress: CueProgress | undefined): Stands {
+  if (progress?.status === 'change_requested') {
     return { before: '', marked: line, tone: 'change', after: ' is with the designer' }
   }
   return plain(line)
 }
 
-function ofStatus(cue: Cue, standing: Standing | undefined, now: Date): string {
-  if (standing === undefined) return ''
-  const { status, newest_take: newest, rounds, accepted, wanted, versions } = standing
+function ofStatus(cue: Cue, progress: CueProgress | undefined, now: Date): string {
+  if (progress === undefined) return ''
+  const { status, newest_take: newest, rounds, accepted, wanted, versions } = progress
   switch (status) {
     case 'to_review': {
-      const here = standing.variations.filter(
+      const here = progress.variations.filter(
         (each) => each.status === 'to_review' || each.status === 'accepted',
       ).length
       if (cue.variations > 1) return here === wanted ? `All ${wanted} conforming` : `${here} of ${wanted} here`
@@ -79,16 +79,16 @@ function ofStatus(cue: Cue, standing: Standing | undefined, now: Date): string {
       if (newest === null) return ''
       return isOld(newest.received_at, now) ? `Received ${age(newest.received_at, now)} ago` : 'Received just now'
     case 'unjudged':
-      return 'The check itself broke; that is our fault, and no round counts'
+      return 'The check failed. That is our fault; no round is counted'
     case 'returned':
-      return 'With the designer to mend'
+      return 'Returned to the designer'
     case 'placeholder':
-      return 'The game plays a stand-in; none may ship'
+      return 'Placeholder in the build; it must not ship'
     case 'partly_accepted':
-      return `${plural(wanted - accepted, 'variation')} still to come`
+      return `${plural(wanted - accepted, 'variation')} missing`
     case 'accepted':
-      if (standing.not_to_spec) return 'Accepted to an earlier spec'
-      return standing.waived ? 'Let through with a reason' : ''
+      if (progress.not_to_spec) return 'Accepted under an earlier spec'
+      return progress.waived ? 'Waived' : ''
     default:
       return ''
   }

@@ -4,7 +4,7 @@ import type { CueStatus, ImportField } from './api'
 
 /** The facts of a cue as screens call them. */
 const FIELD_WORDS: Record<string, string> = {
-  number: 'Number',
+  number: 'ID',
   name: 'Name',
   file_name: 'File name',
   category: 'Category',
@@ -17,11 +17,11 @@ const FIELD_WORDS: Record<string, string> = {
   loop: 'Loop',
   reverb: 'Reverb',
   variations: 'Variations',
-  state: 'Settled',
+  state: 'Design status',
   playback_priority: 'Priority',
-  placeholder: 'Placeholder',
+  placeholder: 'Placeholder in build',
   palette: 'Palette',
-  extra: 'Own columns',
+  extra: 'Custom columns',
 }
 
 export const fieldWord = (field: string): string => FIELD_WORDS[field] ?? field
@@ -49,21 +49,21 @@ export const IMPORT_FIELDS: readonly { value: ImportField; label: string }[] = [
       'palette',
     ] as const
   ).map((value) => ({ value, label: fieldWord(value) })),
-  { value: 'extra', label: 'Keep it as it is' },
-  { value: 'ignore', label: 'Leave it out' },
+  { value: 'extra', label: 'Keep as custom column' },
+  { value: 'ignore', label: 'Ignore' },
 ]
 
 export const SETTLED = [
-  { value: 'concept', label: 'Concept, may go' },
-  { value: 'prototype', label: 'Prototype, may change' },
-  { value: 'locked', label: 'Locked, will stay' },
+  { value: 'concept', label: 'Concept' },
+  { value: 'prototype', label: 'In flux' },
+  { value: 'locked', label: 'Locked' },
 ] as const
 
 export const REVERBS = [
-  { value: '', label: 'Not said' },
-  { value: 'dry', label: 'None in the file' },
+  { value: '', label: 'Unspecified' },
+  { value: 'dry', label: 'Dry' },
   { value: 'designed-tail', label: 'Designed tail' },
-  { value: 'separate-tail', label: 'Tail in its own file' },
+  { value: 'separate-tail', label: 'Separate tail file' },
 ] as const
 
 const VALUE_WORDS: Record<string, Record<string, string>> = {

@@ -43,8 +43,8 @@ export function BandPlot({ bands, toHz, bandwidthHz }: BandPlotProps) {
       draw={draw}
       frequencies={named}
       tall
-      caption={`RMS in each sixth of an octave over the whole sound, dBFS. Loudest near ${said(bands.hz[loudest] ?? 0)}${
-        loudestDb === null ? '; all of it is silence' : `, ${figure(loudestDb, 1)} dBFS`
+      caption={`RMS level per sixth of an octave over the whole sound, in dBFS. Loudest near ${said(bands.hz[loudest] ?? 0)}${
+        loudestDb === null ? '; silent throughout' : `, ${figure(loudestDb, 1)} dBFS`
       }.`}
     >
       {bandwidthHz !== null && bandwidthHz > FROM_HZ && (

@@ -14,25 +14,23 @@ import { deliveryFitQuery } from './api'
 import { type DeliveryFit, moved, WHAT } from './fit'
 import classes from './Fit.module.css'
 
-/** A delivery beside what other designers made before: whether somebody who takes over goes on where they stood. */
+/** A delivery compared with other designers' earlier work: whether a new designer matches it. */
 export function DeliveryFitPage() {
   const { deliveryId } = useParams({ from: '/shell/deliveries/$deliveryId/fit' })
   const { data: fit, error } = useQuery(deliveryFitQuery(deliveryId))
-  useTitle(fit ? `Delivery ${fit.number} beside the work before` : 'Delivery')
+  useTitle(fit ? `Delivery ${fit.number} compared with earlier work` : 'Delivery')
   if (fit === undefined) {
     const problem = error instanceof ApiProblem ? error : null
     return (
       <div className="page stack">
-        <h1 className={problem ? undefined : 'visually-hidden'}>
-          {problem ? 'This delivery is not here.' : 'Delivery'}
-        </h1>
+        <h1 className={problem ? undefined : 'visually-hidden'}>{problem ? 'Delivery not found' : 'Delivery'}</h1>
         {problem && (
           <ProblemNote
             detail={ended(problem.detail)}
             fix={ended(problem.fix)}
             action={
               <ShellLink path="/" className="link">
-                To the start
+                Go to the start page
               </ShellLink>
             }
           />
@@ -43,11 +41,11 @@ export function DeliveryFitPage() {
   return (
     <div className="page stack">
       <header>
-        <h1>Delivery {fit.number} beside the work before</h1>
+        <h1>Delivery {fit.number} compared with earlier work</h1>
         <p className="mid">
           From {fit.designer.name}
-          {fit.is_first && ', the first of them here'}
-          {fit.made_before_by.length > 0 && `; approved before: sounds of ${fit.made_before_by.join(', ')}`}.{' '}
+          {fit.is_first && ', their first delivery here'}
+          {fit.made_before_by.length > 0 && `; approved earlier: sounds by ${fit.made_before_by.join(', ')}`}.{' '}
           <Link className="link" to="/projects/$projectId/sound-list" params={{ projectId: fit.project_id }}>
             Sound list
           </Link>
@@ -61,10 +59,10 @@ export function DeliveryFitPage() {
 
 function Nothing({ fit }: { fit: DeliveryFit }) {
   return (
-    <EmptyState head="Nothing can be compared yet.">
+    <EmptyState head="Nothing to compare yet">
       {fit.made_before_by.length === 0
-        ? 'No sound of another designer is approved in this project.'
-        : 'Sounds are compared once they conform and three other cues of their category, or of the palette, are approved.'}
+        ? 'No sound by another designer is approved in this project.'
+        : 'Sounds are compared once they pass the check and three other cues in their category, or in the palette, are approved.'}
     </EmptyState>
   )
 }
@@ -72,20 +70,20 @@ function Nothing({ fit }: { fit: DeliveryFit }) {
 function Shifts({ fit }: { fit: DeliveryFit }) {
   return (
     <Card aria-labelledby="shifts">
-      <CardHead id="shifts" title="As a whole" note="its middle sound against what each is compared with" />
+      <CardHead id="shifts" title="Overall" note="its median sound against the approved sounds" />
       <div className={classes.inside}>
-        <table className={classes.table} aria-label="How the delivery lies as a whole">
+        <table className={classes.table} aria-label="The delivery overall">
           <thead>
             <tr>
               <th scope="col">Measure</th>
-              <th scope="col">Off the middle by</th>
-              <th scope="col">Stand apart</th>
+              <th scope="col">Offset from median</th>
+              <th scope="col">Outliers</th>
             </tr>
           </thead>
           <tbody>
             {fit.shifts.map(({ measure, shift, apart, compared }) => (
               <tr key={measure}>
-                <th scope="row">{WHAT[measure].replace(', from the middle', '')}</th>
+                <th scope="row">{WHAT[measure].replace(', from the median', '')}</th>
                 <td>{moved(measure, shift)}</td>
                 <td>
                   {apart} of {compared}
@@ -103,7 +101,7 @@ function Takes({ fit }: { fit: DeliveryFit }) {
   const apart = fit.takes.filter(({ is_apart }) => is_apart).length
   return (
     <Card aria-labelledby="takes">
-      <CardHead id="takes" title="Sound by sound" end={`${plural(apart, 'sound')} of ${fit.takes.length} apart`} />
+      <CardHead id="takes" title="Sound by sound" end={`${plural(apart, 'sound')} of ${fit.takes.length} outliers`} />
       <ul className={classes.takes}>
         {fit.takes.map((take) => (
           <li key={take.take_id}>

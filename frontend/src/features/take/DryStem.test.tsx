@@ -9,7 +9,7 @@ import { answer } from '@/test/server'
 import { aCheck, aTakeServer, aVersion } from '@/test/take'
 import type { Transport, TransportEvents, Upload } from '@/uploads'
 
-/** A line in the test's hand: half of a file is there at once, the rest when it is told. */
+/** A connection under the test's control: half of a file arrives at once, the rest on request. */
 const line = vi.hoisted(() => ({ bound: {}, finish: (): void => undefined }))
 vi.mock('@/uploads', async (original) => ({
   ...(await original<object>()),
@@ -49,29 +49,26 @@ describe('reverb beside the dry stem', () => {
     aCheck({ judgements: { reverb: { ...reverb, stem: { name: 'dry.wav', ...stem } } }, dry_stem, ...check })
   const section = async () => {
     openApp('/takes/t1')
-    return screen.findByRole('region', { name: 'Beside its dry stem' })
+    return screen.findByRole('region', { name: 'Comparison with the dry stem' })
   }
 
   test.each([
-    [{ verdict: 'reverb', rt60_s: 1.75, wet_db: -6.2 }, 'Reverb was added: its tail lies 6.2 dB under the sound'],
-    [{ verdict: 'dry' }, 'Nothing was added, down to 30 dB under the sound.'],
+    [{ verdict: 'reverb', rt60_s: 1.75, wet_db: -6.2 }, 'Reverb was added: its tail is 6.2 dB under the sound'],
+    [{ verdict: 'dry' }, 'No reverb was added, down to 30 dB below the sound.'],
     [
-      { verdict: 'cannot tell', why: 'the two are not the same sound' },
-      'The two are not the same sound, so the judgement without the stem stands.',
+      { verdict: 'undecided', why: 'the two are not the same sound' },
+      'The two are not the same sound, so the result without the stem is kept.',
     ],
     [
       { verdict: 'unreadable', why: 'this is an MP3 (R11); export a WAV' },
-      'The stem cannot be read. This is an MP3 (R11); export a WAV.',
+      'The stem could not be read. This is an MP3 (R11); export a WAV.',
     ],
-    [{ verdict: 'failed', why: 'our comparison of the two failed' }, 'That is our fault; a new check tries again.'],
+    [{ verdict: 'failed', why: 'our comparison of the two failed' }, 'That is our fault. Run the check again.'],
   ])('says what was found: %j', async (stem, said) => {
     server.on('GET /v1/takes/t1/check', beside(stem))
     const shown = await section()
     expect(within(shown).getByRole('status')).toHaveTextContent(said)
-    expect(within(shown).getByRole('link', { name: 'Download the stem' })).toHaveAttribute(
-      'href',
-      '/v1/takes/t1/dry-stem',
-    )
+    expect(within(shown).getByRole('link', { name: 'Download stem' })).toHaveAttribute('href', '/v1/takes/t1/dry-stem')
   })
 
   test('is withdrawn by its designer, and the sound is judged without it', async () => {
@@ -81,11 +78,11 @@ describe('reverb beside the dry stem', () => {
       return answer(null, 204)
     })
     const shown = await section()
-    await userEvent.click(within(shown).getByRole('button', { name: 'Withdraw it' }))
-    await waitFor(() => expect(within(shown).getByRole('status')).toHaveTextContent('It is judged without the stem …'))
+    await userEvent.click(within(shown).getByRole('button', { name: 'Remove stem' }))
+    await waitFor(() => expect(within(shown).getByRole('status')).toHaveTextContent('Checking again without the stem…'))
     server.on('GET /v1/takes/t1/check', aCheck({ judgements: { reverb } }))
-    expect(await within(shown).findByRole('button', { name: 'Add the dry stem' }, { timeout: 3000 })).toBeVisible()
-    await waitFor(() => expect(within(shown).getByRole('status')).toHaveTextContent('nothing needs to be guessed'), {
+    expect(await within(shown).findByRole('button', { name: 'Add dry stem' }, { timeout: 3000 })).toBeVisible()
+    await waitFor(() => expect(within(shown).getByRole('status')).toHaveTextContent('measure the reverb exactly'), {
       timeout: 3000,
     })
   })
@@ -95,7 +92,7 @@ describe('reverb beside the dry stem', () => {
       .on('GET /v1/takes/t1', aVersion({ state: 'approved' }))
       .on('GET /v1/takes/t1/check', beside({ verdict: 'dry' }, { state: 'approved', is_newest_stem: false }))
     const shown = await section()
-    expect(within(shown).getByRole('status')).toHaveTextContent('It came after the verdict')
+    expect(within(shown).getByRole('status')).toHaveTextContent('It arrived after the decision')
     expect(within(shown).queryByRole('button')).toBeNull()
   })
 
@@ -109,7 +106,7 @@ describe('reverb beside the dry stem', () => {
     await userEvent.upload(within(shown).getByLabelText('File of the dry stem'), file)
     expect(await within(shown).findByRole('img', { name: 'dry.wav: 50 % here' })).toBeVisible()
     line.finish()
-    await waitFor(() => expect(within(shown).getByRole('status')).toHaveTextContent('The two are being compared …'))
+    await waitFor(() => expect(within(shown).getByRole('status')).toHaveTextContent('Comparing with the stem…'))
     expect(server.of('PUT /v1/takes/t1/dry-stem').map((asked) => asked.body)).toEqual([{ upload_id: 'u7' }])
     expect(line.bound).toEqual({ delivery_id: 'd1', take_id: 't1', file_name: 'dry.wav' })
   })
@@ -131,7 +128,7 @@ describe('reverb beside the dry stem', () => {
     const shown = await section()
     const picture = aFile('PNG', 'dry.wav.png')
     await userEvent.upload(within(shown).getByLabelText('File of the dry stem'), picture, { applyAccept: false })
-    expect(await within(shown).findByRole('alert')).toHaveTextContent('This is no sound and no ZIP. Nothing was sent.')
+    expect(await within(shown).findByRole('alert')).toHaveTextContent('Not an audio file or ZIP. Nothing was uploaded.')
   })
 
   test('is without fault for those who listen to the page', async () => {

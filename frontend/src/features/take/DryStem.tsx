@@ -19,7 +19,7 @@ import {
   useUploads,
 } from '@/uploads'
 
-import { type Check, giveDryStem, isComparing, isUndecided, type Take, useWithdrawDryStem } from './api'
+import { type Check, giveDryStem, isComparing, hasNoVerdict, type Take, useWithdrawDryStem } from './api'
 import type { ReverbStem } from './reverb'
 import classes from './Take.module.css'
 
@@ -30,15 +30,15 @@ interface DryStemProps {
   mayGive: boolean
 }
 
-/** The same sound without reverb, beside which nothing needs to be guessed: what was added, or how to give one. */
+/** The dry stem, with which reverb is measured and not estimated: the result, or how to add one. */
 export function DryStem({ take, check, found, mayGive }: DryStemProps) {
   const { dry_stem: stem } = check
-  const gives = mayGive && isUndecided(take)
+  const gives = mayGive && hasNoVerdict(take)
   if (!stem && !gives && !isComparing(check)) return null
   return (
     <section className={`stack ${classes.stem}`} aria-labelledby="dry-stem">
       <h3 id="dry-stem" className="strong">
-        Beside its dry stem
+        Comparison with the dry stem
       </h3>
       <p className="small" role="status">
         {saidOf(check, found)}
@@ -49,7 +49,7 @@ export function DryStem({ take, check, found, mayGive }: DryStemProps) {
             <span className="mono">{stem.file_name}</span>, {bytes(stem.file_bytes)}, {ago(stem.received_at)}
           </span>
           <ButtonLink variant="quiet" href={`/v1/takes/${take.id}/dry-stem`} download icon="download">
-            Download the stem
+            Download stem
           </ButtonLink>
           {gives && <Withdraw takeId={take.id} />}
         </div>
@@ -61,29 +61,29 @@ export function DryStem({ take, check, found, mayGive }: DryStemProps) {
 
 /** What was found, in a sentence or two; whose turn it is where nothing was found yet. */
 function saidOf(check: Check, found: ReverbStem | null): string {
-  if (isComparing(check)) return check.dry_stem ? 'The two are being compared …' : 'It is judged without the stem …'
-  if (!check.dry_stem) return 'With the same sound without reverb beside it, nothing needs to be guessed.'
-  if (!check.is_newest_stem) return 'It came after the verdict, which stands on what was found before.'
-  if (found === null) return 'Nothing in this version can be compared with it.'
-  if (found.verdict === 'dry') return 'Nothing was added, down to 30 dB under the sound.'
+  if (isComparing(check)) return check.dry_stem ? 'Comparing with the stem…' : 'Checking again without the stem…'
+  if (!check.dry_stem) return 'Add the same sound without reverb, and the check can measure the reverb exactly.'
+  if (!check.is_newest_stem) return 'It arrived after the decision, which was made without it.'
+  if (found === null) return 'It can’t be compared with this version.'
+  if (found.verdict === 'dry') return 'No reverb was added, down to 30 dB below the sound.'
   if (found.verdict === 'reverb') return `Reverb was added${tailOf(found)}.`
   const why = `${found.why.charAt(0).toUpperCase()}${found.why.slice(1)}`
-  if (found.verdict === 'unreadable') return `The stem cannot be read. ${ended(why)}`
-  if (found.verdict === 'failed') return `${ended(why)} That is our fault; a new check tries again.`
-  return `${why}, so the judgement without the stem stands.`
+  if (found.verdict === 'unreadable') return `The stem could not be read. ${ended(why)}`
+  if (found.verdict === 'failed') return `${ended(why)} That is our fault. Run the check again.`
+  return `${why}, so the result without the stem is kept.`
 }
 
 const tailOf = ({ wetDb, rt60S }: ReverbStem): string =>
   wetDb === null || rt60S === null
     ? ''
-    : `: its tail lies ${figure(Math.abs(wetDb), 1)} dB ${wetDb < 0 ? 'under' : 'over'} the sound and falls by 60 dB in ${figure(rt60S, 2)} s`
+    : `: its tail is ${figure(Math.abs(wetDb), 1)} dB ${wetDb < 0 ? 'under' : 'over'} the sound and falls by 60 dB in ${figure(rt60S, 2)} s`
 
 function Withdraw({ takeId }: { takeId: string }) {
   const { mutate, isPending, error } = useWithdrawDryStem(takeId)
   return (
     <>
       <Button variant="quiet" icon="cross" disabled={isPending} onClick={() => mutate()}>
-        Withdraw it
+        Remove stem
       </Button>
       {error instanceof ApiProblem && <ProblemNote detail={ended(error.detail)} fix={ended(error.fix)} />}
     </>
@@ -100,7 +100,7 @@ function Give({ take, isFirst }: { take: Take; isFirst: boolean }) {
       metadata: ({ file }: Upload) => ({ delivery_id: take.delivery_id, take_id: take.id, file_name: file.name }),
     }
     return new UploadQueue({
-      accepts: ['wav', 'rf64', 'flac'],
+      accepts: { kinds: ['wav', 'rf64', 'flac'], sampleRatesHz: null, bitDepths: null },
       atATime: 1,
       transport: partsTransport({ ...where, otherwise: tusTransport(where) }),
       onFinished: async (_, uploadId) => {
@@ -142,10 +142,10 @@ function Give({ take, isFirst }: { take: Take; isFirst: boolean }) {
       ) : (
         <>
           <Button icon="upload" onClick={() => field.current?.click()}>
-            {isFirst ? 'Add the dry stem' : 'Put another in its place'}
+            {isFirst ? 'Add dry stem' : 'Replace stem'}
           </Button>
           <span className="small mid">
-            or drop it anywhere on this page. In a delivery a file named <span className="mono">…__dry.wav</span> does
+            or drop it anywhere on this page. In a delivery, a file named <span className="mono">…__dry.wav</span> does
             the same.
           </span>
         </>
@@ -166,7 +166,7 @@ function Going({ upload: { file, sentBytes, state }, onStop }: { upload: Upload;
         <Meter thin label={`${file.name}: ${Math.floor(share * 100)} % here`} whole={1} parts={[{ value: share }]} />
       </span>
       <span className="small mid">
-        {state === 'line_lost' ? `The line dropped at ${here}. It goes on by itself from there.` : here}
+        {state === 'line_lost' ? `Connection lost at ${here}. The upload resumes by itself.` : here}
       </span>
       <Button square variant="quiet" icon="cross" aria-label={`Stop ${file.name}`} onClick={onStop} />
     </>

@@ -20,7 +20,7 @@ interface FindingsCardProps {
   onSpot: (at: number) => void
 }
 
-/** What the checker found, worst first: figure, limit, where, what to do, and what a mend does about it. */
+/** What the checker found, worst first: figure, limit, where, what to do, and what a fix does about it. */
 export function FindingsCard({ take, check, findings, openAt, onSpot }: FindingsCardProps) {
   const list = useRef<HTMLUListElement>(null)
   useEffect(() => {
@@ -30,7 +30,7 @@ export function FindingsCard({ take, check, findings, openAt, onSpot }: Findings
     <Card aria-labelledby="findings">
       <CardHead
         id="findings"
-        title="What the check found"
+        title="Check results"
         count={findings.length > 0 ? findings.length : undefined}
         end={
           check && (
@@ -44,10 +44,10 @@ export function FindingsCard({ take, check, findings, openAt, onSpot }: Findings
       {findings.length === 0 && (
         <p className={`mid ${classes.inside}`}>
           {check === undefined || take.state === 'received'
-            ? 'It is being checked.'
+            ? 'Being checked…'
             : check === null
-              ? 'It has not been checked yet.'
-              : 'Every check of the delivery spec passed.'}
+              ? 'Not checked yet.'
+              : 'All checks passed.'}
         </p>
       )}
       <ul ref={list} className={classes.findings} aria-label="Findings">
@@ -76,24 +76,24 @@ function Line({ finding, onSpot }: { finding: Found; onSpot: () => void }) {
         <>
           {finding.start_s !== null && (
             <Button icon="play" onClick={onSpot}>
-              The spot<span className="visually-hidden"> of {head}</span>
+              Go to position<span className="visually-hidden"> of {head}</span>
             </Button>
           )}
           <Link className="link small" to="/checks/$check" params={{ check: finding.check }}>
             {finding.check}
-            <span className="visually-hidden">, what this check is</span>
+            <span className="visually-hidden">, about this check</span>
           </Link>
         </>
       }
     >
-      {finding.waived && 'Let through by the approver. '}
+      {finding.waived && 'Waived by the approver. '}
       {rest}{' '}
-      {finding.mend && (
-        <span className={classes.mends}>
-          <Icon name="spanner" size={14} /> A mend {finding.mend}.
+      {finding.auto_fix && (
+        <span className={classes.fixes}>
+          <Icon name="spanner" size={14} /> A fix {finding.auto_fix}.
         </span>
       )}
-      {finding.no_mend && <span className="dim">{ended(finding.no_mend)}</span>}
+      {finding.no_auto_fix && <span className="dim">{ended(finding.no_auto_fix)}</span>}
     </Finding>
   )
 }

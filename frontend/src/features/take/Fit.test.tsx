@@ -40,14 +40,14 @@ const aFit = (fit: object = {}) => ({
   ...fit,
 })
 const forTheTeam = (fit: object) => aTakeServer().on('GET /v1/me', aMe()).on('GET /v1/takes/t1/fit', aFit(fit))
-const card = () => screen.findByRole('region', { name: 'Fit with the palette' })
+const card = () => screen.findByRole('region', { name: 'Match with the palette' })
 
 describe('a version among the approved sounds', () => {
   test('is drawn by every measure, and told as a table', async () => {
     forTheTeam({})
     openApp('/takes/t1')
     const shown = await card()
-    expect(shown).toHaveTextContent('beside the approved sounds of ui')
+    expect(shown).toHaveTextContent('compared with the approved sounds in ui')
     expect(shown).toHaveTextContent('louder than all of them, by 5.0 LU.')
     const [loudness] = within(shown).getAllByRole('img')
     expect(loudness).toHaveAccessibleName('Loudness: −12.0 LUFS; 3 others from −20.0 LUFS to −17.0 LUFS')
@@ -56,9 +56,9 @@ describe('a version among the approved sounds', () => {
     expect(loudness?.querySelector('path')).toHaveAttribute('data-apart')
     const rows = within(shown).getAllByRole('row', { hidden: true })
     expect(rows.map((row) => [...row.children].map((cell) => cell.textContent))).toEqual([
-      ['Sound', 'Loudness', 'Timbre, from the middle'],
-      ['airlock_cycle, this one', '−12.0 LUFS', '1.0 dB'],
-      ['middle of the others', '−18.0 LUFS', '2.0 dB'],
+      ['Sound', 'Loudness', 'Timbre, distance from median'],
+      ['airlock_cycle, this sound', '−12.0 LUFS', '1.0 dB'],
+      ['median of the others', '−18.0 LUFS', '2.0 dB'],
       ['ui_back, palette', '−20.0 LUFS', '−20.0 dB'],
       ['ui_click', '−18.0 LUFS', '−18.0 dB'],
       ['ui_open', '−17.0 LUFS', 'not measured'],
@@ -76,14 +76,14 @@ describe('a version among the approved sounds', () => {
   test('leads from a first delivery to the comparison of all of it', async () => {
     forTheTeam({ first_delivery_id: 'd1' })
     openApp('/takes/t1')
-    const link = await screen.findByRole('link', { name: 'Compare all of it with the work before' })
+    const link = await screen.findByRole('link', { name: 'Compare the whole delivery with earlier work' })
     expect(link).toHaveAttribute('href', '/deliveries/d1/fit')
   })
 
   test('is not asked for by its designer', async () => {
     const server = aTakeServer()
     openApp('/takes/t1')
-    await screen.findByRole('region', { name: 'Figures' })
+    await screen.findByRole('region', { name: 'Measurements' })
     expect(server.asked.filter(({ path }) => path.endsWith('/fit'))).toEqual([])
   })
 })
@@ -107,8 +107,8 @@ describe('a delivery beside the work before', () => {
 
   test('is told as a whole and sound by sound', async () => {
     opened(aDelivery())
-    await screen.findByRole('heading', { level: 1, name: 'Delivery 4 beside the work before' })
-    const whole = screen.getByRole('table', { name: 'How the delivery lies as a whole' })
+    await screen.findByRole('heading', { level: 1, name: 'Delivery 4 compared with earlier work' })
+    const whole = screen.getByRole('table', { name: 'The delivery overall' })
     expect(within(whole).getAllByRole('row')[1]).toHaveTextContent('Loudness+6.0 LU1 of 1')
     expect(screen.getByRole('link', { name: 'airlock_cycle' })).toHaveAttribute('href', '/takes/t1')
     expect(screen.getByText('airlock_cycle_02.wav')).toBeInTheDocument()
@@ -117,13 +117,13 @@ describe('a delivery beside the work before', () => {
 
   test('says what is missing where nothing can be compared, and that it is not here', async () => {
     opened(aDelivery({ made_before_by: [], takes: [], shifts: [] }))
-    expect(await screen.findByText('No sound of another designer is approved in this project.')).toBeInTheDocument()
+    expect(await screen.findByText('No sound by another designer is approved in this project.')).toBeInTheDocument()
   })
 
   test('of somebody else is not here', async () => {
     opened(refusal(404, 'delivery-not-found', 'no delivery d1'))
-    expect(await screen.findByText('This delivery is not here.')).toBeInTheDocument()
-    expect(screen.getByRole('link', { name: 'To the start' })).toBeInTheDocument()
+    expect(await screen.findByText('Delivery not found')).toBeInTheDocument()
+    expect(screen.getByRole('link', { name: 'Go to the start page' })).toBeInTheDocument()
   })
 })
 

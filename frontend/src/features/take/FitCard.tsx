@@ -12,21 +12,23 @@ export function FitCard({ take }: { take: Take }) {
   const { data: fit } = useQuery(fitQuery(take))
   if (!fit) return null
   const beside =
-    fit.basis === 'category' ? `beside the approved sounds of ${fit.category || 'no category'}` : 'beside the palette'
+    fit.basis === 'category'
+      ? `compared with the approved sounds in ${fit.category || 'no category'}`
+      : 'compared with the palette'
   return (
     <Card aria-labelledby="fit">
-      <CardHead id="fit" title="Fit with the palette" end={fit.basis ? beside : undefined} />
+      <CardHead id="fit" title="Match with the palette" end={fit.basis ? beside : undefined} />
       <div className={classes.inside}>
         <p>
           {fit.says}
-          {fit.is_apart && ' That may be what it is for: the figures ask, your ears decide.'}
+          {fit.is_apart && ' That may be intended. Trust your ears.'}
         </p>
         {fit.basis !== null && <FitPicture fit={fit} />}
         {fit.first_delivery_id !== null && (
           <p>
-            This is the first delivery of {take.designer.name}, after others.{' '}
+            This is the first delivery of {take.designer.name}, who follows other designers.{' '}
             <Link className="link" to="/deliveries/$deliveryId/fit" params={{ deliveryId: fit.first_delivery_id }}>
-              Compare all of it with the work before
+              Compare the whole delivery with earlier work
             </Link>
           </p>
         )}

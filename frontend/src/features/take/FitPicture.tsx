@@ -16,10 +16,10 @@ export function FitPicture({ fit }: { fit: TakeFit }) {
         ))}
       </div>
       <p className={`small mid ${classes.legend}`} aria-hidden="true">
-        <span data-mark="own">this one</span>
-        <span data-mark="palette">of the palette</span>
+        <span data-mark="own">this sound</span>
+        <span data-mark="palette">palette</span>
         <span data-mark="other">other approved sounds</span>
-        <span data-mark="reach">where they lie</span>
+        <span data-mark="reach">their range</span>
       </p>
       <FitTable fit={fit} />
     </>
@@ -69,9 +69,9 @@ function FitTable({ fit: { measures, cue } }: { fit: TakeFit }) {
   const others = new Map(measures.flatMap((one) => one.others.map((each) => [each.cue.id, each])))
   return (
     <details>
-      <summary className={`small ${classes.more}`}>Every figure, sound by sound</summary>
+      <summary className={`small ${classes.more}`}>All figures by sound</summary>
       <div className={classes.scroll}>
-        <table className={`small ${classes.table}`} aria-label="This sound and those that it is compared with">
+        <table className={`small ${classes.table}`} aria-label="This sound and the sounds it is compared with">
           <thead>
             <tr>
               <th scope="col">Sound</th>
@@ -85,14 +85,14 @@ function FitTable({ fit: { measures, cue } }: { fit: TakeFit }) {
           <tbody>
             <tr>
               <th scope="row" className="strong">
-                {cue?.name}, this one
+                {cue?.name}, this sound
               </th>
               {measures.map(({ measure, value }) => (
                 <td key={measure}>{said(measure, value)}</td>
               ))}
             </tr>
             <tr>
-              <th scope="row">middle of the others</th>
+              <th scope="row">median of the others</th>
               {measures.map(({ measure, middle }) => (
                 <td key={measure}>{said(measure, middle)}</td>
               ))}

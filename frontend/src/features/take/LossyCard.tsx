@@ -21,22 +21,22 @@ export function LossyCard({ check }: { check: Check | null | undefined }) {
   const end = lowPassHz === null ? '' : `It ends steeply at ${figure(lowPassHz / 1000, 1)} kHz.`
   return (
     <Card aria-labelledby="lossy">
-      <CardHead id="lossy" title="Was it ever a lossy file?" end={`${judged.verdict}${sure}`} />
+      <CardHead id="lossy" title="Was it converted from a lossy file?" end={`${judged.verdict}${sure}`} />
       <div className={`${classes.inside} ${classes.proofs}`}>
         <figure className={classes.bands}>
           <FramesPlot frames={frames} />
           <figcaption className="small mid">
-            How many lines of {frames.codec} are silent, for each place at which its frames may begin.{' '}
+            How many spectral lines of {frames.codec} are empty, for each possible frame position.{' '}
             {codec === null
-              ? 'No place stands out: nothing was left out on such frames.'
-              : `One place stands out, ${percent(frames.most)} against ${percent(numberOf(judged.figures.elsewhere_share))} anywhere else: there ${codec} left lines out. A sound that exists no other way may come so: ask.`}
+              ? 'No position stands out: no sign of that codec.'
+              : `One position stands out, ${percent(frames.most)} against ${percent(numberOf(judged.figures.elsewhere_share))} elsewhere: a sign of ${codec}. If no other source exists, ask the designer.`}
           </figcaption>
         </figure>
         {spectrum && lowPassHz !== null && (
           <figure className={classes.bands}>
             <SpectrumPlot spectrum={spectrum} edgeHz={lowPassHz} end={end} />
             <figcaption className="small mid">
-              {end} Codecs end so, and so do resamplers and filters: alone it proves nothing.
+              {end} Codecs cut off like this, but so do resamplers and filters; this alone is no proof.
             </figcaption>
           </figure>
         )}

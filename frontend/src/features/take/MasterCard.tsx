@@ -26,8 +26,7 @@ export function MasterCard({ take }: { take: Take }) {
       <CardHead id="master" title="Master" end={bytes(take.master_bytes)} />
       <div className={`stack ${classes.inside}`}>
         <p className="small mid">
-          As it was delivered, byte for byte; or a copy of the same sound that says where it comes from, in bext and
-          iXML.
+          The file exactly as delivered, or a copy of it with provenance metadata (bext and iXML).
         </p>
         <div className="row wrap">
           <ButtonLink href={`/v1/takes/${take.id}/master`} download icon="download">
@@ -39,15 +38,15 @@ export function MasterCard({ take }: { take: Take }) {
             </ButtonLink>
           ) : (
             <Button icon="file" disabled={making} onClick={() => ask.mutate()}>
-              Write provenance
+              Create copy with provenance
             </Button>
           )}
         </div>
         <p className="small dim" role="status">
-          {making && 'Writing it into a copy …'}
-          {made?.file_bytes && `The copy has ${bytes(made.file_bytes)} and says this:`}
+          {making && 'Creating the copy…'}
+          {made?.file_bytes && `The copy (${bytes(made.file_bytes)}) contains:`}
         </p>
-        {made?.file_url && <Told made={made} />}
+        {made?.file_url && <Fields made={made} />}
         {made?.refusal && <ProblemNote detail={ended(made.refusal)} />}
         {error instanceof ApiProblem && <ProblemNote detail={ended(error.detail)} fix={ended(error.fix)} />}
       </div>
@@ -55,16 +54,16 @@ export function MasterCard({ take }: { take: Take }) {
   )
 }
 
-function Told({ made: { told, left } }: { made: MasterExport }) {
+function Fields({ made: { fields, left } }: { made: MasterExport }) {
   return (
     <>
       <dl className={classes.lines}>
         {Object.entries(SAID).map(
           ([field, what]) =>
-            told[field] && (
+            fields[field] && (
               <div key={field}>
                 <dt className="dim">{what}</dt>
-                <dd>{told[field]}</dd>
+                <dd>{fields[field]}</dd>
               </div>
             ),
         )}

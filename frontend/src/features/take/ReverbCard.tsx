@@ -29,14 +29,14 @@ export function ReverbCard({ take, check, isMaker }: ReverbCardProps) {
   if (!check || !evidence) return null
   return (
     <Card aria-labelledby="reverb">
-      <CardHead id="reverb" title="Is there reverb in it?" end={answer(evidence)} />
+      <CardHead id="reverb" title="Reverb?" end={answer(evidence)} />
       <div className={classes.inside}>
         <figure className={classes.bands}>
           <DecayPlot evidence={evidence} />
           <figcaption className="small mid">
-            How much of its energy is still to come in each octave, from where it was last loud. A room lets all octaves
-            fall straight and alike; a dry sound falls as each of its parts does.
-            {evidence.isStereo && ' In a room’s tail left and right are less alike than in the sound before it.'}
+            Energy decay per octave after the last loud moment. In a room all octaves decay evenly, in straight lines;
+            in a dry sound each part decays in its own way.
+            {evidence.isStereo && ' In a reverb tail, left and right are less correlated than in the sound before it.'}
           </figcaption>
         </figure>
         <DecayTable evidence={evidence} />
@@ -86,20 +86,20 @@ function DecayPlot({ evidence: { bands, stepS } }: { evidence: ReverbEvidence })
 
 function DecayTable({ evidence: { bands, isStereo } }: { evidence: ReverbEvidence }) {
   return (
-    <table className={`small ${classes.decayTable}`} aria-label="How each octave dies away">
+    <table className={`small ${classes.decayTable}`} aria-label="Decay per octave">
       <thead>
         <tr>
           <th scope="col">Octave</th>
-          <th scope="col">By 60 dB in</th>
+          <th scope="col">RT60</th>
           <th scope="col">Rate</th>
-          {isStereo && <th scope="col">Left like right, head to tail</th>}
+          {isStereo && <th scope="col">L/R correlation, start to tail</th>}
         </tr>
       </thead>
       <tbody>
         {bands.map(({ hz, rt60S, rateDbS, head, tail }) => (
           <tr key={hz}>
             <th scope="row">{octave(hz)}</th>
-            <td>{rt60S === null ? 'too short to tell' : `${figure(rt60S, 2)} s`}</td>
+            <td>{rt60S === null ? 'too short to measure' : `${figure(rt60S, 2)} s`}</td>
             <td>{rateDbS === null ? '' : `${figure(rateDbS)} dB/s`}</td>
             {isStereo && <td>{alike(head, tail)}</td>}
           </tr>
@@ -119,15 +119,15 @@ function BesideBefore({ before }: { before: ReverbBefore }) {
     <div className="small">
       <p>
         <Link className="link" to="/takes/$takeId" params={{ takeId: before.takeId }}>
-          Beside version {number}
+          Compared with version {number}
         </Link>
-        : {verdict === 'cannot tell' ? 'not the same sound, so their reverb cannot be compared.' : `${verdict}.`}
+        : {verdict === 'undecided' ? 'not the same sound, so their reverb can’t be compared.' : `${verdict}.`}
         {rt60S !== null &&
           wetDb !== null &&
-          ` The tail between them lies ${figure(Math.abs(wetDb), 1)} dB ${wetDb < 0 ? 'under' : 'over'} the sound and falls by 60 dB in ${figure(rt60S, 2)} s.`}
+          ` The added tail is ${figure(Math.abs(wetDb), 1)} dB ${wetDb < 0 ? 'under' : 'over'} the sound and falls by 60 dB in ${figure(rt60S, 2)} s.`}
       </p>
-      {verdict !== 'cannot tell' && slower.length > 0 && (
-        <ul aria-label={`Tails beside version ${number}`} className={classes.tails}>
+      {verdict !== 'undecided' && slower.length > 0 && (
+        <ul aria-label={`Tails compared with version ${number}`} className={classes.tails}>
           {slower.map(({ hz, byS }) => (
             <li key={hz}>
               {octave(hz)}: {figure(Math.abs(byS), 2)} s {byS > 0 ? 'slower' : 'faster'}

@@ -15,15 +15,15 @@ export function ReversedCard({ check }: { check: Check | null | undefined }) {
     <Card aria-labelledby="reversed">
       <CardHead
         id="reversed"
-        title="Is it played backwards?"
+        title="Reversed?"
         end={`${judged.verdict}${judged.score === null ? '' : `, score ${score(judged.score)}`}`}
       />
       <div className={classes.inside}>
         <p className="small mid">
-          How fast each octave rises at its fastest, and falls. What is struck, shot or spoken rises faster than it
-          falls; turned round it falls faster. <span className="nowrap">Press v to hear it the other way.</span>
+          The fastest rise and fall of each octave. Hits, shots and speech rise faster than they fall; reversed, they
+          fall faster. <span className="nowrap">Press v to play it in reverse.</span>
         </p>
-        <table className={`small ${classes.decayTable}`} aria-label="How each octave rises and falls">
+        <table className={`small ${classes.decayTable}`} aria-label="Rise and fall per octave">
           <thead>
             <tr>
               <th scope="col">Octave</th>

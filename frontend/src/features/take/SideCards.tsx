@@ -1,7 +1,7 @@
 import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
-import { happened, sentence, spot, told } from '@/judging/words'
+import { happened, sentence, spot, historyText } from '@/judging/words'
 import { LossPanel } from '@/losses'
 import { Card, CardHead } from '@/ui/Card'
 import { age, bytes, channels, clock, day, figure, rate } from '@/ui/format'
@@ -22,14 +22,14 @@ export function FiguresCard({ check, findings }: { check: Check | null | undefin
   const texts = textsOf(facts)
   return (
     <Card aria-labelledby="figures">
-      <CardHead id="figures" title="Figures" end={`audio-checks ${check.tool_version}`} />
+      <CardHead id="figures" title="Measurements" end={`audio-checks ${check.tool_version}`} />
       <div className={classes.figures}>
-        {groups.length === 0 && <p className="mid">Nothing could be measured: the file could not be read.</p>}
+        {groups.length === 0 && <p className="mid">No measurements: the file could not be read.</p>}
         {groups.map(({ title, lines }) => (
           <Lines key={title} title={title} lines={lines} found={found} />
         ))}
-        {judged.length > 0 && <Lines title="Judged by its sound" lines={judged} found={found} />}
-        {texts.length > 0 && <Lines title="What the file says" lines={texts} found={found} />}
+        {judged.length > 0 && <Lines title="Analysis" lines={judged} found={found} />}
+        {texts.length > 0 && <Lines title="File metadata" lines={texts} found={found} />}
       </div>
     </Card>
   )
@@ -79,9 +79,9 @@ export function GameFilesCard({ files }: { files: readonly GameFile[] }) {
             <p className="row">
               <span className="strong">{file.target}</span>
               <span className="end">
-                {file.state === 'made' && <State kind="passed">Made</State>}
+                {file.state === 'made' && <State kind="passed">Rendered</State>}
                 {file.state === 'refused' && <State kind="refused" />}
-                {file.state === 'waiting' && <span className="small dim">not made</span>}
+                {file.state === 'waiting' && <span className="small dim">not rendered</span>}
               </span>
             </p>
             <p className="small mid">{madeOf(file)}</p>
@@ -104,7 +104,7 @@ function Lost({ renderId, target }: { renderId: string; target: string }) {
   return (
     <details onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
       <summary className={`small ${classes.lost}`}>
-        What it lost<span className="visually-hidden"> for {target}</span>
+        Quality loss<span className="visually-hidden"> for {target}</span>
       </summary>
       {open && <LossPanel renderId={renderId} target={target} />}
     </details>
@@ -112,11 +112,11 @@ function Lost({ renderId, target }: { renderId: string; target: string }) {
 }
 
 function madeOf({ state, refusal, facts, attenuation_db: down, file_bytes: size }: GameFile): string {
-  if (state === 'refused') return sentence(refusal ?? 'It was refused.')
-  if (state === 'waiting') return 'Game files are made of what conforms.'
+  if (state === 'refused') return sentence(refusal ?? 'Refused.')
+  if (state === 'waiting') return 'Game files are rendered once the version passes the check.'
   const { sample_rate_hz: hz, bit_depth: bits, channels: count } = facts as Record<string, number | undefined>
   const parts = [hz && rate(hz), bits && `${bits} bit`, count && channels(count), size && bytes(size)]
-  const lowered = down !== null && down > 0.005 ? `lowered by ${figure(down, 2)} dB to keep its peak limit` : ''
+  const lowered = down !== null && down > 0.005 ? `lowered by ${figure(down, 2)} dB to stay under the peak limit` : ''
   return [...parts, lowered].filter(Boolean).join(', ')
 }
 
@@ -138,9 +138,9 @@ export function HistoryCard({ takeId }: { takeId: string }) {
               </time>
             </p>
             {entry.text && (
-              <p className={`small mid ${classes.told}`}>
+              <p className={`small mid ${classes.entryText}`}>
                 {entry.start_s !== null && <span className="mono dim">{spot(entry.start_s, entry.end_s)} </span>}
-                {told(entry)}
+                {historyText(entry)}
               </p>
             )}
           </li>

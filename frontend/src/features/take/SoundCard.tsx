@@ -62,7 +62,7 @@ export function SoundCard({ take, sounds, marks, limitDbfs, player, playing, onM
     <Card aria-labelledby="sound">
       <CardHead
         id="sound"
-        title="The sound"
+        title="Sound"
         note={factsOf(sounds, file)}
         end={
           files.length > 0 && (
@@ -82,8 +82,8 @@ export function SoundCard({ take, sounds, marks, limitDbfs, player, playing, onM
         {durationS === null ? (
           <p className="mid">
             {sounds === undefined || sounds.master.state === 'drawing'
-              ? 'It is being drawn.'
-              : 'There is no picture of this file: it could not be read as a sound.'}
+              ? 'Drawing the waveform…'
+              : 'No waveform: the file could not be read as audio.'}
           </p>
         ) : (
           <>
@@ -109,7 +109,7 @@ export function SoundCard({ take, sounds, marks, limitDbfs, player, playing, onM
           </>
         )}
         {playing.error !== null && isHeard && (
-          <ProblemNote detail="The sound could not be played." fix="Try again when the line is back." />
+          <ProblemNote detail="Sound could not be played." fix="Check your connection and try again." />
         )}
         {url !== null && (
           <div className={classes.transport}>
@@ -136,7 +136,7 @@ export function SoundCard({ take, sounds, marks, limitDbfs, player, playing, onM
             <HotkeyButton
               icon="reverse"
               keys="v"
-              keyLabel="Backwards"
+              keyLabel="Play in reverse"
               keyGroup="Version"
               pressed={playing.reversed}
               onPress={() => player.setReversed(!playing.reversed)}

@@ -8,7 +8,7 @@ import { HandContext } from '@/test/audioContext'
 import { openApp } from '@/test/openApp'
 import { aFinding, aMe, PROJECT } from '@/test/review'
 import { refusal } from '@/test/server'
-import { aCheck, aGameFile, aMend, aTakeServer, aVersion, DESIGNER, LATE, someSounds } from '@/test/take'
+import { aCheck, aGameFile, aFix, aTakeServer, aVersion, DESIGNER, LATE, someSounds } from '@/test/take'
 
 beforeAll(() => import('./TakePage'))
 
@@ -55,28 +55,28 @@ describe('the judgement of reverb', () => {
   test('shows what it goes by, octave for octave', async () => {
     server.on('GET /v1/takes/t1/check', judged([{ hz: 500, head: 0.97, tail: 0.31 }]))
     await opened()
-    const shown = await card('Is there reverb in it?')
+    const shown = await card('Reverb?')
     expect(shown).toHaveTextContent('reverb, about 1.8 s, score 0.99')
     expect(within(shown).getByRole('img')).toHaveAccessibleName(/2 octaves over 0.15 s/)
     const rows = within(within(shown).getByRole('table')).getAllByRole('row')
     expect(rows.map((row) => row.textContent)).toEqual([
-      'OctaveBy 60 dB inRateLeft like right, head to tail',
+      'OctaveRT60RateL/R correlation, start to tail',
       '500 Hz1.82 s−33 dB/s0.97 to 0.31',
-      '4 kHztoo short to tellno tail to compare',
+      '4 kHztoo short to measureno tail to compare',
     ])
   })
 
   test('says nothing of left and right in mono', async () => {
     server.on('GET /v1/takes/t1/check', judged(null))
     await opened()
-    expect(await card('Is there reverb in it?')).not.toHaveTextContent('Left')
+    expect(await card('Reverb?')).not.toHaveTextContent('Left')
   })
 
   test('draws nothing where nothing could be judged', async () => {
-    server.on('GET /v1/takes/t1/check', aCheck({ judgements: { reverb: { verdict: 'cannot tell', score: null } } }))
+    server.on('GET /v1/takes/t1/check', aCheck({ judgements: { reverb: { verdict: 'undecided', score: null } } }))
     await opened()
-    await card('Figures')
-    expect(screen.queryByRole('region', { name: 'Is there reverb in it?' })).toBeNull()
+    await card('Measurements')
+    expect(screen.queryByRole('region', { name: 'Reverb?' })).toBeNull()
   })
 })
 
@@ -93,20 +93,22 @@ describe('reverb beside the version before', () => {
   test('says which has more, by how much, and where tails are slower', async () => {
     server.on('GET /v1/takes/t1/check', aCheck({ judgements: { reverb: { ...reverb, before } } }))
     await opened()
-    const shown = await card('Is there reverb in it?')
-    expect(shown).toHaveTextContent('Beside version 1: more reverb.')
-    expect(shown).toHaveTextContent('lies 6.2 dB under the sound and falls by 60 dB in 1.75 s')
-    expect(within(shown).getByRole('link', { name: 'Beside version 1' })).toHaveAttribute('href', '/takes/t0')
-    const tails = within(within(shown).getByRole('list', { name: 'Tails beside version 1' })).getAllByRole('listitem')
+    const shown = await card('Reverb?')
+    expect(shown).toHaveTextContent('Compared with version 1: more reverb.')
+    expect(shown).toHaveTextContent('is 6.2 dB under the sound and falls by 60 dB in 1.75 s')
+    expect(within(shown).getByRole('link', { name: 'Compared with version 1' })).toHaveAttribute('href', '/takes/t0')
+    const tails = within(within(shown).getByRole('list', { name: 'Tails compared with version 1' })).getAllByRole(
+      'listitem',
+    )
     expect(tails.map((tail) => tail.textContent)).toEqual(['500 Hz: 1.62 s slower'])
   })
 
   test('says that another sound cannot be compared', async () => {
-    const other = { ...before, verdict: 'cannot tell', rt60_s: null, wet_db: null }
+    const other = { ...before, verdict: 'undecided', rt60_s: null, wet_db: null }
     server.on('GET /v1/takes/t1/check', aCheck({ judgements: { reverb: { ...reverb, before: other } } }))
     await opened()
-    const shown = await card('Is there reverb in it?')
-    expect(shown).toHaveTextContent('Beside version 1: not the same sound')
+    const shown = await card('Reverb?')
+    expect(shown).toHaveTextContent('Compared with version 1: not the same sound')
     expect(within(shown).queryByRole('list')).toBeNull()
   })
 })
@@ -121,7 +123,7 @@ test('the judgement of direction shows how each octave rises and falls', async (
     aCheck({ judgements: { reversed: { verdict: 'forwards', score: 0.03, evidence: { bands } } } }),
   )
   await opened()
-  const shown = await card('Is it played backwards?')
+  const shown = await card('Reversed?')
   expect(shown).toHaveTextContent('forwards, score 0.03')
   const rows = within(within(shown).getByRole('table')).getAllByRole('row')
   expect(rows.map((row) => row.textContent)).toEqual([
@@ -136,11 +138,11 @@ test('the judgement of a lower rate shows the spectrum, and asks', async () => {
   const judged = { verdict: 'upsampled', score: 0.99, from_hz: 24_000, edge_hz: 11_900, drop_db: 71.5 }
   server.on('GET /v1/takes/t1/check', aCheck({ judgements: { upsampled: { ...judged, evidence: { spectrum } } } }))
   await opened()
-  const shown = await card('Was it brought up from a lower rate?')
+  const shown = await card('Upsampled?')
   expect(shown).toHaveTextContent('upsampled, score 0.99')
-  expect(shown).toHaveTextContent('A resampler from 24 kHz ends there.')
+  expect(shown).toHaveTextContent('That matches resampling from 24 kHz.')
   expect(within(shown).getByRole('img')).toHaveAccessibleName(
-    'Mean spectrum from 0 Hz to 24.0 kHz. Its steepest end lies at 11.9 kHz, where it drops by 71.5 dB.',
+    'Mean spectrum from 0 Hz to 24.0 kHz. Its spectrum ends at 11.9 kHz, dropping by 71.5 dB.',
   )
   expect(shown.querySelector('polyline')?.getAttribute('points')?.split(' ')).toHaveLength(4)
 })
@@ -157,9 +159,9 @@ describe('the judgement of lossy coding', () => {
       aCheck({ judgements: { lossy: { ...figures, evidence: { spectrum, frames } } } }),
     )
     await opened()
-    const shown = await card('Was it ever a lossy file?')
+    const shown = await card('Was it converted from a lossy file?')
     expect(shown).toHaveTextContent('lossy, score 0.99')
-    expect(shown).toHaveTextContent('One place stands out, 42 % against 4 % anywhere else')
+    expect(shown).toHaveTextContent('One position stands out, 42 % against 4 % elsewhere')
     expect(within(shown).getByRole('img', { name: /lines of MP3 at 576 places, at most 42 %/ })).toBeInTheDocument()
     expect(within(shown).getByRole('img', { name: /It ends steeply at 16.1 kHz/ })).toBeInTheDocument()
     expect(shown.querySelectorAll('[data-most]')).toHaveLength(1)
@@ -169,30 +171,30 @@ describe('the judgement of lossy coding', () => {
     const clean = { verdict: 'clean', score: 0.02, codec: null, low_pass_hz: null, elsewhere_share: null }
     server.on('GET /v1/takes/t1/check', aCheck({ judgements: { lossy: { ...clean, evidence: { spectrum, frames } } } }))
     await opened()
-    const shown = await card('Was it ever a lossy file?')
-    expect(shown).toHaveTextContent('No place stands out')
+    const shown = await card('Was it converted from a lossy file?')
+    expect(shown).toHaveTextContent('No position stands out')
     expect(within(shown).getAllByRole('img')).toHaveLength(1)
   })
 })
 
 describe('findings', () => {
-  test('stand worst first, each with its limit, its place, what to do, its mend and its page', async () => {
+  test('stand worst first, each with its limit, its place, what to do, its fix and its page', async () => {
     await opened()
     const list = await screen.findByRole('list', { name: 'Findings' })
     await waitFor(() => expect(within(list).getAllByRole('listitem')).toHaveLength(2))
     const [loud, late] = within(list).getAllByRole('listitem')
     expect(loud).toHaveTextContent('Error: Sample peak 0.00 dBFS')
     expect(loud).toHaveTextContent('Limit −0.1 dBFS. Lower the level by 0.10 dB or more.')
-    expect(loud).toHaveTextContent('A mend lowers the level by 0.10 dB.')
+    expect(loud).toHaveTextContent('A fix lowers the level by 0.10 dB.')
     expect(loud).toHaveTextContent('0.418 s')
     expect(late).toHaveTextContent('Warning: 412.0 ms of silence before the sound')
     expect(within(list).getByRole('link', { name: /^sample-peak/ })).toHaveAttribute('href', '/checks/sample-peak')
   })
 
-  test('one that no mend answers says why', async () => {
+  test('one that no fix answers says why', async () => {
     server.on(
       'GET /v1/takes/t1/check',
-      aCheck({ findings: [aFinding({ no_mend: 'What was cut off at the top is gone.' })] }),
+      aCheck({ findings: [aFinding({ no_auto_fix: 'What was cut off at the top is gone.' })] }),
     )
     await opened()
     expect(await screen.findByText('What was cut off at the top is gone.')).toBeInTheDocument()
@@ -216,10 +218,10 @@ describe('findings', () => {
     server
       .on('GET /v1/takes/t1', aVersion({ state: 'conforming' }))
       .on('GET /v1/takes/t1/check', aCheck({ findings: [], verdict: 'conforming' }))
-      .on('GET /v1/takes/t1/mend', aMend({ state: 'none' }))
+      .on('GET /v1/takes/t1/fix', aFix({ state: 'none' }))
     await opened()
-    expect(await screen.findByText('Every check of the delivery spec passed.')).toBeInTheDocument()
-    expect(screen.queryByRole('region', { name: 'Mend' })).not.toBeInTheDocument()
+    expect(await screen.findByText('All checks passed.')).toBeInTheDocument()
+    expect(screen.queryByRole('region', { name: 'Fix' })).not.toBeInTheDocument()
   })
 
   test('a version that was let through says by whom and why', async () => {
@@ -232,35 +234,37 @@ describe('findings', () => {
     }
     server.on('GET /v1/takes/t1/check', aCheck({ findings: [{ ...LATE, waived: true }], waiver }))
     await opened()
-    expect(await screen.findByText(/Let through by the approver\./)).toBeInTheDocument()
+    expect(await screen.findByText(/Waived by the approver\./)).toBeInTheDocument()
     expect(screen.getByText(': Meant so')).toBeInTheDocument()
   })
 })
 
-describe('the mend', () => {
+describe('the fix', () => {
   test('is seen before and after, with what changes, and used by its designer in one press', async () => {
     const user = userEvent.setup()
-    server.on('POST /v1/takes/t1/mend/use', aVersion({ id: 't2', number: 2, state: 'received', mend_of_id: 't1' }))
+    server.on('POST /v1/takes/t1/fix/use', aVersion({ id: 't2', number: 2, state: 'received', fix_of_id: 't1' }))
     await opened()
-    const mend = await card('Mend')
-    expect(await within(mend).findByRole('slider', { name: 'Position in airlock_cycle, mended' })).toBeInTheDocument()
-    const changes = within(mend).getByLabelText('What changes')
+    const fix = await card('Fix')
+    expect(await within(fix).findByRole('slider', { name: 'Position in airlock_cycle, fixed' })).toBeInTheDocument()
+    const changes = within(fix).getByLabelText('What changes')
     expect(changes).toHaveTextContent('Sample peak0.0 dBFS →becomes −1.6 dBFS')
     expect(changes).toHaveTextContent('Length0.80 s →becomes 0.40 s')
-    expect(mend).toHaveTextContent('It becomes version 2; version 1 stays as it is. No round counts.')
-    await user.click(within(mend).getByRole('button', { name: 'Start' }))
-    expect(within(mend).getByText('The start, 0.000–0.500 s')).toBeInTheDocument()
+    expect(fix).toHaveTextContent('It becomes version 2; version 1 is kept. No round is counted.')
+    await user.click(within(fix).getByRole('button', { name: 'Start' }))
+    expect(within(fix).getByText('The start, 0.000–0.500 s')).toBeInTheDocument()
     await user.keyboard('t')
-    expect(await screen.findByText('airlock_cycle version 2 is the mend; it is being checked.')).toBeInTheDocument()
-    expect(server.of('POST /v1/takes/t1/mend/use')).toHaveLength(1)
+    expect(
+      await screen.findByText('airlock_cycle version 2 is the fixed copy. It is being checked.'),
+    ).toBeInTheDocument()
+    expect(server.of('POST /v1/takes/t1/fix/use')).toHaveLength(1)
   })
 
   test('b hears the other one at the same place in the sound', async () => {
     const user = userEvent.setup()
     await opened()
-    const mend = await card('Mend')
-    await within(mend).findByRole('button', { name: /^Hear mended/ })
-    await user.click(await screen.findByRole('button', { name: /^Play/ }))
+    const fix = await card('Fix')
+    await within(fix).findByRole('button', { name: /^Play fixed/ })
+    await user.click(await screen.findByRole('button', { name: /^Play(?! (original|fixed))/ }))
     await waitFor(() => expect(lastStarted()?.buffer.duration).toBe(0.8))
     const context = contexts.at(-1)
     if (context) context.currentTime = 0.6
@@ -277,27 +281,27 @@ describe('the mend', () => {
     const user = userEvent.setup()
     let state: 'offered' | 'making' | 'made' = 'offered'
     server
-      .on('GET /v1/takes/t1/mend', () => aMend({ state, says: 'Trims 407.0 ms from the start.' }))
-      .on('POST /v1/takes/t1/mend', () => {
+      .on('GET /v1/takes/t1/fix', () => aFix({ state, says: 'Trims 407.0 ms from the start.' }))
+      .on('POST /v1/takes/t1/fix', () => {
         state = 'making'
-        return aMend({ state })
+        return aFix({ state })
       })
     await opened()
-    const mend = await card('Mend')
-    expect(mend).toHaveTextContent('A mend: trims 407.0 ms from the start.')
-    await user.click(within(mend).getByRole('button', { name: /^Mend it/ }))
-    expect(await within(mend).findByText(/being made/)).toBeInTheDocument()
+    const fix = await card('Fix')
+    expect(fix).toHaveTextContent('Auto-fix: trims 407.0 ms from the start.')
+    await user.click(within(fix).getByRole('button', { name: /^Make auto-fix/ }))
+    expect(await within(fix).findByText(/Making the fixed copy/)).toBeInTheDocument()
     state = 'made'
-    expect(await within(mend).findByRole('button', { name: /^Use the mend/ })).toBeInTheDocument()
+    expect(await within(fix).findByRole('button', { name: /^Use auto-fix/ })).toBeInTheDocument()
   })
 
   test('the approver sees that it is offered, and cannot use it', async () => {
     server.on('GET /v1/me', aMe())
     const user = userEvent.setup()
     await opened()
-    const mend = await card('Mend')
-    expect(mend).toHaveTextContent('Its designer decides whether it becomes a version.')
-    expect(within(mend).queryByRole('button', { name: /^Use the mend/ })).not.toBeInTheDocument()
+    const fix = await card('Fix')
+    expect(fix).toHaveTextContent('The designer decides whether to use it.')
+    expect(within(fix).queryByRole('button', { name: /^Use auto-fix/ })).not.toBeInTheDocument()
     await user.keyboard('t')
     expect(server.asked.some(({ method }) => method === 'POST')).toBe(false)
   })
@@ -305,38 +309,38 @@ describe('the mend', () => {
   test('a refusal stays where it happened', async () => {
     const user = userEvent.setup()
     server.on(
-      'POST /v1/takes/t1/mend/use',
-      refusal(409, 'nothing-to-mend', 'a change_requested version is decided upon', { fix: 'send your own version' }),
+      'POST /v1/takes/t1/fix/use',
+      refusal(409, 'nothing-to-fix', 'a change_requested version is decided upon', { fix: 'send your own version' }),
     )
     await opened()
-    await user.click(await screen.findByRole('button', { name: /^Use the mend/ }))
+    await user.click(await screen.findByRole('button', { name: /^Use auto-fix/ }))
     expect(await screen.findByRole('alert')).toHaveTextContent(
       'A change_requested version is decided upon. Send your own version.',
     )
   })
 
   test('our own fault can be tried again', async () => {
-    server.on('GET /v1/takes/t1/mend', aMend({ state: 'refused', says: 'Our mender failed.', is_our_fault: true }))
+    server.on('GET /v1/takes/t1/fix', aFix({ state: 'refused', says: 'Our mender failed.', is_our_fault: true }))
     await opened()
-    expect(await screen.findByRole('button', { name: /^Mend it/ })).toBeInTheDocument()
+    expect(await screen.findByRole('button', { name: /^Make auto-fix/ })).toBeInTheDocument()
     expect(screen.getByText('Our mender failed.')).toBeInTheDocument()
   })
 
   test('both versions lead to each other, with who agreed', async () => {
-    server.on('GET /v1/takes/t1/mend', aMend({ state: 'used', new_take_id: 't2', used_by: DESIGNER }))
+    server.on('GET /v1/takes/t1/fix', aFix({ state: 'used', new_take_id: 't2', used_by: DESIGNER }))
     await opened()
     const link = await screen.findByRole('link', { name: 'Version 2' })
     expect(link).toHaveAttribute('href', '/takes/t2')
-    expect(link.parentElement).toHaveTextContent('Version 2 is its mend, with the consent of Sound designer.')
+    expect(link.parentElement).toHaveTextContent('Version 2 is its fix, with the consent of Sound designer.')
   })
 
-  test('a mend says what it was made of', async () => {
-    const { repairs } = aMend()
+  test('a fix says what it was made of', async () => {
+    const { repairs } = aFix()
     server.on(
-      'GET /v1/takes/t1/mend',
-      aMend({
+      'GET /v1/takes/t1/fix',
+      aFix({
         state: 'none',
-        mended_from: { take_id: 't0', number: 1, repairs, used_by: DESIGNER, used_at: '2026-11-20T10:00:00Z' },
+        fixed_from: { take_id: 't0', number: 1, repairs, used_by: DESIGNER, used_at: '2026-11-20T10:00:00Z' },
       }),
     )
     await opened()
@@ -349,7 +353,7 @@ describe('figures and files', () => {
   test('every figure stands with its unit; what is over a limit is marked', async () => {
     server.on('GET /v1/takes/t1/check', aCheck({ measurements: { sample_peak_dbfs: 0, novel_slope_db: -3 } }))
     await opened()
-    const figures = await card('Figures')
+    const figures = await card('Measurements')
     expect(within(figures).getByText('48 kHz')).toBeInTheDocument()
     expect(within(figures).getByText('0.0 dBFS')).toHaveTextContent('Error: 0.0 dBFS')
     expect(within(figures).getByText('Novel slope')).toBeInTheDocument()
@@ -382,37 +386,32 @@ describe('figures and files', () => {
     )
     await opened()
     const files = await card('Game files')
-    expect(files).toHaveTextContent('44.1 kHz, 16 bit, mono, 70.0 kB, lowered by 0.43 dB to keep its peak limit')
+    expect(files).toHaveTextContent('44.1 kHz, 16 bit, mono, 70.0 kB, lowered by 0.43 dB to stay under the peak limit')
     expect(files).toHaveTextContent('The target asks for more')
     await user.click(screen.getByRole('button', { name: 'Game' }))
-    await user.click(screen.getByRole('button', { name: /^Play/ }))
+    await user.click(screen.getByRole('button', { name: /^Play(?! (original|fixed))/ }))
     await waitFor(() => expect(server.of('GET /v1/sounds/g1/preview')).toHaveLength(1))
   })
 
   test('a file that cannot be read as a sound says so', async () => {
     server
       .on('GET /v1/takes/t1/sounds', {
-        ...someSounds({ mend: null }),
+        ...someSounds({ fix: null }),
         master: { ...someSounds().master, state: 'undrawable', duration_s: null, preview_url: null, peaks_url: null },
       })
       .on('GET /v1/takes/t1/check', aCheck({ verdict: 'unreadable', facts: null, measurements: {} }))
-      .on('GET /v1/takes/t1/mend', aMend({ state: 'none' }))
+      .on('GET /v1/takes/t1/fix', aFix({ state: 'none' }))
     await opened()
-    expect(
-      await screen.findByText('There is no picture of this file: it could not be read as a sound.'),
-    ).toBeInTheDocument()
-    expect(screen.getByText('Nothing could be measured: the file could not be read.')).toBeInTheDocument()
+    expect(await screen.findByText('No waveform: the file could not be read as audio.')).toBeInTheDocument()
+    expect(screen.getByText('No measurements: the file could not be read.')).toBeInTheDocument()
   })
 })
 
 test('the ways lead to the cue, and for the team to the review room', async () => {
   server.on('GET /v1/me', aMe())
   await opened()
-  expect(screen.getByRole('link', { name: 'The cue' })).toHaveAttribute(
-    'href',
-    `/projects/${PROJECT}/sound-list/cues/c1`,
-  )
-  expect(await screen.findByRole('link', { name: 'Hear it in review' })).toHaveAttribute(
+  expect(screen.getByRole('link', { name: 'Cue' })).toHaveAttribute('href', `/projects/${PROJECT}/sound-list/cues/c1`)
+  expect(await screen.findByRole('link', { name: 'Open in review' })).toHaveAttribute(
     'href',
     `/projects/${PROJECT}/review/c1?take=t1`,
   )
@@ -421,11 +420,11 @@ test('the ways lead to the cue, and for the team to the review room', async () =
 test('a version that is not there says so', async () => {
   server.on('GET /v1/takes/t1', refusal(404, 'take-not-found', 'no take t1'))
   openApp('/takes/t1')
-  expect(await screen.findByRole('heading', { level: 1, name: 'This version is not here.' })).toBeInTheDocument()
+  expect(await screen.findByRole('heading', { level: 1, name: 'Version not found' })).toBeInTheDocument()
 })
 
 test('a version that an NDA keeps closed leads to the NDA', async () => {
-  const me = aMe({ part: 'designer', is_liaison: false, is_decider: false, nda_open: true })
+  const me = aMe({ part: 'designer', is_liaison: false, is_approver: false, nda_open: true })
   server
     .on('GET /v1/me', me)
     .on('GET /v1/takes/t1', refusal(403, 'nda-needed', 'this project shows its brief once its NDA is accepted'))
@@ -433,14 +432,16 @@ test('a version that an NDA keeps closed leads to the NDA', async () => {
       { id: 'nda-1', kind: 'nda', state: 'sent', title: 'NDA', waits_for: ['designer', 'studio'] },
     ])
   const app = openApp('/takes/t1')
-  expect(await screen.findByRole('heading', { level: 1, name: 'Read and accept the NDA first.' })).toBeVisible()
+  expect(
+    await screen.findByRole('heading', { level: 1, name: 'Read and sign the NDA to see this project' }),
+  ).toBeVisible()
   await userEvent.click(screen.getByRole('button', { name: 'Read the NDA' }))
   await waitFor(() => expect(app.at()).toBe(`/projects/${PROJECT}/contracts/nda-1`))
 })
 
 test('the page is without fault for those who listen to it', async () => {
   await opened()
-  await card('Mend')
+  await card('Fix')
   await card('Spectrum of the whole sound')
   const { violations } = await axe.run(document.body, {
     rules: { 'color-contrast': { enabled: false }, region: { enabled: false } },
@@ -454,7 +455,7 @@ describe('the master', () => {
     take_id: 't1',
     state: 'making',
     refusal: null,
-    told: { project: 'Shield Wing', originator: 'Sound designer', orderRef: 'SW-009' },
+    fields: { project: 'Shield Wing', originator: 'Sound designer', orderRef: 'SW-009' },
     left: [],
     file_bytes: null,
     file_name: 'airlock_cycle.wav',
@@ -476,7 +477,7 @@ describe('the master', () => {
       'href',
       '/v1/takes/t1/master',
     )
-    await userEvent.click(within(master).getByRole('button', { name: 'Write provenance' }))
+    await userEvent.click(within(master).getByRole('button', { name: 'Create copy with provenance' }))
     const download = await within(master).findByRole('link', { name: 'Download with provenance' })
     expect(download).toHaveAttribute('href', '/v1/master-exports/x1/file')
     expect(download).toHaveAttribute('download', 'airlock_cycle.wav')
@@ -496,7 +497,7 @@ describe('the master', () => {
     })
     await opened()
     const master = await card('Master')
-    await userEvent.click(within(master).getByRole('button', { name: 'Write provenance' }))
+    await userEvent.click(within(master).getByRole('button', { name: 'Create copy with provenance' }))
     expect(await within(master).findByRole('alert')).toHaveTextContent('It ends early; send it again.')
     expect(within(master).getByRole('link', { name: 'Download as delivered' })).toBeInTheDocument()
   })

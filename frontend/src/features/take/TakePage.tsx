@@ -10,7 +10,7 @@ import { useTitle } from '@/app/title'
 import { type FindingMark, spotOf as playFrom, usePlayer } from '@/audio'
 import { meQuery, useMyProject } from '@/judging/api'
 import { ended, wordsOf, worstFirst } from '@/judging/findings'
-import { MendPanel, useMending, useSounds } from '@/mending'
+import { FixPanel, useFixing, useSounds } from '@/fixing'
 import { Card, CardHead } from '@/ui/Card'
 import { ago, bytes, day } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
@@ -40,14 +40,14 @@ export function TakePage() {
     if (problem?.code === 'nda-needed') return <Closed />
     return (
       <div className="page stack">
-        <h1 className={problem ? undefined : 'visually-hidden'}>{problem ? 'This version is not here.' : 'Version'}</h1>
+        <h1 className={problem ? undefined : 'visually-hidden'}>{problem ? 'Version not found' : 'Version'}</h1>
         {problem && (
           <ProblemNote
             detail={ended(problem.detail)}
             fix={ended(problem.fix)}
             action={
               <ShellLink path="/" className="link">
-                To the start
+                Go to the start page
               </ShellLink>
             }
           />
@@ -97,7 +97,7 @@ interface TakeSheetProps {
 }
 
 const NONE: Finding[] = []
-/** They stand in the large wave above. */
+/** They are drawn in the large waveform above. */
 const NO_MARKS: FindingMark[] = []
 
 function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
@@ -111,19 +111,19 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
 
   const isMaker = me?.person.id === take.designer.id && (project?.engagement_kind ?? null) !== null
   const master = sounds?.master
-  const mended = {
+  const fixed = {
     id: take.id,
     name: take.cue?.name ?? take.file_name,
     number: take.number,
     previewUrl: master?.preview_url ?? null,
   }
-  const mending = useMending(mended, player, playing, { mayUse: isMaker, group: 'Version' })
+  const fixing = useFixing(fixed, player, playing, { mayUse: isMaker, group: 'Version' })
 
   const jump = (at: number, plays: boolean) => {
     setOpenAt(at)
     const startS = findings[at]?.start_s ?? null
-    if (startS === null || mended.previewUrl === null) return
-    void player.select({ id: take.id, url: mended.previewUrl })
+    if (startS === null || fixed.previewUrl === null) return
+    void player.select({ id: take.id, url: fixed.previewUrl })
     if (plays) void player.play(playFrom(startS))
     else player.seek(startS)
   }
@@ -146,7 +146,7 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
     { keys: 'k', label: 'Previous finding', group: 'Version', run: () => step(-1), disabled: none },
     {
       keys: 'Enter',
-      label: 'Hear the finding',
+      label: 'Play the finding',
       group: 'Version',
       run: () => openAt !== null && jump(openAt, true),
       disabled: openAt === null,
@@ -154,10 +154,10 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
     { keys: 'Escape', label: 'Back', group: 'Version', run: back },
   ])
 
-  const { mend } = mending
+  const { fix } = fixing
   return (
     <div className="page">
-      <Head take={take} check={check} isTeam={project?.part === 'team'} mend={mending} />
+      <Head take={take} check={check} isTeam={project?.part === 'team'} fix={fixing} />
       {children}
       <div className={`columns ${classes.columns}`}>
         <div className="stack">
@@ -171,15 +171,15 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
             onMark={(at) => jump(at, true)}
           />
           <FindingsCard take={take} check={check} findings={findings} openAt={openAt} onSpot={(at) => jump(at, true)} />
-          {mend && mend.state !== 'none' && (
-            <Card aria-labelledby="mend">
-              <CardHead id="mend" title="Mend" end={isMaker ? undefined : 'for its designer to use'} />
-              <div className={classes.mend}>
-                <MendPanel
-                  take={mended}
+          {fix && fix.state !== 'none' && (
+            <Card aria-labelledby="fix">
+              <CardHead id="fix" title="Fix" end={isMaker ? undefined : 'for the designer to use'} />
+              <div className={classes.fix}>
+                <FixPanel
+                  take={fixed}
                   durationS={master?.duration_s ?? null}
                   peaksUrl={master?.peaks_url ?? null}
-                  mending={mending}
+                  fixing={fixing}
                   player={player}
                   findings={NO_MARKS}
                   limitDbfs={peakLimit(findings)}
@@ -195,7 +195,7 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
           <LossyCard check={check} />
           {project?.part === 'team' && <FitCard take={take} />}
         </div>
-        <aside className="stack" aria-label="Figures of this version">
+        <aside className="stack" aria-label="Measurements of this version">
           <FiguresCard check={check} findings={findings} />
           <MasterCard take={take} />
           {sounds && sounds.renders.length > 0 && <GameFilesCard files={sounds.renders} />}
@@ -226,12 +226,12 @@ interface HeadProps {
   take: Take
   check: Check | null | undefined
   isTeam: boolean
-  mend: ReturnType<typeof useMending>
+  fix: ReturnType<typeof useFixing>
 }
 
-function Head({ take, check, isTeam, mend }: HeadProps) {
+function Head({ take, check, isTeam, fix }: HeadProps) {
   const { cue, state, project_id: projectId } = take
-  const origin = mend.mend?.mended_from
+  const origin = fix.fix?.fixed_from
   const waiver = check?.waiver
   return (
     <header className={classes.head}>
@@ -256,7 +256,7 @@ function Head({ take, check, isTeam, mend }: HeadProps) {
         </p>
         {origin && (
           <p className="mid">
-            A mend of{' '}
+            A fix of{' '}
             <Link className="link" to="/takes/$takeId" params={{ takeId: origin.take_id }}>
               version {origin.number}
             </Link>
@@ -271,7 +271,7 @@ function Head({ take, check, isTeam, mend }: HeadProps) {
               to="/projects/$projectId/sound-list/cues/$cueId"
               params={{ projectId, cueId: cue.id }}
             >
-              The cue
+              Cue
             </Link>
           )}
           {cue && isTeam && (
@@ -281,7 +281,7 @@ function Head({ take, check, isTeam, mend }: HeadProps) {
               params={{ projectId, cueId: cue.id }}
               search={{ take: take.id }}
             >
-              Hear it in review
+              Open in review
             </Link>
           )}
           {!isTeam && (
@@ -296,8 +296,8 @@ function Head({ take, check, isTeam, mend }: HeadProps) {
           keys={[
             { keys: ['Space'], label: 'play' },
             { keys: ['j', 'k'], label: 'findings' },
-            { keys: ['Enter'], label: 'the spot' },
-            { keys: ['?'], label: 'all keys' },
+            { keys: ['Enter'], label: 'position' },
+            { keys: ['?'], label: 'shortcuts' },
           ]}
         />
       </div>

@@ -18,17 +18,17 @@ export function UpsampledCard({ check }: { check: Check | null | undefined }) {
   const end =
     edgeHz === null || dropDb === null
       ? ''
-      : `Its steepest end lies at ${figure(edgeHz / 1000, 1)} kHz, where it drops by ${figure(dropDb, 1)} dB.`
+      : `Its spectrum ends at ${figure(edgeHz / 1000, 1)} kHz, dropping by ${figure(dropDb, 1)} dB.`
   return (
     <Card aria-labelledby="upsampled">
-      <CardHead id="upsampled" title="Was it brought up from a lower rate?" end={`${judged.verdict}${sure}`} />
+      <CardHead id="upsampled" title="Upsampled?" end={`${judged.verdict}${sure}`} />
       <div className={classes.inside}>
         <figure className={classes.bands}>
           <SpectrumPlot spectrum={spectrum} edgeHz={edgeHz} end={end} />
           <figcaption className="small mid">
             {end}{' '}
             {fromHz !== null &&
-              `A resampler from ${rate(fromHz)} ends there. A library sound pitched down, or an old recorder, can end so too: ask.`}
+              `That matches resampling from ${rate(fromHz)}. A pitched-down library sound or an old recorder can look the same: ask the designer.`}
           </figcaption>
         </figure>
       </div>

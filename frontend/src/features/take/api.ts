@@ -28,11 +28,11 @@ export const takeQuery = (takeId: string) =>
 
 const UNDECIDED: readonly Take['state'][] = ['received', 'conforming', 'returned', 'unjudged']
 
-/** Whether no verdict stands on what was found of it, so that it may be found anew. */
-export const isUndecided = ({ state }: Pick<Take, 'state'>): boolean => UNDECIDED.includes(state)
+/** Whether there is no verdict yet, so that it may be checked again. */
+export const hasNoVerdict = ({ state }: Pick<Take, 'state'>): boolean => UNDECIDED.includes(state)
 
-/** Whether it is being checked again beside another dry stem, or without. */
-export const isComparing = (check: Check): boolean => !check.is_newest_stem && isUndecided(check)
+/** Whether it is being checked again with another dry stem, or without. */
+export const isComparing = (check: Check): boolean => !check.is_newest_stem && hasNoVerdict(check)
 
 /** What the newest check says of it, asked again while that is about to change; null before the first one. */
 export const checkQuery = (take: Take) =>
@@ -82,7 +82,7 @@ export const deliveryFitQuery = (deliveryId: string) =>
       answered(api.GET('/v1/deliveries/{delivery_id}/fit', { params: { path: { delivery_id: deliveryId } } })),
   })
 
-/** How the energy of a sound is spread over frequency, beside its shape; null where an earlier version drew it. */
+/** The spectrum of a sound, in addition to its waveform; null if an earlier version drew it. */
 export const bandsQuery = (peaksUrl: string | null) =>
   queryOptions({
     queryKey: ['bands', peaksUrl],

@@ -25,7 +25,7 @@ describe('figures in words', () => {
       ),
     ).toEqual({
       Container: 'WAV',
-      Samples: 'integer (PCM)',
+      Encoding: 'integer (PCM)',
       'Sample rate': '96 kHz',
       'Bit depth': '24 bit',
       Channels: 'stereo',
@@ -33,7 +33,7 @@ describe('figures in words', () => {
       'Sample peak': '−1.3 dBFS',
       'True peak': '−∞ dBTP',
       'Loudness range': '3.2 LU',
-      'Silence before': '412 ms',
+      'Leading silence': '412 ms',
       'Crest factor': '9.0 dB',
     })
   })
@@ -41,14 +41,14 @@ describe('figures in words', () => {
   test('loudness that is not defined says why', () => {
     expect(said({}, { integrated_lufs: null, short_loudness_lufs: -17.7 })).toEqual({
       Integrated: 'not defined below 0.4 s',
-      'Loudest 0.4 s': '−17.7 LUFS',
+      'Loudest 400 ms': '−17.7 LUFS',
     })
   })
 
   test('what two channels are to each other is not said of one', () => {
     expect(said({ channels: 1 }, { channel_correlation: null, mono_loss_db: null })).toEqual({ Channels: 'mono' })
     expect(said({ channels: 2 }, { channel_correlation: null })).toMatchObject({
-      'Correlation of channels': 'one channel sounds',
+      'Channel correlation': 'only one channel has sound',
     })
   })
 
@@ -57,7 +57,7 @@ describe('figures in words', () => {
       {},
       { noise_slope_db: -3.21, wow_percent: 0.5, grain_hz: 1_250, odd_frames: 7, is_odd: true },
     )
-    expect(group?.title).toBe('Further figures')
+    expect(group?.title).toBe('More measurements')
     expect(group?.lines.map(({ what, said: words }) => `${what}: ${words}`)).toEqual([
       'Noise slope: −3.2 dB',
       'Wow: 0.50 %',
@@ -87,8 +87,8 @@ test('texts of the file keep the names of chunk and field', () => {
 })
 
 test('a judgement asks, and answers with its score', () => {
-  expect(judgementsOf({ reverb: { verdict: 'cannot tell', score: 0.48 }, novel: { verdict: 'dry' } })).toEqual([
-    { name: 'reverb', what: 'Is there reverb in it?', said: 'cannot tell, score 0.48' },
+  expect(judgementsOf({ reverb: { verdict: 'undecided', score: 0.48 }, novel: { verdict: 'dry' } })).toEqual([
+    { name: 'reverb', what: 'Reverb?', said: 'undecided, score 0.48' },
     { name: 'novel', what: 'Novel?', said: 'dry' },
   ])
 })

@@ -41,7 +41,7 @@ const yesNo: Say = (value) => (typeof value === 'boolean' ? (value ? 'yes' : 'no
 const ofTwo =
   (say: Say): Say =>
   (value, all) =>
-    value === null ? 'one channel sounds' : say(value, all)
+    value === null ? 'only one channel has sound' : say(value, all)
 const frequency = number((hz) => (hz >= 1000 ? `${figure(hz / 1000, 1)} kHz` : `${figure(hz)} Hz`))
 const integrated: Say = (value, all) =>
   value === null && isNumber(all.short_loudness_lufs) ? 'not defined below 0.4 s' : inUnit('LUFS')(value, all)
@@ -63,7 +63,7 @@ const KNOWN: readonly { title: string; figures: Readonly<Record<string, Known>> 
         check: 'container',
       },
       encoding: {
-        what: 'Samples',
+        what: 'Encoding',
         say: (value) => (value === 'pcm' ? 'integer (PCM)' : word(value, {})),
         check: 'encoding',
       },
@@ -71,8 +71,8 @@ const KNOWN: readonly { title: string; figures: Readonly<Record<string, Known>> 
       bit_depth: { what: 'Bit depth', say: number((bits) => `${bits} bit`), check: 'bit-depth' },
       effective_bits: { what: 'Bits in use', say: number((bits) => `${bits} bit`), check: 'padded-bits' },
       sample_step: {
-        what: 'Values in use',
-        say: number((step) => (step === 1 ? 'every one' : `one in ${figure(step)}`)),
+        what: 'Quantisation levels used',
+        say: number((step) => (step === 1 ? 'all' : `one in ${figure(step)}`)),
         check: 'padded-bits',
       },
       channels: { what: 'Channels', say: number(channels), check: 'channels' },
@@ -100,9 +100,9 @@ const KNOWN: readonly { title: string; figures: Readonly<Record<string, Known>> 
     title: 'Loudness',
     figures: {
       integrated_lufs: { what: 'Integrated', say: integrated, check: 'loudness' },
-      short_loudness_lufs: { what: 'Loudest 0.4 s', say: inUnit('LUFS') },
-      max_momentary_lufs: { what: 'Momentary, most', say: inUnit('LUFS') },
-      max_short_term_lufs: { what: 'Short-term, most', say: inUnit('LUFS') },
+      short_loudness_lufs: { what: 'Loudest 400 ms', say: inUnit('LUFS') },
+      max_momentary_lufs: { what: 'Max momentary', say: inUnit('LUFS') },
+      max_short_term_lufs: { what: 'Max short-term', say: inUnit('LUFS') },
       loudness_range_lu: {
         what: 'Loudness range',
         say: (value, all) => (value === null ? 'too short or too quiet' : inUnit('LU')(value, all)),
@@ -112,8 +112,8 @@ const KNOWN: readonly { title: string; figures: Readonly<Record<string, Known>> 
   {
     title: 'Edges and loop',
     figures: {
-      head_silence_ms: { what: 'Silence before', say: ms, check: 'head-silence' },
-      tail_silence_ms: { what: 'Silence after', say: ms, check: 'tail-silence' },
+      head_silence_ms: { what: 'Leading silence', say: ms, check: 'head-silence' },
+      tail_silence_ms: { what: 'Trailing silence', say: ms, check: 'tail-silence' },
       seam_step_db: { what: 'Seam, step of level', say: decibels, check: 'loop-points' },
       seam_slope_db: { what: 'Seam, change of slope', say: decibels, check: 'loop-points' },
     },
@@ -121,8 +121,8 @@ const KNOWN: readonly { title: string; figures: Readonly<Record<string, Known>> 
   {
     title: 'Faults',
     figures: {
-      clipped_runs: { what: 'Flat tops', say: count, check: 'clipping' },
-      soft_tops: { what: 'Soft plateaus', say: count, check: 'clipping' },
+      clipped_runs: { what: 'Clipped runs', say: count, check: 'clipping' },
+      soft_tops: { what: 'Soft-clipped peaks', say: count, check: 'clipping' },
       clicks: { what: 'Clicks', say: count, check: 'click' },
       dropouts: { what: 'Dropouts', say: count, check: 'dropout' },
       repeats: { what: 'Repeated buffers', say: count, check: 'dropout' },
@@ -134,7 +134,7 @@ const KNOWN: readonly { title: string; figures: Readonly<Record<string, Known>> 
       hum_hz: { what: 'Hum at', say: number((hz) => `${figure(hz, 1)} Hz`), check: 'hum' },
       noise_floor_dbfs: {
         what: 'Noise floor',
-        say: (value, all) => (value === null ? 'no quiet stretch to tell it by' : inUnit('dBFS')(value, all)),
+        say: (value, all) => (value === null ? 'no quiet passage to measure' : inUnit('dBFS')(value, all)),
         check: 'noise-floor',
       },
     },
@@ -144,12 +144,12 @@ const KNOWN: readonly { title: string; figures: Readonly<Record<string, Known>> 
     figures: {
       bandwidth_hz: { what: 'Highest frequency', say: frequency, check: 'upsampled' },
       channel_correlation: {
-        what: 'Correlation of channels',
+        what: 'Channel correlation',
         say: ofTwo(number((value) => figure(value, 2))),
         check: 'phase',
       },
-      mono_loss_db: { what: 'Lost in mono', say: ofTwo(decibels), check: 'phase' },
-      channel_difference_db: { what: 'Difference of channels', say: ofTwo(decibels), check: 'false-stereo' },
+      mono_loss_db: { what: 'Mono fold-down loss', say: ofTwo(decibels), check: 'phase' },
+      channel_difference_db: { what: 'Channel difference', say: ofTwo(decibels), check: 'false-stereo' },
     },
   },
 ]
@@ -203,7 +203,7 @@ export function groupsOf(facts: Values, measurements: Values): Group[] {
   const further = Object.entries(all).flatMap(([name, value]) =>
     named.has(name) || isTable(value) ? [] : (inGeneral(name, value, all) ?? []),
   )
-  return [...groups, { title: 'Further figures', lines: further }].filter(({ lines }) => lines.length > 0)
+  return [...groups, { title: 'More measurements', lines: further }].filter(({ lines }) => lines.length > 0)
 }
 
 const isTable = (value: unknown): value is Values =>
@@ -235,8 +235,8 @@ export function judgementsOf(judgements: Values): Line[] {
 }
 
 const QUESTIONS: Record<string, string> = {
-  reverb: 'Is there reverb in it?',
-  reversed: 'Is it played backwards?',
-  upsampled: 'Was it brought up from a lower rate?',
-  lossy: 'Was it ever a lossy file?',
+  reverb: 'Reverb?',
+  reversed: 'Reversed?',
+  upsampled: 'Upsampled?',
+  lossy: 'Converted from a lossy file?',
 }

@@ -9,9 +9,9 @@ type Measure = MeasureFit['measure']
 
 export const WHAT: Record<Measure, string> = {
   loudness: 'Loudness',
-  spectrum: 'Spectrum, from the middle',
-  dryness: 'Reverb, 0 dry to 1',
-  timbre: 'Timbre, from the middle',
+  spectrum: 'Spectrum, distance from median',
+  dryness: 'Reverb, 0 (dry) to 1',
+  timbre: 'Timbre, distance from median',
 }
 
 /** A figure of one measure with its unit. */
@@ -27,10 +27,10 @@ export function moved(measure: Measure, by: number): string {
 }
 
 const STANDS: Record<Measure, Record<MeasureFit['stands'], string>> = {
-  loudness: { within: 'among them', above: 'louder than all', below: 'quieter than all' },
-  spectrum: { within: 'among them', above: 'spread otherwise', below: 'among them' },
-  dryness: { within: 'among them', above: 'more reverberant', below: 'drier than all' },
-  timbre: { within: 'among them', above: 'another timbre', below: 'among them' },
+  loudness: { within: 'within their range', above: 'louder than all', below: 'quieter than all' },
+  spectrum: { within: 'within their range', above: 'different spectrum', below: 'within their range' },
+  dryness: { within: 'within their range', above: 'more reverberant', below: 'drier than all' },
+  timbre: { within: 'within their range', above: 'different timbre', below: 'within their range' },
 }
 
 export const stands = ({ measure, stands: where }: MeasureFit): string => STANDS[measure][where]

@@ -26,7 +26,7 @@ export interface ReverbEvidence {
   before: ReverbBefore | null
 }
 
-/** What was found beside its dry stem. */
+/** The result of the comparison with its dry stem. */
 export interface ReverbStem {
   verdict: string
   /** Of what was added. */
@@ -42,7 +42,7 @@ function stemOf(value: unknown): ReverbStem | null {
   return { verdict: value.verdict, rt60S: numberOf(value.rt60_s), wetDb: numberOf(value.wet_db), why }
 }
 
-/** What its reverb is beside that of the designer's version before. */
+/** Its reverb compared with the designer's previous version. */
 export interface ReverbBefore {
   takeId: string
   number: number

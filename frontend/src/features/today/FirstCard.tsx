@@ -23,7 +23,7 @@ import classes from './Today.module.css'
 interface FirstCardProps {
   item: QueueItem
   projectId: string
-  mayDecide: boolean
+  mayApprove: boolean
   player: Player
   playing: PlayerState
   judge: Judge
@@ -43,7 +43,7 @@ interface HeardProps extends FirstCardProps {
   onChoose: (takeId: string) => void
 }
 
-function Heard({ item, projectId, mayDecide, player, playing, judge, takes, hand, onChoose }: HeardProps) {
+function Heard({ item, projectId, mayApprove, player, playing, judge, takes, hand, onChoose }: HeardProps) {
   const navigate = useNavigate()
   const narrow = useMediaQuery('(max-width: 760px)')
   const { cue } = item
@@ -68,7 +68,7 @@ function Heard({ item, projectId, mayDecide, player, playing, judge, takes, hand
   const asGame = () => void player.playAsGame(takes.flatMap((take) => sourceOf(take, MASTER, takes[0]) ?? []))
 
   useHotkeys([
-    { keys: 'Enter', label: 'Open in the review room', group: 'Today', run: openReview },
+    { keys: 'Enter', label: 'Open in review', group: 'Today', run: openReview },
     ...takes.slice(0, 9).map((take, index) => ({
       keys: String(index + 1),
       label: `Choose ${takeName(take, cue, takes)}`,
@@ -78,7 +78,7 @@ function Heard({ item, projectId, mayDecide, player, playing, judge, takes, hand
     })),
     {
       keys: 'h',
-      label: 'Hold to play a set as the game does',
+      label: 'Hold to play the set randomised, as in game',
       group: 'Review',
       run: asGame,
       release: () => player.pause(),
@@ -92,7 +92,7 @@ function Heard({ item, projectId, mayDecide, player, playing, judge, takes, hand
         <div>
           <p className="row small mid">
             <NowDot />
-            First, because it has waited longest
+            First because it has waited longest
           </p>
           <h2 id="first" className={classes.asks}>
             <Link
@@ -134,7 +134,7 @@ function Heard({ item, projectId, mayDecide, player, playing, judge, takes, hand
         </div>
       )}
       {(source === null || playing.error) && (
-        <p className="small mid">{playing.error ?? 'There is no preview of this sound yet.'}</p>
+        <p className="small mid">{playing.error ?? 'The preview is not ready yet.'}</p>
       )}
       <div className={classes.acts}>
         <HotkeyButton
@@ -158,7 +158,7 @@ function Heard({ item, projectId, mayDecide, player, playing, judge, takes, hand
             {isSet ? 'Next variation' : 'Next alternate'}
           </HotkeyButton>
         )}
-        {mayDecide ? (
+        {mayApprove ? (
           <>
             <HotkeyButton keys="a" keyLabel="Approve" keyGroup="Review" variant="primary" icon="tick" onPress={approve}>
               {whole ? `Accept the set of ${cue.variations}` : `Approve ${name}`}
@@ -184,7 +184,7 @@ function Heard({ item, projectId, mayDecide, player, playing, judge, takes, hand
           </Button>
         )}
         <span className={`small dim wide-only end ${classes.says}`}>
-          {mayDecide ? levelsWords(takes) : 'The approver decides. You advise.'}
+          {mayApprove ? levelsWords(takes) : 'The approver decides. You can comment.'}
         </span>
       </div>
       {judge.refusal && (
@@ -193,13 +193,24 @@ function Heard({ item, projectId, mayDecide, player, playing, judge, takes, hand
       {changing && (
         <div className={classes.change}>
           <ChangeForm
+            takeId={hand.id}
             what={`${cue.name} ${name}`}
             positionS={player.positionS()}
             range={null}
             saving={judge.change.isPending}
             problem={judge.changeProblem}
             onClose={() => setChanging(false)}
-            onSave={(said) => judge.change.mutate({ takes: [hand], said }, { onSuccess: () => setChanging(false) })}
+            onSave={(said, done) =>
+              judge.change.mutate(
+                { takes: [hand], said },
+                {
+                  onSuccess: () => {
+                    done()
+                    setChanging(false)
+                  },
+                },
+              )
+            }
           />
         </div>
       )}

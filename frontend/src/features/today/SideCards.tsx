@@ -11,23 +11,23 @@ import classes from './Today.module.css'
 
 const SHOWN = 6
 
-/** What waits for somebody else. */
+/** What waits for another person. */
 export function WithOthersCard({ waiting }: { waiting: TodayAnswer['with_others'] }) {
   const shown = waiting.slice(0, SHOWN)
   return (
     <Card aria-labelledby="others">
       <CardHead
         id="others"
-        title="With others"
+        title="Waiting on others"
         count={waiting.length > SHOWN ? waiting.length : undefined}
-        end="nothing for you to do"
+        end="no action needed"
       />
-      {waiting.length === 0 && <p className={`${classes.quiet} mid`}>Nothing is back with a designer.</p>}
+      {waiting.length === 0 && <p className={`${classes.quiet} mid`}>Nothing is with a designer.</p>}
       <Rows>
         {shown.map((one) => (
           <Row key={`${one.file_name} ${one.since}`}>
             <Whose name={one.cue?.name ?? one.file_name} who={one.who} since={one.since} />
-            <State kind={one.status}>{one.status === 'unmatched' ? 'File unmatched' : undefined}</State>
+            <State kind={one.status}>{one.status === 'unmatched' ? 'File without a cue' : undefined}</State>
           </Row>
         ))}
       </Rows>
@@ -83,14 +83,14 @@ interface PlaceholdersProps {
 export function Placeholders({ count, mails, projectId }: PlaceholdersProps) {
   if (count === 0 && mails === 0) return null
   return (
-    <Card aria-label="To keep in mind">
+    <Card aria-label="Reminders">
       <Rows>
         {count > 0 && (
           <Row>
             <span className={`tone-warn ${classes.sign}`}>
               <Icon name="dashedSquare" />
             </span>
-            <span className="grow">{plural(count, 'cue plays', 'cues play')} a placeholder. None may ship.</span>
+            <span className="grow">{plural(count, 'cue plays', 'cues play')} a placeholder. It must not ship.</span>
             <Link to="/projects/$projectId/sound-list" params={{ projectId }} search={{}} className="link small">
               Sound list
             </Link>
@@ -99,9 +99,9 @@ export function Placeholders({ count, mails, projectId }: PlaceholdersProps) {
         {mails > 0 && (
           <Row>
             <Icon name="mail" />
-            <span className="grow">{plural(mails, 'mail waits', 'mails wait')} in the outbox.</span>
+            <span className="grow">{plural(mails, 'email waiting', 'emails waiting')} to be sent.</span>
             <Link to="/studio" className="link small">
-              Outbox
+              Emails
             </Link>
           </Row>
         )}

@@ -2,6 +2,7 @@ import { Link } from '@tanstack/react-router'
 import { useId, useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { WaveThumb } from '@/audio'
 import { isNoted } from '@/judging/afterVerdict'
@@ -39,7 +40,7 @@ export function ThenList({ items, questions, projectId, title, beyond }: ThenLis
         id="then"
         title={title}
         count={beyond ? `${lines.length}+` : lines.length}
-        end={<span className="wide-only">the oldest first</span>}
+        end={<span className="wide-only">oldest first</span>}
       />
       <ul>
         {lines.map(({ item, question }) =>
@@ -80,7 +81,7 @@ function CueLine({ item, projectId }: { item: QueueItem; projectId: string }) {
           {waits.after}
           {item.kind === 'set' && !waits.odd && (
             <span className="wide-only">
-              ; hold <Key keys="h" /> to hear it as the game does
+              ; hold <Key keys="h" /> to play it randomised, as in game
             </span>
           )}
         </span>
@@ -88,7 +89,7 @@ function CueLine({ item, projectId }: { item: QueueItem; projectId: string }) {
           <WaveThumb peaks={heardTakes(item)[0]?.thumb ?? null} heightPx={26} />
         </span>
         <span className={classes.state}>
-          {isNoted(item) ? <State kind="change_requested">Noted, not sent</State> : <State kind="to_review" />}
+          {isNoted(item) ? <State kind="change_requested">Draft, not sent</State> : <State kind="to_review" />}
         </span>
         <span className="dim num small nowrap">{age(item.waiting_since)}</span>
       </Link>
@@ -133,12 +134,17 @@ interface AnswerProps {
 }
 
 function Answer({ question, projectId, onClose }: AnswerProps) {
-  const [text, setText] = useState('')
+  const [text, setText, draft] = useDraft(`answer:${question.id}`, '')
   const answer = useAnswer(projectId, question.id)
   const said = text.trim()
   const send = () => {
     if (said === '' || answer.isPending) return
-    answer.mutate(said, { onSuccess: () => showToast(`Answered; it joins what ${question.cue.name} says.`) })
+    answer.mutate(said, {
+      onSuccess: () => {
+        draft.discard()
+        showToast(`Answered. It was added to the description of ${question.cue.name}.`)
+      },
+    })
   }
   return (
     <form
@@ -149,7 +155,7 @@ function Answer({ question, projectId, onClose }: AnswerProps) {
       }}
     >
       <p className="small dim">
-        {question.asked_by.name} asks. The answer joins the description of {question.cue.name}.
+        {question.asked_by.name} asks. The answer is added to the description of {question.cue.name}.
       </p>
       <div className={classes.answerLine}>
         <input
@@ -169,6 +175,7 @@ function Answer({ question, projectId, onClose }: AnswerProps) {
           Answer
         </Button>
       </div>
+      <DraftNote draft={draft} />
       {answer.error instanceof ApiProblem && <ProblemNote detail={answer.error.detail} fix={answer.error.fix} />}
     </form>
   )

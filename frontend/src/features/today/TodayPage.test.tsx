@@ -79,7 +79,7 @@ describe('what waits', () => {
     await opened()
     expect(await screen.findByText('Two cues and one question wait for you.')).toBeVisible()
     expect(screen.getByRole('heading', { name: 'Pick one of two for shield_hit' })).toBeVisible()
-    const then = screen.getByRole('region', { name: 'Then' })
+    const then = screen.getByRole('region', { name: 'Next up' })
     expect(
       within(then)
         .getAllByRole('listitem')
@@ -113,7 +113,7 @@ describe('what waits', () => {
       .on('GET /v1/review-queue/count', { cues: 99, is_all: false })
     await opened()
     expect(await screen.findByText('More than 99 cues wait for you.')).toBeVisible()
-    const then = within(screen.getByRole('region', { name: 'Then' }))
+    const then = within(screen.getByRole('region', { name: 'Next up' }))
     expect(then.getAllByRole('listitem')).toHaveLength(11)
     for (const shown of [23, 31]) {
       await userEvent.click(then.getByRole('button', { name: 'Show more' }))
@@ -127,8 +127,8 @@ describe('what waits', () => {
     queue = []
     server.on(`GET ${TODAY}`, day({ counts: { returned: 2, to_make: 10 } }))
     open()
-    expect(await screen.findByRole('heading', { name: 'Nothing waits for you.' })).toBeVisible()
-    expect(screen.getByText('Next come what designers deliver: 2 back with designers, 10 still to make.')).toBeVisible()
+    expect(await screen.findByRole('heading', { name: 'Nothing to do' })).toBeVisible()
+    expect(screen.getByText('Next come what designers deliver: 2 with designers, 10 to do.')).toBeVisible()
   })
 
   test('a refusal is said, and can be asked again', async () => {
@@ -136,7 +136,7 @@ describe('what waits', () => {
     open()
     expect(await screen.findByRole('alert')).toHaveTextContent('Only the team has a queue.')
     server.on('GET /v1/review-queue', { items: queue, next: null })
-    await userEvent.click(screen.getByRole('button', { name: 'Ask again' }))
+    await userEvent.click(screen.getByRole('button', { name: 'Try again' }))
     expect(await screen.findByRole('heading', { name: 'Pick one of two for shield_hit' })).toBeVisible()
   })
 
@@ -158,7 +158,7 @@ describe('a verdict', () => {
     await opened()
     await userEvent.keyboard('b')
     await userEvent.keyboard('a')
-    expect(await screen.findByRole('heading', { name: 'Decide on version 2 of suit_hit' })).toBeVisible()
+    expect(await screen.findByRole('heading', { name: 'Review version 2 of suit_hit' })).toBeVisible()
     expect(screen.getByRole('status')).toHaveTextContent('shield_hit B approved.')
     queue = [single]
     letGo()
@@ -175,7 +175,7 @@ describe('a verdict', () => {
     await opened()
     queue = [single]
     await userEvent.keyboard('a')
-    await screen.findByRole('heading', { name: 'Decide on version 2 of suit_hit' })
+    await screen.findByRole('heading', { name: 'Review version 2 of suit_hit' })
     queue = [alternates, single]
     await userEvent.keyboard('u')
     expect(await screen.findByRole('heading', { name: 'Pick one of two for shield_hit' })).toBeVisible()
@@ -193,7 +193,7 @@ describe('a verdict', () => {
     expect(await screen.findByRole('alert')).toHaveTextContent(
       'shield_hit A is not approved. Since you looked, this version was set aside; nothing was changed. Load the page again.',
     )
-    expect(screen.getByRole('heading', { name: 'Pick one of two for shield_hit' })).toBeVisible()
+    expect(await screen.findByRole('heading', { name: 'Pick one of two for shield_hit' })).toBeVisible()
     expect(screen.getByRole('status')).toBeEmptyDOMElement()
   })
 
@@ -211,9 +211,9 @@ describe('a verdict', () => {
   })
 
   test('those who advise are not offered it', async () => {
-    server.on('GET /v1/me', aMe({ is_decider: false }))
+    server.on('GET /v1/me', aMe({ is_approver: false }))
     open()
-    expect(await screen.findByText('The approver decides. You advise.')).toBeInTheDocument()
+    expect(await screen.findByText('The approver decides. You can comment.')).toBeInTheDocument()
     expect(screen.queryByRole('button', { name: /^Approve / })).toBeNull()
     await userEvent.keyboard('a')
     expect(server.asked.filter(({ method }) => method === 'POST')).toEqual([])
@@ -236,7 +236,7 @@ describe('a change', () => {
   test('says what is missing when nothing was said', async () => {
     await opened()
     await userEvent.keyboard('r{Enter}')
-    expect(screen.getByRole('alert')).toHaveTextContent('Choose a reason, or say what to change.')
+    expect(screen.getByRole('alert')).toHaveTextContent('Choose a reason or write what to change.')
     await userEvent.keyboard('{Escape}')
     expect(screen.queryByRole('form')).toBeNull()
   })
@@ -253,18 +253,17 @@ describe('a change', () => {
     const drafts = [aDraft(aTake('a'), alternates.cue, 'Too loud.'), aDraft(aTake('s'), single.cue, 'More body.')]
     server
       .on(`GET ${DRAFTS}`, { items: drafts, next: null })
-      .on(`POST /v1/projects/${PROJECT}/sendings`, { change_requests: drafts, rounds: [], held_back: [] })
+      .on(`POST /v1/projects/${PROJECT}/feedback`, { change_requests: drafts, rounds: [], held_back: [] })
     await opened()
     const card = await screen.findByRole('region', { name: 'Changes to send' })
-    await userEvent.click(within(card).getByRole('button', { name: 'Send 2 changes' }))
-    expect(card).toHaveTextContent(
-      'It counts one round each for shield_hit and suit_hit. What was sent cannot be taken back.',
-    )
-    expect(server.of(`POST /v1/projects/${PROJECT}/sendings`)).toEqual([])
+    await userEvent.click(within(card).getByRole('button', { name: '2 changes to send' }))
+    expect(within(card).getByRole('textbox')).toHaveFocus()
+    expect(card).toHaveTextContent('This counts as one round each for shield_hit and suit_hit. You can’t undo sending.')
+    expect(server.of(`POST /v1/projects/${PROJECT}/feedback`)).toEqual([])
     await userEvent.type(within(card).getByRole('textbox'), 'Good direction')
     await userEvent.click(within(card).getByRole('button', { name: 'Send 2 changes to the designer' }))
     await waitFor(() =>
-      expect(server.of(`POST /v1/projects/${PROJECT}/sendings`)[0]?.body).toEqual({ note: 'Good direction' }),
+      expect(server.of(`POST /v1/projects/${PROJECT}/feedback`)[0]?.body).toEqual({ note: 'Good direction' }),
     )
     expect(screen.getByRole('status')).toHaveTextContent('2 changes sent.')
   })
@@ -275,7 +274,7 @@ describe('a change', () => {
       .on(`GET ${DRAFTS}`, { items: [draft], next: null })
       .on('DELETE /v1/change-requests/draft-a', () => refusal(409, 'already-sent', 'It was sent meanwhile.'))
     await opened()
-    await userEvent.click(await screen.findByRole('button', { name: 'Drop the change to shield_hit' }))
+    await userEvent.click(await screen.findByRole('button', { name: 'Delete draft for shield_hit' }))
     expect(await screen.findByRole('alert')).toHaveTextContent('It was sent meanwhile.')
   })
 })
@@ -297,7 +296,7 @@ describe('a question', () => {
         joins: true,
       }),
     )
-    expect(await screen.findByText('Answered; it joins what coolant_splash says.')).toBeVisible()
+    expect(await screen.findByText('Answered. It was added to the description of coolant_splash.')).toBeVisible()
   })
 
   test('keeps the answer when it is refused', async () => {
@@ -329,13 +328,13 @@ test('j and k step through what waits', async () => {
 const waits = (cues: number, is_all = true) => ({ cues, is_all })
 
 test.each([
-  [{ cues: waits(0), questions: 0, drafts: 0, mayDecide: true }, 'Nothing waits for you.'],
+  [{ cues: waits(0), questions: 0, drafts: 0, mayApprove: true }, 'Nothing to do.'],
   [
-    { cues: waits(1), questions: 0, drafts: 1, mayDecide: true },
-    'One cue waits for you. One change is noted and not sent yet.',
+    { cues: waits(1), questions: 0, drafts: 1, mayApprove: true },
+    'One cue waits for you. One change is drafted and not sent yet.',
   ],
-  [{ cues: waits(14), questions: 2, drafts: 0, mayDecide: false }, '14 cues and two questions wait for the approver.'],
-  [{ cues: waits(99, false), questions: 0, drafts: 0, mayDecide: true }, 'More than 99 cues wait for you.'],
+  [{ cues: waits(14), questions: 2, drafts: 0, mayApprove: false }, '14 cues and two questions wait for the approver.'],
+  [{ cues: waits(99, false), questions: 0, drafts: 0, mayApprove: true }, 'More than 99 cues wait for you.'],
 ])('the headline of %o', (counts, words) => {
   expect(headline(counts)).toBe(words)
 })

@@ -27,10 +27,10 @@ import { ThenList } from './ThenList'
 import { Builds, Placeholders, WithOthersCard } from './SideCards'
 import classes from './Today.module.css'
 
-/** Lines that are here beyond the one in the hand, before more are asked for. */
+/** Lines that are loaded beyond the selected one, before more are asked for. */
 const AHEAD = 10
 
-/** What waits for the person at the screen, the first thing in the hand. */
+/** What waits for the current person, with the first item selected. */
 export function TodayPage(): ReactNode {
   const { projectId = '' } = useParams({ strict: false })
   const now = new Date()
@@ -39,7 +39,7 @@ export function TodayPage(): ReactNode {
   const queue = useQueue(projectId)
   const today = useQuery(todayQuery(projectId))
   const drafts = useDraftCount(projectId)
-  const [player, playing] = usePlayer()
+  const [player, playing] = usePlayer({ held: true })
   const judge = useJudge(projectId)
   const page = useRef<HTMLDivElement>(null)
   const client = useQueryClient()
@@ -49,8 +49,8 @@ export function TodayPage(): ReactNode {
   const money = useQuery({ ...moneyQuery(projectId), enabled: isParty(project) })
   const ofFirst = useQuery({ ...cueMoneyQuery(first?.cue.id ?? ''), enabled: first !== undefined })
   const questions = today.data?.questions ?? []
-  const mayDecide = project?.is_decider ?? false
-  useReady(player, first?.takes ?? [], rest)
+  const mayApprove = project?.is_approver ?? false
+  useReady(player, first?.takes ?? [], rest[0], queue.isKnown)
 
   const step = (by: 1 | -1) => {
     const stops = [...(page.current?.querySelectorAll<HTMLElement>('[data-stop]') ?? [])]
@@ -66,6 +66,8 @@ export function TodayPage(): ReactNode {
   const failed = [queue.error, today.error].find((error) => error instanceof ApiProblem)
   const loaded = queue.isKnown && today.isSuccess
   const side = today.data
+  // Drawn together: early parts would move when the rest appears above or next to them.
+  const settled = (queue.isKnown || queue.error !== null) && !today.isPending && !money.isLoading
 
   return (
     <div className="page" ref={page}>
@@ -73,7 +75,7 @@ export function TodayPage(): ReactNode {
         <div>
           <h1>{day(now)}</h1>
           <p className="mid">
-            {loaded && headline({ cues: queue.waits, questions: questions.length, drafts, mayDecide })}
+            {loaded ? headline({ cues: queue.waits, questions: questions.length, drafts, mayApprove }) : '\u00a0'}
           </p>
         </div>
         <div className="wide-only">
@@ -81,7 +83,7 @@ export function TodayPage(): ReactNode {
             keys={[
               { keys: ['j', 'k'], label: 'next, previous' },
               { keys: ['Enter'], label: 'open' },
-              { keys: ['?'], label: 'all keys' },
+              { keys: ['?'], label: 'shortcuts' },
             ]}
           />
         </div>
@@ -92,82 +94,84 @@ export function TodayPage(): ReactNode {
           fix={failed.fix}
           action={
             <button type="button" className="link" onClick={() => void client.refetchQueries({ type: 'active' })}>
-              Ask again
+              Try again
             </button>
           }
         />
       )}
-      <div className={classes.today}>
-        <div className={classes.main}>
-          {first && (
-            <FirstCard
-              key={first.cue.id}
-              item={first}
-              projectId={projectId}
-              mayDecide={mayDecide}
-              player={player}
-              playing={playing}
-              judge={judge}
-            />
-          )}
-          {!first && judge.refusal && (
-            <ProblemNote
-              detail={`${judge.refusal.what} ${judge.refusal.problem.detail}`}
-              fix={judge.refusal.problem.fix}
-            />
-          )}
-          {loaded && !first && questions.length === 0 && (
-            <EmptyState
-              head="Nothing waits for you."
-              action={
-                <Link to="/projects/$projectId/sound-list" params={{ projectId }} search={{}} className="link">
-                  To the sound list
-                </Link>
-              }
-            >
-              {comesNext(today.data.counts)}
-            </EmptyState>
-          )}
-          {(rest.length > 0 || questions.length > 0) && (
-            <ThenList
-              items={rest}
-              questions={questions}
-              projectId={projectId}
-              title={first ? 'Then' : 'For you'}
-              beyond={queue.hasMore ? queue : undefined}
-            />
-          )}
-        </div>
-        {side && (
-          <aside className={classes.side} aria-label="Beside it">
-            {drafts > 0 && (
-              <Card aria-labelledby="drafts">
-                <CardHead id="drafts" title="Changes to send" count={drafts} end="sent together, one round a cue" />
-                <Drafts projectId={projectId} mayDecide={mayDecide} />
-              </Card>
+      {settled && (
+        <div className={classes.today}>
+          <div className={classes.main}>
+            {first && (
+              <FirstCard
+                key={first.cue.id}
+                item={first}
+                projectId={projectId}
+                mayApprove={mayApprove}
+                player={player}
+                playing={playing}
+                judge={judge}
+              />
             )}
-            <MilestonesCard contracts={money.data?.contracts ?? []} side="team" projectId={projectId} />
-            <WithOthersCard waiting={side.with_others} />
-            <Builds builds={side.builds} />
-            <Placeholders
-              count={side.placeholders}
-              mails={project?.is_producer ? side.unsent_mails : 0}
-              projectId={projectId}
-            />
-          </aside>
-        )}
-        {money.data?.totals.map(({ currency, figures }) => (
-          <div key={currency} className={classes.money}>
-            <MoneyLine
-              currency={currency}
-              figures={figures}
-              side="team"
-              projectId={projectId}
-              wouldOweMinor={ofFirst.data?.currency === currency ? ofFirst.data.would_owe_minor : 0}
-            />
+            {!first && judge.refusal && (
+              <ProblemNote
+                detail={`${judge.refusal.what} ${judge.refusal.problem.detail}`}
+                fix={judge.refusal.problem.fix}
+              />
+            )}
+            {loaded && !first && questions.length === 0 && (
+              <EmptyState
+                head="Nothing to do"
+                action={
+                  <Link to="/projects/$projectId/sound-list" params={{ projectId }} search={{}} className="link">
+                    Go to the sound list
+                  </Link>
+                }
+              >
+                {comesNext(today.data.counts)}
+              </EmptyState>
+            )}
+            {(rest.length > 0 || questions.length > 0) && (
+              <ThenList
+                items={rest}
+                questions={questions}
+                projectId={projectId}
+                title={first ? 'Next up' : 'For you'}
+                beyond={queue.hasMore ? queue : undefined}
+              />
+            )}
           </div>
-        ))}
-      </div>
+          {side && (
+            <aside className={classes.side} aria-label="Also here">
+              {drafts > 0 && (
+                <Card aria-labelledby="drafts">
+                  <CardHead id="drafts" title="Changes to send" count={drafts} end="sent together; one round per cue" />
+                  <Drafts projectId={projectId} mayApprove={mayApprove} />
+                </Card>
+              )}
+              <MilestonesCard contracts={money.data?.contracts ?? []} side="team" projectId={projectId} />
+              <WithOthersCard waiting={side.with_others} />
+              <Builds builds={side.builds} />
+              <Placeholders
+                count={side.placeholders}
+                mails={project?.is_producer ? side.unsent_mails : 0}
+                projectId={projectId}
+              />
+            </aside>
+          )}
+          {money.data?.totals.map(({ currency, figures }) => (
+            <div key={currency} className={classes.money}>
+              <MoneyLine
+                currency={currency}
+                figures={figures}
+                side="team"
+                projectId={projectId}
+                wouldOweMinor={ofFirst.data?.currency === currency ? ofFirst.data.would_owe_minor : 0}
+              />
+            </div>
+          ))}
+        </div>
+      )}
     </div>
   )
 }
@@ -180,9 +184,9 @@ function comesNext(counts: Record<string, number | undefined>): string {
   const toMake = of('to_make', 'placeholder', 'partly_accepted')
   const parts = [
     checking > 0 ? `${checking} being checked` : '',
-    withDesigners > 0 ? `${withDesigners} back with designers` : '',
-    toMake > 0 ? `${toMake} still to make` : '',
+    withDesigners > 0 ? `${withDesigners} with designers` : '',
+    toMake > 0 ? `${toMake} to do` : '',
   ].filter(Boolean)
   if (parts.length > 0) return `Next come what designers deliver: ${parts.join(', ')}.`
-  return of('accepted') > 0 ? 'Every cue of the list is accepted.' : 'The sound list has no cues yet; they come first.'
+  return of('accepted') > 0 ? 'Every cue of the list is accepted.' : 'The sound list has no cues yet. Add them first.'
 }

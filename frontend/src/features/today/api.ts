@@ -2,7 +2,7 @@ import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query
 
 import { answered, api } from '@/api'
 import type { components } from '@/api/schema.gen'
-import { ARRIVALS_MS, refresh } from '@/judging/api'
+import { refresh } from '@/judging/api'
 
 export type TodayAnswer = components['schemas']['Today']
 export type AskedQuestion = components['schemas']['AskedQuestion']
@@ -12,7 +12,6 @@ export const todayQuery = (projectId: string) =>
     queryKey: ['today', projectId],
     queryFn: () =>
       answered(api.GET('/v1/projects/{project_id}/today', { params: { path: { project_id: projectId } } })),
-    refetchInterval: ARRIVALS_MS,
   })
 
 export function useAnswer(projectId: string, questionId: string) {
@@ -25,7 +24,7 @@ export function useAnswer(projectId: string, questionId: string) {
           body: { text, joins: true },
         }),
       ),
-    // Not waited for: what was done is said before the lists are read anew.
+    // Not awaited: the confirmation is shown before the lists are refetched.
     onSettled: () => void refresh(client, projectId),
   })
 }

@@ -3,6 +3,7 @@ import { useQuery } from '@tanstack/react-query'
 import { type FormEvent, useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { meQuery } from '@/judging/api'
 import { Button } from '@/ui/Button'
@@ -11,23 +12,30 @@ import { Face } from '@/ui/Face'
 import { shortDay } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
-import { deciderHistoryQuery, type Member, type Project, useNameDecider } from '../api'
+import {
+  approverHistoryQuery,
+  invitedApproversQuery,
+  type Member,
+  type Project,
+  useInviteApprover,
+  useNameApprover,
+} from '../api'
 import { Refusal } from '../Refusal'
 import { against, sentence } from '../words'
 import classes from './People.module.css'
 
-/** Who has the last word, why, and who had it before. */
+/** The approver, why, and the former approvers. */
 export function ApproverCard({ project, members = [] }: { project: Project; members: readonly Member[] | undefined }) {
   const { data: me } = useQuery(meQuery)
-  const { data: history, error } = useQuery(deciderHistoryQuery(project.id))
+  const { data: history, error } = useQuery(approverHistoryQuery(project.id))
   const [naming, setNaming] = useState(false)
   const [personId, setPersonId] = useState<string | null>(null)
-  const [reason, setReason] = useState('')
-  const name = useNameDecider(project.id)
-  const { decider, liaisons, mine } = project
+  const [reason, setReason, draft] = useDraft(`approver:${project.id}`, '')
+  const name = useNameApprover(project.id)
+  const { approver, liaisons, mine } = project
   const candidates = members
     .filter(({ person, roles }) => liaisons.some(({ id }) => id === person.id) || roles.includes('producer'))
-    .filter(({ person }) => person.id !== decider.id)
+    .filter(({ person }) => person.id !== approver.id)
   const own = candidates.find(({ person }) => person.id === me?.person.id)
   const begin = (id: string | null) => {
     setPersonId(id)
@@ -40,9 +48,9 @@ export function ApproverCard({ project, members = [] }: { project: Project; memb
       { person_id: personId, reason },
       {
         onSuccess: (changed) => {
-          showToast(`${changed.decider.name} has the last word.`)
+          showToast(`${changed.approver.name} is the approver now.`)
           setNaming(false)
-          setReason('')
+          draft.discard()
         },
       },
     )
@@ -50,11 +58,11 @@ export function ApproverCard({ project, members = [] }: { project: Project; memb
   const fields = name.error instanceof ApiProblem && name.error.errors.length > 0
   return (
     <Card aria-labelledby="approver">
-      <CardHead id="approver" title="Approver" note="has the last word on every sound" />
-      <div className={classes.decider}>
-        <Face name={decider.name} filled />
+      <CardHead id="approver" title="Approver" note="approves or returns every sound" />
+      <div className={classes.approver}>
+        <Face name={approver.name} filled />
         <div className="grow">
-          <p className="strong">{decider.name}</p>
+          <p className="strong">{approver.name}</p>
           {history?.[0] && (
             <p className="small mid">{`since ${shortDay(history[0].created_at)}: ${sentence(history[0].reason)}`}</p>
           )}
@@ -62,21 +70,20 @@ export function ApproverCard({ project, members = [] }: { project: Project; memb
       </div>
       {mine.is_producer && !naming && (
         <div className={`row wrap ${classes.acts}`}>
-          <Button onClick={() => begin(candidates[0]?.person.id ?? null)}>Name another</Button>
+          {candidates.length > 0 && (
+            <Button onClick={() => begin(candidates[0]?.person.id ?? null)}>Change approver</Button>
+          )}
           {own && (
             <Button variant="quiet" onClick={() => begin(own.person.id)}>
-              Take it over
+              Make me the approver
             </Button>
           )}
         </div>
       )}
-      {naming && candidates.length === 0 && (
-        <p className={classes.acts}>Nobody else can decide: make a member a liaison first.</p>
-      )}
       {naming && candidates.length > 0 && (
-        <form onSubmit={send} noValidate className={classes.form} aria-label="Name the approver">
+        <form onSubmit={send} noValidate className={classes.form} aria-label="Change the approver">
           <Select
-            label="Who decides from now on"
+            label="New approver"
             data={candidates.map(({ person }) => ({
               value: person.id,
               label: person.id === me?.person.id ? `${person.name} (you)` : person.name,
@@ -87,7 +94,7 @@ export function ApproverCard({ project, members = [] }: { project: Project; memb
             error={against(name.error, 'person_id')}
           />
           <TextInput
-            label="Why; it is kept"
+            label="Reason (logged)"
             value={reason}
             onChange={({ currentTarget }) => setReason(currentTarget.value)}
             error={against(name.error, 'reason')}
@@ -95,25 +102,26 @@ export function ApproverCard({ project, members = [] }: { project: Project; memb
           {!fields && <Refusal error={name.error} />}
           <div className="row wrap">
             <Button type="submit" variant="primary" aria-busy={name.isPending}>
-              Give the last word
+              Make approver
             </Button>
             <Button variant="quiet" onClick={() => setNaming(false)}>
-              Leave it
+              Cancel
             </Button>
           </div>
         </form>
       )}
+      {mine.is_producer && !naming && <InviteApprover project={project} />}
       <Refusal error={error} />
       {history && history.length > 0 && (
         <>
-          <h3 className={classes.part}>Who had it</h3>
-          <Rows aria-label="Who had the last word">
+          <h3 className={classes.part}>Earlier approvers</h3>
+          <Rows aria-label="Earlier approvers">
             {history.map(({ person, changer, reason: why, created_at }) => (
               <Row key={created_at} className={classes.had}>
                 <span className="small dim nowrap">{shortDay(created_at)}</span>
                 <p className="small grow">
                   <span className="strong">{person.name}</span>{' '}
-                  <span className="mid">{`${person.id === changer.id ? 'took it over' : `named by ${changer.name}`}: ${sentence(why)}`}</span>
+                  <span className="mid">{`${person.id === changer.id ? 'took over' : `named by ${changer.name}`}: ${sentence(why)}`}</span>
                 </p>
               </Row>
             ))}
@@ -121,5 +129,49 @@ export function ApproverCard({ project, members = [] }: { project: Project; memb
         </>
       )}
     </Card>
+  )
+}
+
+/** An address becomes the approver in one step: a member at once, others when they join. */
+function InviteApprover({ project }: { project: Project }) {
+  const invite = useInviteApprover(project.id, project.studio.id)
+  const { data: invited = [] } = useQuery(invitedApproversQuery(project.id, project.studio.id))
+  const [email, setEmail] = useState('')
+  const send = (event: FormEvent) => {
+    event.preventDefault()
+    if (invite.isPending) return
+    invite.mutate(email, {
+      onSuccess: (made) => {
+        setEmail('')
+        showToast(made.is_named ? `${made.email} is the approver now.` : `Invitation sent to ${made.email}.`)
+      },
+    })
+  }
+  const isAtField = invite.error instanceof ApiProblem && invite.error.errors.length > 0
+  return (
+    <>
+      <h3 className={classes.part}>Invite an approver</h3>
+      {invited.map((one) => (
+        <p key={one.id} className={`small mid ${classes.acts}`}>
+          {one.email} is invited and becomes the approver on joining.
+        </p>
+      ))}
+      <form onSubmit={send} noValidate className={classes.form} aria-label="Invite an approver">
+        <TextInput
+          label="Approver’s email"
+          type="email"
+          autoComplete="off"
+          value={email}
+          onChange={({ currentTarget }) => setEmail(currentTarget.value)}
+          error={against(invite.error, 'email')}
+        />
+        {!isAtField && <Refusal error={invite.error} />}
+        <div className="row wrap">
+          <Button type="submit" aria-busy={invite.isPending}>
+            Invite as approver
+          </Button>
+        </div>
+      </form>
+    </>
   )
 }

@@ -1,8 +1,9 @@
 import { Select, Textarea, TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
-import { type FormEvent, useState } from 'react'
+import type { FormEvent } from 'react'
 
 import { ApiProblem } from '@/api'
+import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
@@ -39,11 +40,11 @@ export function DesignersCard({ project }: { project: Project }) {
   const nobody = project.engagements.length === 0 && invitations?.length === 0
   return (
     <Card aria-labelledby="designers">
-      <CardHead id="designers" title="Designers" note="make the sounds and deliver them" />
+      <CardHead id="designers" title="Designers" note="make and deliver the sounds" />
       {nobody && (
         <div className={classes.empty}>
-          <EmptyState head="Nobody makes the sounds yet." level={3}>
-            An invitation by mail shows the sound list and the delivery spec at once, before any account.
+          <EmptyState head="No designers yet" level={3}>
+            The email invitation shows the sound list and the delivery spec right away, before signing up.
           </EmptyState>
         </div>
       )}
@@ -69,7 +70,9 @@ function Designer({ engagement, project }: { engagement: Engagement; project: Pr
       {
         onSuccess: () =>
           showToast(
-            end ? `${designer.name} delivers no longer; what was delivered stays.` : `${designer.name} delivers again.`,
+            end
+              ? `Engagement of ${designer.name} ended. Delivered work is kept.`
+              : `Engagement of ${designer.name} resumed.`,
             () => change.mutate({ id, ended: !end }),
           ),
       },
@@ -88,7 +91,7 @@ function Designer({ engagement, project }: { engagement: Engagement; project: Pr
         </div>
         {project.mine.is_producer && !ended && (
           <Select
-            aria-label={`How ${designer.name} is engaged`}
+            aria-label={`Engagement of ${designer.name}`}
             className={classes.kind}
             data={KINDS.map((value) => ({ value, label: KIND_WORDS[value] }))}
             value={kind}
@@ -101,10 +104,10 @@ function Designer({ engagement, project }: { engagement: Engagement; project: Pr
         {project.mine.is_producer && (
           <Button
             variant="quiet"
-            aria-label={`${ended ? 'Take up again' : 'End'}: the engagement of ${designer.name}`}
+            aria-label={`${ended ? 'Resume' : 'End'}: the engagement of ${designer.name}`}
             onClick={() => setEnded(!ended)}
           >
-            {ended ? 'Take up again' : 'End'}
+            {ended ? 'Resume' : 'End'}
           </Button>
         )}
       </Row>
@@ -118,20 +121,20 @@ function Invitations({ project, open }: { project: Project; open: readonly Invit
   const { data: outbox } = useInvitationLinks(project.studio.id, project.mine.is_producer)
   const copy = async (link: string) => {
     await navigator.clipboard.writeText(link)
-    showToast('The link is copied.')
+    showToast('Link copied.')
   }
   const waitsHere = outbox?.canSend === false
   return (
     <>
-      <h3 className={classes.part}>Open invitations</h3>
+      <h3 className={classes.part}>Pending invitations</h3>
       {waitsHere && (
         <p className={`row small tone-warn ${classes.hint}`}>
           <Icon name="triangle" />
-          No mail server is set, so nothing leaves: copy the link and send it yourself.
+          No mail server is set up. Copy the link and send it yourself.
         </p>
       )}
       <Refusal error={revoke.error} />
-      <Rows aria-label="Open invitations">
+      <Rows aria-label="Pending invitations">
         {open.map(({ id, email, kind, note, inviter, created_at, expires_at }) => {
           const link = outbox?.links.get(email)
           const expired = new Date(expires_at) < new Date()
@@ -141,11 +144,11 @@ function Invitations({ project, open }: { project: Project; open: readonly Invit
               <div className="grow">
                 <p className={`strong ${classes.mail}`}>{email}</p>
                 <p className="small mid">
-                  {`${KIND_WORDS[kind]}, asked by ${inviter.name} ${ago(created_at)}; ${expired ? 'too old since' : 'good until'} ${dueDay(expires_at)}`}
+                  {`${KIND_WORDS[kind]}, invited by ${inviter.name} ${ago(created_at)}; ${expired ? 'expired' : 'expires'} ${dueDay(expires_at)}`}
                 </p>
                 {note !== '' && <p className="small dim">{note}</p>}
               </div>
-              {expired && <State kind="late">Too old</State>}
+              {expired && <State kind="late">Expired</State>}
               {link !== undefined && !expired && (
                 <Button icon="copy" onClick={() => void copy(link)}>
                   <span>
@@ -158,12 +161,12 @@ function Invitations({ project, open }: { project: Project; open: readonly Invit
                   variant="quiet"
                   onClick={() =>
                     revoke.mutate(id, {
-                      onSuccess: () => showToast(`The link of ${email} shows nothing any more.`),
+                      onSuccess: () => showToast(`Invitation to ${email} revoked.`),
                     })
                   }
                 >
                   <span>
-                    Revoke <span className="visually-hidden">{`the invitation of ${email}`}</span>
+                    Revoke <span className="visually-hidden">{`the invitation to ${email}`}</span>
                   </span>
                 </Button>
               )}
@@ -177,9 +180,10 @@ function Invitations({ project, open }: { project: Project; open: readonly Invit
 
 function Invite({ project, first }: { project: Project; first: boolean }) {
   const invite = useInviteDesigner(project.id)
-  const [email, setEmail] = useState('')
-  const [kind, setKind] = useState<EngagementKind>('contract')
-  const [note, setNote] = useState('')
+  const [{ email, kind, note }, setTyped, draft] = useDraft<{ email: string; kind: EngagementKind; note: string }>(
+    `invite:${project.id}`,
+    { email: '', kind: 'contract', note: '' },
+  )
   const send = (event: FormEvent) => {
     event.preventDefault()
     if (invite.isPending) return
@@ -187,9 +191,8 @@ function Invite({ project, first }: { project: Project; first: boolean }) {
       { email, kind, note },
       {
         onSuccess: (made) => {
-          showToast(`${made.email} is invited.`)
-          setEmail('')
-          setNote('')
+          showToast(`Invitation sent to ${made.email}.`)
+          draft.discard()
         },
       },
     )
@@ -200,39 +203,40 @@ function Invite({ project, first }: { project: Project; first: boolean }) {
       <h3 className={classes.part}>Invite a designer</h3>
       <form onSubmit={send} noValidate className={classes.invite} aria-label="Invite a designer">
         <TextInput
-          label="Mail address"
+          label="Email"
           type="email"
           inputMode="email"
           spellCheck={false}
           autoComplete="off"
           value={email}
-          onChange={({ currentTarget }) => setEmail(currentTarget.value)}
+          onChange={({ currentTarget: { value } }) => setTyped((now) => ({ ...now, email: value }))}
           error={against(invite.error, 'email')}
         />
         <Select
-          label="Engaged how"
+          label="Engagement"
           data={KIND_CHOICES}
           value={kind}
           allowDeselect={false}
           onChange={(value) => {
-            if (isKind(value)) setKind(value)
+            if (isKind(value)) setTyped((now) => ({ ...now, kind: value }))
           }}
         />
         <Textarea
           className={classes.whole}
-          label="Note, above the list; it may stay empty"
+          label="Message (optional)"
           rows={2}
           resize="vertical"
           value={note}
-          onChange={({ currentTarget }) => setNote(currentTarget.value)}
+          onChange={({ currentTarget: { value } }) => setTyped((now) => ({ ...now, note: value }))}
           error={against(invite.error, 'note')}
         />
+        <DraftNote draft={draft} />
         {!fields && <Refusal error={invite.error} />}
         <div className={`row wrap ${classes.whole}`}>
           <Button type="submit" variant={first ? 'primary' : 'plain'} aria-busy={invite.isPending}>
-            Send the invitation
+            Send invitation
           </Button>
-          <span className="small mid">The link shows the list at once, is good for 30 days, and can be revoked.</span>
+          <span className="small mid">The link shows the sound list, works for 30 days, and can be revoked.</span>
         </div>
       </form>
     </>

@@ -10,7 +10,7 @@ import { type Member, type Project, useSetLiaison } from '../api'
 import { Refusal } from '../Refusal'
 import classes from './People.module.css'
 
-/** The members of the studio, and which of them speak for the team here. */
+/** The members of the studio, and which of them act for the team here. */
 export function TeamCard({ project, members }: { project: Project; members: readonly Member[] | undefined }) {
   const set = useSetLiaison(project.id)
   const speaking = new Set(project.liaisons.map(({ id }) => id))
@@ -21,8 +21,8 @@ export function TeamCard({ project, members }: { project: Project; members: read
         onSuccess: () =>
           showToast(
             speaks
-              ? `${member.person.name} speaks for the team.`
-              : `${member.person.name} speaks for the team no longer.`,
+              ? `${member.person.name} is an audio lead now.`
+              : `${member.person.name} is no longer an audio lead.`,
             () => set.mutate({ personId: member.person.id, speaks: !speaks }),
           ),
       },
@@ -31,7 +31,7 @@ export function TeamCard({ project, members }: { project: Project; members: read
     <Card aria-labelledby="team">
       <CardHead
         id="team"
-        title="The team"
+        title="Team"
         note={project.studio.name}
         end={
           <Link className="link" to="/studio">
@@ -40,7 +40,7 @@ export function TeamCard({ project, members }: { project: Project; members: read
         }
       />
       <p className={`small mid ${classes.says}`}>
-        A liaison speaks for the team: changes the spec, invites designers, can be named approver. Reviewers listen and
+        Audio leads edit the spec, invite designers, answer questions and can be the approver. Reviewers listen and
         comment.
       </p>
       <Refusal error={set.error} />
@@ -50,8 +50,8 @@ export function TeamCard({ project, members }: { project: Project; members: read
           const isLiaison = speaking.has(person.id)
           const parts = [
             ...roles.filter((role) => role !== 'liaison'),
-            ...(isLiaison ? ['liaison here'] : []),
-            ...(person.id === project.decider.id ? ['approver'] : []),
+            ...(isLiaison ? ['audio lead'] : []),
+            ...(person.id === project.approver.id ? ['approver'] : []),
           ]
           return (
             <Row key={person.id} className={classes.person}>
@@ -64,10 +64,10 @@ export function TeamCard({ project, members }: { project: Project; members: read
                 <Button
                   variant={isLiaison ? 'quiet' : 'plain'}
                   aria-busy={set.isPending}
-                  aria-label={`${isLiaison ? 'Remove as liaison' : 'Make liaison'}: ${person.name}`}
+                  aria-label={`${isLiaison ? 'Remove as audio lead' : 'Make audio lead'}: ${person.name}`}
                   onClick={() => change(member, !isLiaison)}
                 >
-                  {isLiaison ? 'Remove as liaison' : 'Make liaison'}
+                  {isLiaison ? 'Remove as audio lead' : 'Make audio lead'}
                 </Button>
               )}
             </Row>

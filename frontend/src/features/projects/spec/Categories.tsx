@@ -16,7 +16,7 @@ import { at, type Tables, tableIn } from './tables'
 import { isAt } from './trouble'
 
 const KINDS = [
-  { value: '', label: 'not said' },
+  { value: '', label: 'not specified' },
   ...Object.entries(SOUND_KINDS).map(([value, label]) => ({ value, label })),
 ]
 
@@ -35,7 +35,7 @@ export function Categories({ cues }: { cues: readonly Cue[] }) {
   }
   return (
     <Card aria-labelledby="form-categories">
-      <CardHead id="form-categories" title="Categories" note="only what differs from the above" />
+      <CardHead id="form-categories" title="Categories" note="overrides of the general rules" />
       {named.map((category) => (
         <Category key={category} name={category} cues={cues.filter((cue) => cue.category === category).length} />
       ))}
@@ -47,16 +47,16 @@ export function Categories({ cues }: { cues: readonly Cue[] }) {
         }}
       >
         <TextInput
-          aria-label="Name of a category"
-          placeholder="Name of a category"
+          aria-label="Category name"
+          placeholder="Category name"
           value={name}
           spellCheck={false}
           onChange={({ currentTarget }) => setName(currentTarget.value)}
         />
         <Button type="submit" icon="plus">
-          Add the category
+          Add category
         </Button>
-        {unnamed.length > 0 && <span className="small mid">On the list, and not named here:</span>}
+        {unnamed.length > 0 && <span className="small mid">In the sound list without rules:</span>}
         {unnamed.map((category) => (
           <button type="button" key={category} className="link small" onClick={() => add(category)}>
             {category}
@@ -87,14 +87,14 @@ function Category({ name, cues }: { name: string; cues: number }) {
         <span className="strong">{name}</span>
         <span className="small dim nowrap">{cues > 0 ? plural(cues, 'cue') : 'no cue'}</span>
         <span className="small mid grow">
-          {[kindOf(tables, name), ...differs].filter(Boolean).join('; ') || 'as above'}
+          {[kindOf(tables, name), ...differs].filter(Boolean).join('; ') || 'same as general rules'}
         </span>
       </summary>
       {open && (
         <div className={classes.inside}>
           <div className={classes.two}>
             <Choice
-              label="Its sounds are"
+              label="Sounds are"
               value={typeof kind === 'string' ? kind : ''}
               options={KINDS}
               onChange={(value) => set([...base, 'kind'], value === '' ? undefined : value)}

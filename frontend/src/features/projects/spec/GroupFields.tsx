@@ -26,13 +26,13 @@ export function AcceptFields({ base }: { base: readonly string[] }) {
     <>
       <Choices place={accept('containers')} label="Container" options={CONTAINERS} />
       <Choices place={accept('encodings')} label="Encoding" options={ENCODINGS} />
-      <Choices place={accept('sample_rates_hz')} label="Rate" options={RATES} />
-      <Choices place={accept('bit_depths')} label="Depth" options={DEPTHS} />
+      <Choices place={accept('sample_rates_hz')} label="Sample rate" options={RATES} />
+      <Choices place={accept('bit_depths')} label="Bit depth" options={DEPTHS} />
       <Choices place={accept('channels')} label="Channels" options={CHANNELS} />
       <div className={classes.field}>
         <div className={classes.pair}>
-          <NumberField place={[...accept('duration_s'), 'min']} label="Length, at least" unit="s" />
-          <NumberField place={[...accept('duration_s'), 'max']} label="Length, at most" unit="s" />
+          <NumberField place={[...accept('duration_s'), 'min']} label="Minimum length" unit="s" />
+          <NumberField place={[...accept('duration_s'), 'max']} label="Maximum length" unit="s" />
         </div>
       </div>
     </>
@@ -51,13 +51,13 @@ export function LimitFields({ base }: { base: readonly string[] }) {
         <div className={classes.pair}>
           <NumberField
             place={[...base, 'limits', 'loudness_lufs', 'min']}
-            label="Loudness, at least"
+            label="Minimum loudness"
             unit="LUFS"
             hideLabel
           />
           <NumberField
             place={[...base, 'limits', 'loudness_lufs', 'max']}
-            label="Loudness, at most"
+            label="Maximum loudness"
             unit="LUFS"
             hideLabel
           />

@@ -15,10 +15,10 @@ interface LineDiffProps {
 }
 
 const SIGNS = { same: ' ', gone: '−', new: '+' }
-const WORDS = { same: '', gone: 'gone: ', new: 'new: ' }
+const WORDS = { same: '', gone: 'removed: ', new: 'added: ' }
 
 /** Two texts line by line: what went is quiet, what came is marked. */
-export function LineDiff({ before, after, label, same = 'The two say the same, to the letter.' }: LineDiffProps) {
+export function LineDiff({ before, after, label, same = 'The two are identical.' }: LineDiffProps) {
   const parts = useMemo(() => folded(diffLines(before, after)), [before, after])
   if (before === after) return <p className={`mid ${classes.same}`}>{same}</p>
   return (
@@ -28,7 +28,7 @@ export function LineDiff({ before, after, label, same = 'The two say the same, t
       {parts.map((part, index) =>
         part.kind === 'skipped' ? (
           <p key={index} className={classes.skipped}>
-            {`${plural(part.count, 'line')} the same`}
+            {`${plural(part.count, 'line')} unchanged`}
           </p>
         ) : (
           <div key={index} className={classes.line} data-kind={part.kind}>

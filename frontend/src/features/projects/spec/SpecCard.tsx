@@ -21,7 +21,7 @@ export function SpecCard({ project }: { project: Project }) {
   const { data: packs } = useQuery({ ...packsQuery(projectId), enabled: mine.is_team })
   const copy = async (toml: string) => {
     await navigator.clipboard.writeText(toml)
-    showToast('The TOML is copied.')
+    showToast('TOML copied.')
   }
   return (
     <Card aria-labelledby="spec">
@@ -40,14 +40,14 @@ export function SpecCard({ project }: { project: Project }) {
               >
                 Versions
               </Link>
-              <Button variant="quiet" icon="copy" aria-label="Copy the TOML" onClick={() => void copy(spec.toml)}>
+              <Button variant="quiet" icon="copy" aria-label="Copy TOML" onClick={() => void copy(spec.toml)}>
                 TOML
               </Button>
               <ButtonLink
                 variant="quiet"
                 square
                 icon="download"
-                aria-label="Download the TOML"
+                aria-label="Download TOML"
                 href={`/v1/projects/${projectId}/spec.toml`}
                 download="spec.toml"
               />
@@ -64,9 +64,9 @@ export function SpecCard({ project }: { project: Project }) {
       {spec && (
         <>
           <div className={classes.parts}>
-            <Part head="A master may be" lines={acceptLines(spec)} />
+            <Part head="Accepted masters" lines={acceptLines(spec)} />
             <Part head="Limits" lines={limitLines(spec)} legend />
-            <Part head="Game files, made from each master" lines={[...targetLines(spec), ...madeLine(packs)]} />
+            <Part head="Game files, rendered from each master" lines={[...targetLines(spec), ...madeLine(packs)]} />
           </div>
           <Categories spec={spec} projectId={projectId} />
           {spec.warnings.map((warning) => (
@@ -87,7 +87,10 @@ function madeLine(packs: readonly Pack[] | undefined): Line[] {
   const made = packs.reduce((sum, { files }) => sum + files, 0)
   const whole = packs.reduce((sum, { files, missing }) => sum + files + missing.length, 0)
   return [
-    { word: 'Made', value: `${countOf(made, whole)}${packs.length > 1 ? `, ${figure(packs.length)} targets` : ''}` },
+    {
+      word: 'Rendered',
+      value: `${countOf(made, whole)}${packs.length > 1 ? `, ${figure(packs.length)} targets` : ''}`,
+    },
   ]
 }
 
@@ -156,7 +159,7 @@ function Categories({ spec, projectId }: { spec: Spec; projectId: string }) {
               <th scope="col" className="wide-only">
                 Sounds are
               </th>
-              <th scope="col">Differs from the above in</th>
+              <th scope="col">Differs in</th>
             </tr>
           </thead>
           <tbody>
@@ -174,8 +177,8 @@ function Categories({ spec, projectId }: { spec: Spec; projectId: string }) {
       {rows.length > 0 && (
         <p className={`small mid ${classes.plain}`}>
           {plain.length > 0 &&
-            `As above: ${listed(plain.map(({ name, cues: count }) => (count > 0 ? `${name} (${figure(count)})` : name)))}. `}
-          {unused.length > 0 && `Not on the list: ${listed(unused.map(({ name }) => name))}.`}
+            `General rules: ${listed(plain.map(({ name, cues: count }) => (count > 0 ? `${name} (${figure(count)})` : name)))}. `}
+          {unused.length > 0 && `Not in the sound list: ${listed(unused.map(({ name }) => name))}.`}
         </p>
       )}
     </>

@@ -90,9 +90,9 @@ export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) 
     save.reset()
     setDraft((old) => ({ ...old, ...next }))
   }
-  const changeTables = (tell: (tables: Tables) => Tables) => {
+  const changeTables = (change: (tables: Tables) => Tables) => {
     save.reset()
-    setDraft((old) => ({ ...old, tables: tell(old.tables) }))
+    setDraft((old) => ({ ...old, tables: change(old.tables) }))
   }
   const switchTo = (mode: SpecDraft['mode']) => {
     if (mode === draft.mode) return
@@ -115,7 +115,7 @@ export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) 
   const drop = () => {
     const dropped = draft
     begin(draftOf(spec, draft.mode))
-    showToast('What was written is dropped.', () => begin(dropped))
+    showToast('Your changes were discarded.', () => begin(dropped))
   }
   const send = () => {
     if (!changed || save.isPending) return
@@ -125,7 +125,7 @@ export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) 
       {
         onSuccess: (saved) => {
           keepDraft(projectId, null)
-          showToast(`Version ${saved.version} of the spec holds. Takes that it touches are judged anew.`, async () => {
+          showToast(`Version ${saved.version} of the spec saved. Affected versions are rechecked.`, async () => {
             await save.mutateAsync({
               toml: before.toml,
               note: `As version ${before.version}`,
@@ -135,16 +135,16 @@ export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) 
           void navigate({ to: '/projects/$projectId', params: { projectId } })
         },
         onError: (error) => {
-          if (error instanceof ApiProblem && error.code === 'spec-moved-on') {
+          if (error instanceof ApiProblem && error.code === 'spec-changed') {
             void client.invalidateQueries({ queryKey: specQuery(projectId).queryKey })
           }
         },
       },
     )
   }
-  useHotkeys([{ keys: 'mod+s', label: 'Save the spec', group: 'Delivery spec', run: send }])
+  useHotkeys([{ keys: 'mod+s', label: 'Save spec', group: 'Delivery spec', run: send }])
 
-  const isMovedOn = save.error instanceof ApiProblem && save.error.code === 'spec-moved-on'
+  const isMovedOn = save.error instanceof ApiProblem && save.error.code === 'spec-changed'
   const correction = trouble && draft.mode === 'toml' ? correctionOf(draft.toml, trouble.place, trouble.message) : null
   const line = trouble && draft.mode === 'toml' ? lineOf(draft.toml, trouble.place, trouble.message) : null
   return (
@@ -164,7 +164,7 @@ export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) 
             Versions
           </Link>
           <Segmented
-            label="Written as"
+            label="Edit as"
             options={[
               { value: 'form', label: 'Form' },
               { value: 'toml', label: 'TOML' },
@@ -176,9 +176,9 @@ export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) 
       </div>
       {wasKept && changed && (
         <p className={`row wrap ${classes.note}`}>
-          What you wrote here before was kept.
+          Your unsaved changes were restored.
           <Button variant="quiet" onClick={drop}>
-            Drop it
+            Discard
           </Button>
         </p>
       )}
@@ -206,15 +206,15 @@ export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) 
           </Writing>
         ) : (
           <Card aria-labelledby="as-toml">
-            <CardHead id="as-toml" title="spec.toml" note="the file that audio-checks reads" />
+            <CardHead id="as-toml" title="spec.toml" note="the file audio-checks reads" />
             <TomlEditor toml={draft.toml} onChange={(toml) => change({ toml })} trouble={trouble} />
           </Card>
         )}
         <Card className={classes.save} aria-labelledby="save">
-          <CardHead id="save" title="Save" end={changed ? undefined : 'nothing is changed yet'} />
+          <CardHead id="save" title="Save" end={changed ? undefined : 'no changes'} />
           <div className={classes.inside}>
             <div aria-live="polite" className={classes.stands}>
-              {changed && !isCurrent && trouble === null && <p className="mid">Being judged as a spec …</p>}
+              {changed && !isCurrent && trouble === null && <p className="mid">Validating…</p>}
               {trouble && (
                 <div className={`tone-bad ${classes.trouble}`} id="spec-trouble">
                   <Icon name="back" />
@@ -229,7 +229,7 @@ export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) 
                       )}
                       {draft.mode === 'form' && trouble.place !== '' && (
                         <button type="button" className="link small" onClick={() => goTo(trouble.place)}>
-                          Go there
+                          Go to line
                         </button>
                       )}
                       {correction && (
@@ -244,7 +244,7 @@ export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) 
               {result && trouble === null && changed && (
                 <p className={`row tone-ok ${classes.sign}`}>
                   <Icon name="tick" />
-                  It is a spec.
+                  The spec is valid.
                 </p>
               )}
               {result?.warnings.map((warning) => (
@@ -253,17 +253,13 @@ export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) 
                   <span>{sentence(warning)}</span>
                 </p>
               ))}
-              {!maySwitch && trouble && (
-                <p className="small dim">{`Put it right before it can be shown as ${otherMode}.`}</p>
-              )}
+              {!maySwitch && trouble && <p className="small dim">{`Fix the error to switch to ${otherMode}.`}</p>}
             </div>
             {draft.mode === 'form' && 'tables' in sent && hasComments(draft.from.toml) && (
-              <p className="small mid">
-                The form writes the TOML anew: its comments are not kept. Change the TOML itself to keep them.
-              </p>
+              <p className="small mid">The form rewrites the TOML without comments. Edit the TOML to keep them.</p>
             )}
             <Textarea
-              label="What is different, and why; for the versions"
+              label="Version note: what changed and why"
               rows={2}
               resize="vertical"
               value={draft.note}
@@ -282,19 +278,17 @@ export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) 
               </Button>
               {changed && (
                 <Button variant="quiet" onClick={drop}>
-                  Drop changes
+                  Discard changes
                 </Button>
               )}
             </div>
-            {changed && movedOn && <p className="small mid">First say above what becomes of both texts.</p>}
-            <p className="small dim">
-              Takes that wait and that it touches are judged anew. What was approved stays approved.
-            </p>
+            {changed && movedOn && <p className="small mid">Choose above which text to keep.</p>}
+            <p className="small dim">Affected versions in review are rechecked. Approved versions stay approved.</p>
           </div>
           {changed && result && theirs !== undefined && (
             <details className={classes.diff}>
-              <summary>What changes</summary>
-              <LineDiff before={theirs} after={mine} label="What changes" />
+              <summary>Changes</summary>
+              <LineDiff before={theirs} after={mine} label="Changes" />
             </details>
           )}
         </Card>
@@ -313,23 +307,23 @@ interface MovedOnProps {
   onTakeTheirs: () => void
 }
 
-/** Somebody else saved while this was written: both texts stand until it is said which holds. */
+/** Another person saved meanwhile: both texts are shown until one is chosen. */
 function MovedOn({ spec, theirs, mine, basedOn, onKeepMine, onTakeTheirs }: MovedOnProps) {
   return (
     <Card className={classes.moved} aria-labelledby="moved">
-      <CardHead id="moved" title={`${spec.author.name} saved version ${spec.version} while you wrote`} />
+      <CardHead id="moved" title={`${spec.author.name} saved version ${spec.version} while you were editing`} />
       <div className={classes.inside}>
         <p>
-          {`Yours began from version ${basedOn}, and nothing of it is lost.`}{' '}
-          {spec.note !== '' && <span className="mid">{`They note: ${sentence(spec.note)}`}</span>}
+          {`You started from version ${basedOn}. Nothing you typed is lost.`}{' '}
+          {spec.note !== '' && <span className="mid">{`Their note: ${sentence(spec.note)}`}</span>}
         </p>
         <div className="row wrap">
-          <Button variant="primary" onClick={onKeepMine}>{`Go on with mine over version ${spec.version}`}</Button>
-          <Button onClick={onTakeTheirs}>{`Take version ${spec.version}, drop mine`}</Button>
+          <Button variant="primary" onClick={onKeepMine}>{`Keep mine and replace version ${spec.version}`}</Button>
+          <Button onClick={onTakeTheirs}>{`Use version ${spec.version} and discard mine`}</Button>
         </div>
       </div>
       {theirs !== undefined && (
-        <LineDiff before={theirs} after={mine} label={`Version ${spec.version} against yours`} />
+        <LineDiff before={theirs} after={mine} label={`Version ${spec.version} compared with yours`} />
       )}
     </Card>
   )

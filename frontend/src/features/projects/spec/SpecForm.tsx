@@ -22,13 +22,13 @@ export function SpecForm({ cues }: { cues: readonly Cue[] }) {
   return (
     <div className="stack">
       <Card aria-labelledby="form-accept">
-        <CardHead id="form-accept" title="A master may be" />
+        <CardHead id="form-accept" title="Accepted masters" />
         <div className={`${classes.inside} ${classes.two}`}>
           <AcceptFields base={[]} />
         </div>
       </Card>
       <Card aria-labelledby="form-limits">
-        <CardHead id="form-limits" title="Limits" note="an empty field does not limit" />
+        <CardHead id="form-limits" title="Limits" note="leave a field empty for no limit" />
         <div className={classes.inside}>
           <LimitFields base={[]} />
           <div className={`${classes.two} ${classes.tuning}`}>
@@ -41,8 +41,8 @@ export function SpecForm({ cues }: { cues: readonly Cue[] }) {
       <Card aria-labelledby="form-checks">
         <CardHead
           id="form-checks"
-          title="What else is checked"
-          note="returns: the take comes back; warns: it goes on, with a word"
+          title="Other checks"
+          note="returns: the version is sent back; warns: it goes to review with a note"
         />
         <ul className={`${classes.inside} ${classes.checks}`}>
           {[...FORM_CHECKS, ...FAULT_CHECKS].map(({ name, word, usual, overFiles }) => (
@@ -56,9 +56,9 @@ export function SpecForm({ cues }: { cues: readonly Cue[] }) {
       </Card>
       <Naming cues={cues} />
       <Card aria-labelledby="form-engine">
-        <CardHead id="form-engine" title="Made by the engine" note="files come without it" />
+        <CardHead id="form-engine" title="Applied in engine" note="deliver dry, without these effects" />
         <div className={classes.inside}>
-          <Choices place={['engine', 'adds']} label="The game adds" options={ENGINE} mayBeAny={false} />
+          <Choices place={['engine', 'adds']} label="Effects the engine adds" options={ENGINE} mayBeAny={false} />
         </div>
       </Card>
       <Targets />
@@ -81,12 +81,12 @@ function Naming({ cues }: { cues: readonly Cue[] }) {
   const error = (place: string) => (trouble?.place === place ? trouble.message : undefined)
   return (
     <Card aria-labelledby="form-naming">
-      <CardHead id="form-naming" title="Names of files" />
+      <CardHead id="form-naming" title="File names" />
       <div className={`${classes.inside} ${classes.two}`}>
         <TextInput
           id="spec-naming.pattern"
           classNames={{ input: classes.code }}
-          label="Pattern of the whole name, before its ending"
+          label="Pattern (regular expression) without the extension"
           value={pattern}
           placeholder="any name"
           spellCheck={false}
@@ -96,7 +96,7 @@ function Naming({ cues }: { cues: readonly Cue[] }) {
         <TextInput
           id="spec-naming.extension"
           classNames={{ input: classes.code }}
-          label="Ending"
+          label="Extension"
           value={extension}
           placeholder="any"
           spellCheck={false}
@@ -105,7 +105,7 @@ function Naming({ cues }: { cues: readonly Cue[] }) {
         />
         <TextInput
           classNames={{ input: classes.code }}
-          label="Try a name"
+          label="Test a name"
           value={tried}
           placeholder={stems[0] ?? 'laser_fire_01'}
           spellCheck={false}
@@ -118,18 +118,18 @@ function Naming({ cues }: { cues: readonly Cue[] }) {
               <span>
                 <span className="mono">{tried + extension}</span>{' '}
                 {fit === null
-                  ? 'cannot be tried here; the pattern is judged when saved.'
+                  ? 'cannot be tested here; the pattern is validated when saved.'
                   : fit
                     ? 'fits.'
-                    : 'does not fit.'}
+                    : 'does not match.'}
               </span>
             </p>
           )}
           {stems.length > 0 && (
             <p className="small mid">
               {odd.length === 0
-                ? `All ${plural(stems.length, 'name')} of the list fit.`
-                : `${plural(odd.length, 'name')} of ${stems.length} on the list would not fit: ${odd.slice(0, 3).join(', ')}${odd.length > 3 ? ' …' : ''}`}
+                ? `All ${plural(stems.length, 'name')} in the list match.`
+                : `${plural(odd.length, 'name')} of ${stems.length} in the list don’t match: ${odd.slice(0, 3).join(', ')}${odd.length > 3 ? ' …' : ''}`}
             </p>
           )}
         </div>

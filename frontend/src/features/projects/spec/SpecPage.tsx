@@ -19,20 +19,20 @@ export function SpecPage() {
     return (
       <div className="page page-narrow">
         <EmptyState
-          head="A producer or a liaison changes the spec."
+          head="Only producers and audio leads can edit the spec"
           level={1}
           action={
             <>
               <Link className="link" to="/projects/$projectId/spec/versions" params={{ projectId }} search={{}}>
-                Read it, and its versions
+                View the spec and its versions
               </Link>
               <Link className="link" to="/projects/$projectId" params={{ projectId }}>
-                To the project
+                Go to project
               </Link>
             </>
           }
         >
-          {`Say to ${project.decider.name} what you would have otherwise.`}
+          {`Ask ${project.approver.name} if you need a change.`}
         </EmptyState>
       </div>
     )

@@ -21,7 +21,7 @@ const DEPTHS: Record<string, { label: string; bit_depth: number; encoding: 'pcm'
   float32: { label: '32 bit float', bit_depth: 32, encoding: 'float' },
 }
 const CHANNELS = [
-  { value: 'master', label: 'as master' },
+  { value: 'master', label: 'same as master' },
   { value: '1', label: 'mono' },
   { value: '2', label: 'stereo' },
 ]
@@ -31,7 +31,7 @@ const DITHERS = [
   { value: 'none', label: 'none' },
 ]
 const OVER_PEAK = [
-  { value: 'attenuate', label: 'lower by the excess' },
+  { value: 'attenuate', label: 'attenuate' },
   { value: 'refuse', label: 'refuse' },
 ]
 
@@ -48,14 +48,14 @@ export function Targets() {
   const targets = tableIn(tables.targets)
   const names = Object.keys(targets)
   const add = () => set(['targets', freeName(targets)], { sample_rate_hz: 48000, bit_depth: 16 })
-  // Overrides of categories speak of the target by its name.
-  const everywhere = (tell: (own: Tables) => Tables) =>
+  // Overrides of categories refer to the target by its name.
+  const everywhere = (apply: (own: Tables) => Tables) =>
     change((whole) => {
-      let next = put(whole, ['targets'], tell(tableIn(whole.targets)))
+      let next = put(whole, ['targets'], apply(tableIn(whole.targets)))
       for (const [category, said] of Object.entries(tableIn(whole.categories))) {
         const own = tableIn(said).targets
         if (own === undefined) continue
-        const left = tell(tableIn(own))
+        const left = apply(tableIn(own))
         const place = ['categories', category, 'targets']
         next = put(next, place, Object.keys(left).length > 0 ? left : undefined, true)
       }
@@ -66,17 +66,17 @@ export function Targets() {
       <CardHead
         id="form-targets"
         title="Game files"
-        note="made from each accepted master"
+        note="rendered from each accepted master"
         end={
           <Button icon="plus" onClick={add}>
-            Add a target
+            Add target
           </Button>
         }
       />
       {names.length === 0 && (
         <div className={classes.inside}>
-          <EmptyState head="No game file is made." level={3}>
-            A target says the rate and depth that the game takes.
+          <EmptyState head="No targets" level={3}>
+            A target sets the sample rate and bit depth of the game’s files.
           </EmptyState>
         </div>
       )}
@@ -131,17 +131,21 @@ function Target({ name, taken, onRename, onRemove }: TargetProps) {
         onChange={({ currentTarget }) => setTyped(currentTarget.value)}
         onBlur={commit}
         error={
-          clash ? 'A target has this name.' : trouble?.place === place.join('.') ? sentence(trouble.message) : undefined
+          clash
+            ? 'Another target has this name.'
+            : trouble?.place === place.join('.')
+              ? sentence(trouble.message)
+              : undefined
         }
       />
       <Choice
-        label="Rate"
+        label="Sample rate"
         value={String(hz)}
         options={[...new Set([...RATES, hz])].map((one) => ({ value: String(one), label: rate(one) }))}
         onChange={(value) => set([...place, 'sample_rate_hz'], Number(value))}
       />
       <Choice
-        label="Depth"
+        label="Bit depth"
         value={depthKey ?? 'other'}
         options={depthKey ? depths : [...depths, { value: 'other', label: `${bits} bit ${encoding}` }]}
         onChange={(value) => {
@@ -162,7 +166,7 @@ function Target({ name, taken, onRename, onRemove }: TargetProps) {
         onChange={(value) => set([...place, 'dither'], value)}
       />
       <Choice
-        label="A peak over full scale"
+        label="When it would clip"
         value={said('over_peak', 'attenuate')}
         options={OVER_PEAK}
         onChange={(value) => set([...place, 'over_peak'], value)}

@@ -26,7 +26,7 @@ export function TomlEditor({ toml, onChange, trouble }: TomlEditorProps) {
       </pre>
       <textarea
         id="spec-toml"
-        aria-label="The spec as TOML"
+        aria-label="Spec as TOML"
         aria-invalid={trouble !== null}
         aria-describedby={trouble ? 'spec-trouble' : undefined}
         className={classes.text}

@@ -39,7 +39,7 @@ export function VersionsPage() {
   }
   useHotkeys([
     { keys: 'j', label: 'Next version', group: 'Versions', run: () => step(1) },
-    { keys: 'k', label: 'Version before', group: 'Versions', run: () => step(-1) },
+    { keys: 'k', label: 'Previous version', group: 'Versions', run: () => step(-1) },
   ])
   const takeUp = () => void navigate({ to: '/projects/$projectId/spec', params: { projectId } })
   return (
@@ -48,7 +48,7 @@ export function VersionsPage() {
         <h1>Versions of the delivery spec</h1>
         <p className="mid">
           <Link className="link" to="/projects/$projectId" params={{ projectId }}>
-            {project?.name ?? 'The project'}
+            {project?.name ?? 'Project'}
           </Link>
         </p>
       </div>
@@ -108,7 +108,7 @@ function OneVersion({ projectId, version, against, newest, numbers, onAgainst, o
   const { data: held } = useQuery({ ...specVersionQuery(projectId, newest), enabled: version !== newest })
   const [chosen, setChosen] = useState<'rules' | 'letters' | 'text'>('rules')
   const view = against === undefined ? 'text' : chosen
-  // Written anew from what they say, two texts differ by that alone.
+  // Serialised from their content, two texts differ only in content.
   const rules = useSpecTry(projectId, { tables: spec?.tables ?? {} }, spec !== undefined && view === 'rules').data
   const before = useSpecTry(projectId, { tables: other?.tables ?? {} }, other !== undefined && view === 'rules').data
   const takeUp = () => {
@@ -121,29 +121,29 @@ function OneVersion({ projectId, version, against, newest, numbers, onAgainst, o
       <CardHead
         id="version"
         title={`Version ${version}`}
-        note={version === newest ? 'holds now' : undefined}
+        note={version === newest ? 'current' : undefined}
         end={
           <>
             {against !== undefined && (
               <Segmented
-                label="What is shown"
+                label="View"
                 options={[
-                  { value: 'rules', label: 'What changed' },
-                  { value: 'letters', label: 'To the letter' },
+                  { value: 'rules', label: 'Changes' },
+                  { value: 'letters', label: 'Line by line' },
                   { value: 'text', label: 'Text' },
                 ]}
                 value={view}
                 onChange={setChosen}
               />
             )}
-            {onTakeUp && held && version !== newest && <Button onClick={takeUp}>Take it up again</Button>}
+            {onTakeUp && held && version !== newest && <Button onClick={takeUp}>Restore this version</Button>}
           </>
         }
       />
       <Refusal error={error ?? noOther} />
       {view !== 'text' && numbers.length > 1 && (
         <p className={`row wrap small mid ${classes.against}`}>
-          <label htmlFor="against">Against version</label>
+          <label htmlFor="against">Compare with version</label>
           <Select id="against" value={against} onChange={({ currentTarget }) => onAgainst(Number(currentTarget.value))}>
             {numbers
               .filter((number) => number !== version)
@@ -160,11 +160,15 @@ function OneVersion({ projectId, version, against, newest, numbers, onAgainst, o
           before={before.toml}
           after={rules.toml}
           label={`What version ${version} changed`}
-          same="Both ask the same; only comments and layout differ."
+          same="No rule changed; only comments and layout differ."
         />
       )}
       {view === 'letters' && spec && other && (
-        <LineDiff before={other.toml} after={spec.toml} label={`Version ${other.version} against ${spec.version}`} />
+        <LineDiff
+          before={other.toml}
+          after={spec.toml}
+          label={`Version ${other.version} compared with ${spec.version}`}
+        />
       )}
       {view === 'text' && spec && (
         // A long line scrolls, so the keyboard must reach it.

@@ -1,4 +1,4 @@
-/** What breaks a rule of the spec: the take comes back, a warning stands beside it, or nothing is said. */
+/** The effect of a broken rule of the spec: the take is returned, a warning is shown, or nothing happens. */
 export type Severity = 'error' | 'warning' | 'off'
 
 export interface CheckName {
@@ -14,12 +14,12 @@ export interface CheckName {
 export const FORM_CHECKS: readonly CheckName[] = [
   { name: 'container', word: 'Container', usual: 'error' },
   { name: 'encoding', word: 'Encoding', usual: 'error' },
-  { name: 'sample-rate', word: 'Rate', usual: 'error' },
-  { name: 'bit-depth', word: 'Depth', usual: 'error' },
+  { name: 'sample-rate', word: 'Sample rate', usual: 'error' },
+  { name: 'bit-depth', word: 'Bit depth', usual: 'error' },
   { name: 'channels', word: 'Channels', usual: 'error' },
   { name: 'duration', word: 'Length', usual: 'error' },
   { name: 'naming', word: 'Name', usual: 'error' },
-  { name: 'clipping', word: 'Flat tops', usual: 'warning' },
+  { name: 'clipping', word: 'Clipping', usual: 'warning' },
   { name: 'placeholder', word: 'Placeholder', usual: 'warning' },
 ]
 
@@ -27,15 +27,15 @@ export const FORM_CHECKS: readonly CheckName[] = [
 export const FAULT_CHECKS: readonly CheckName[] = [
   { name: 'click', word: 'Clicks', usual: 'warning' },
   { name: 'dropout', word: 'Dropouts', usual: 'warning' },
-  { name: 'cut-start', word: 'Cut start', usual: 'warning' },
-  { name: 'cut-tail', word: 'Cut end', usual: 'warning' },
+  { name: 'cut-start', word: 'Abrupt start', usual: 'warning' },
+  { name: 'cut-tail', word: 'Abrupt end', usual: 'warning' },
   { name: 'hum', word: 'Hum', usual: 'warning' },
   { name: 'loop-points', word: 'Loop points', usual: 'warning' },
-  { name: 'false-stereo', word: 'Mono in stereo', usual: 'warning' },
-  { name: 'padded-bits', word: 'Padded depth', usual: 'warning' },
+  { name: 'false-stereo', word: 'Dual mono', usual: 'warning' },
+  { name: 'padded-bits', word: 'Zero-padded bits', usual: 'warning' },
   { name: 'metadata', word: 'Metadata', usual: 'warning' },
-  { name: 'duplicate', word: 'Same sound twice', usual: 'warning', overFiles: true },
-  { name: 'variation-set', word: 'Out of its set', usual: 'warning', overFiles: true },
+  { name: 'duplicate', word: 'Duplicate audio', usual: 'warning', overFiles: true },
+  { name: 'variation-set', word: 'Inconsistent variation', usual: 'warning', overFiles: true },
 ]
 
 export interface LimitName {
@@ -55,20 +55,20 @@ export const LIMITS: readonly LimitName[] = [
   { key: 'sample_peak_dbfs', word: 'Sample peak', unit: 'dBFS', check: 'sample-peak' },
   { key: 'true_peak_dbtp', word: 'True peak', unit: 'dBTP', check: 'true-peak' },
   { key: 'dc_offset_percent', word: 'DC offset', unit: '%', check: 'dc-offset' },
-  { key: 'silence_below_dbfs', word: 'Silent below', unit: 'dBFS', check: 'silence' },
-  { key: 'head_silence_ms', word: 'Silence first', unit: 'ms', check: 'head-silence' },
-  { key: 'tail_silence_ms', word: 'Silence last', unit: 'ms', check: 'tail-silence' },
-  { key: 'mono_loss_db', word: 'Lost in mono', unit: 'dB', check: 'phase', severity: 'warning' },
+  { key: 'silence_below_dbfs', word: 'Counts as silence below', unit: 'dBFS', check: 'silence' },
+  { key: 'head_silence_ms', word: 'Leading silence', unit: 'ms', check: 'head-silence' },
+  { key: 'tail_silence_ms', word: 'Trailing silence', unit: 'ms', check: 'tail-silence' },
+  { key: 'mono_loss_db', word: 'Mono fold-down loss', unit: 'dB', check: 'phase', severity: 'warning' },
 ]
 
 export const TUNING: readonly LimitName[] = [
   {
     key: 'edge_silence_below_dbfs',
-    word: 'Silence at the edges begins below',
+    word: 'Trim threshold',
     unit: 'dBFS',
     usual: -60,
   },
-  { key: 'tolerance_db', word: 'A level fails when over by more than', unit: 'dB', usual: 0.05 },
+  { key: 'tolerance_db', word: 'Tolerance on levels', unit: 'dB', usual: 0.05 },
 ]
 
 /** How severe a check is by what the tables say. */

@@ -7,7 +7,7 @@ export interface DiffLine {
 }
 
 // Beyond it, everything between the first and the last change counts as changed.
-const MOST_CELLS = 4_000_000
+const MAX_CELLS = 4_000_000
 
 /** The lines of two texts, what went and what came in the order of the text. */
 export function diffLines(before: string, after: string): DiffLine[] {
@@ -33,7 +33,7 @@ export function diffLines(before: string, after: string): DiffLine[] {
 function between(old: readonly string[], now: readonly string[]): { kind: DiffLine['kind']; text: string }[] {
   const gone = (text: string) => ({ kind: 'gone' as const, text })
   const come = (text: string) => ({ kind: 'new' as const, text })
-  if (old.length * now.length > MOST_CELLS) return [...old.map(gone), ...now.map(come)]
+  if (old.length * now.length > MAX_CELLS) return [...old.map(gone), ...now.map(come)]
   const width = now.length + 1
   const common = new Uint32Array((old.length + 1) * width)
   for (let i = old.length - 1; i >= 0; i -= 1) {
@@ -44,31 +44,31 @@ function between(old: readonly string[], now: readonly string[]): { kind: DiffLi
           : Math.max(common[(i + 1) * width + j] ?? 0, common[i * width + j + 1] ?? 0)
     }
   }
-  const told: { kind: DiffLine['kind']; text: string }[] = []
+  const lines: { kind: DiffLine['kind']; text: string }[] = []
   let i = 0
   let j = 0
   while (i < old.length || j < now.length) {
     if (i < old.length && j < now.length && old[i] === now[j]) {
-      told.push({ kind: 'same', text: old[i] ?? '' })
+      lines.push({ kind: 'same', text: old[i] ?? '' })
       i += 1
       j += 1
     } else if (
       i < old.length &&
       (j === now.length || (common[(i + 1) * width + j] ?? 0) >= (common[i * width + j + 1] ?? 0))
     ) {
-      told.push(gone(old[i] ?? ''))
+      lines.push(gone(old[i] ?? ''))
       i += 1
     } else {
-      told.push(come(now[j] ?? ''))
+      lines.push(come(now[j] ?? ''))
       j += 1
     }
   }
-  return told
+  return lines
 }
 
 export type DiffPart = DiffLine | { kind: 'skipped'; count: number }
 
-/** Only what changed, with a few lines round it; how many lines lie between is told. */
+/** Only what changed, with a few lines around it; the number of omitted lines is shown. */
 export function folded(lines: readonly DiffLine[], round = 3): DiffPart[] {
   const near = lines.map((_, index) =>
     lines.slice(Math.max(0, index - round), index + round + 1).some(({ kind }) => kind !== 'same'),

@@ -1,3 +1,5 @@
+import * as drafts from '@/app/drafts'
+
 import type { Spec } from '../api'
 import { same, type Tables } from './tables'
 
@@ -31,26 +33,17 @@ export const differs = (draft: SpecDraft, spec: Spec): boolean =>
 export const written = ({ mode, toml, tables, from }: SpecDraft): { toml: string } | { tables: Tables } =>
   mode === 'toml' ? { toml } : same(tables, from.tables) ? { toml: from.toml } : { tables }
 
-const keyOf = (projectId: string) => `soundlist-spec-${projectId}`
+const keyOf = (projectId: string) => `spec:${projectId}`
 
 const isDraft = (value: unknown): value is SpecDraft =>
   typeof value === 'object' && value !== null && 'basedOn' in value && 'from' in value && 'toml' in value
 
-/** What was typed and not saved, for as long as this tab stays open. */
+/** What was typed and not saved. */
 export function keptDraft(projectId: string): SpecDraft | null {
-  try {
-    const kept: unknown = JSON.parse(sessionStorage.getItem(keyOf(projectId)) ?? 'null')
-    return isDraft(kept) ? kept : null
-  } catch {
-    return null
-  }
+  const kept = drafts.keptDraft(keyOf(projectId))
+  return isDraft(kept) ? kept : null
 }
 
 export function keepDraft(projectId: string, draft: SpecDraft | null): void {
-  try {
-    if (draft === null) sessionStorage.removeItem(keyOf(projectId))
-    else sessionStorage.setItem(keyOf(projectId), JSON.stringify(draft))
-  } catch {
-    // A browser that keeps nothing keeps the text as long as the page stands.
-  }
+  drafts.keepDraft(keyOf(projectId), draft)
 }

@@ -49,7 +49,7 @@ interface NumberFieldProps {
   place: readonly string[]
   label: string
   unit: string
-  /** Drawn beside it already. */
+  /** Already shown next to it. */
   hideLabel?: boolean
   usual?: number
 }
@@ -57,7 +57,7 @@ interface NumberFieldProps {
 const shown = (value: unknown): string =>
   typeof value === 'number' || typeof value === 'string' ? String(value).replace('-', '−') : ''
 
-/** A figure with its unit; empty does not limit. What is no number stays as typed and is told. */
+/** A figure with its unit; empty means no limit. Text that is no number stays as typed and is reported. */
 export function NumberField({ place, label, unit, hideLabel = false, usual }: NumberFieldProps) {
   const { tables, set } = useWriting()
   const value = at(tables, place)
@@ -65,7 +65,7 @@ export function NumberField({ place, label, unit, hideLabel = false, usual }: Nu
   const [typed, setTyped] = useState('')
   const text = typedNumber(typed) === value ? typed : shown(value)
   const inherited =
-    above === undefined ? (usual === undefined ? 'no limit' : shown(usual)) : `as above, ${shown(above)}`
+    above === undefined ? (usual === undefined ? 'no limit' : shown(usual)) : `general rule: ${shown(above)}`
   return (
     <TextInput
       id={fieldId(place)}
@@ -139,10 +139,10 @@ export function Choices({ place, label, options, mayBeAny = true }: ChoicesProps
         )}
         {isCategory && said !== undefined && (
           <button type="button" className="link small" onClick={() => set(place, undefined)}>
-            as above
+            general rule
           </button>
         )}
-        {isCategory && said === undefined && <span className="small dim">as above</span>}
+        {isCategory && said === undefined && <span className="small dim">general rule</span>}
       </div>
       <Against place={place} />
     </div>
@@ -170,7 +170,7 @@ export function SeverityField({ base, check, label, usual = 'error', returns = t
   const { tables, set } = useWriting()
   const place = [...base, check]
   const checks = tableIn(at(tables, base))
-  const name = `${label}: what follows`
+  const name = `${label}: result`
   if (base[0] !== 'categories') {
     return (
       <Segmented
@@ -188,7 +188,7 @@ export function SeverityField({ base, check, label, usual = 'error', returns = t
       label={name}
       hideLabel
       value={typeof checks[check] === 'string' ? checks[check] : ''}
-      options={[{ value: '', label: `as above, ${word}` }, ...SEVERITIES]}
+      options={[{ value: '', label: `general rule: ${word}` }, ...SEVERITIES]}
       onChange={(value) => set(place, value === '' ? undefined : value)}
     />
   )

@@ -8,8 +8,8 @@ const begins = (whole: readonly string[], part: readonly string[]): boolean =>
 
 /** The line of a place, counted from 1: its own, or that of the nearest table round it. */
 export function lineOf(toml: string, place: string, message = ''): number | null {
-  const told = /\(at line (\d+)/.exec(message)
-  if (told) return Number(told[1])
+  const match = /\(at line (\d+)/.exec(message)
+  if (match) return Number(match[1])
   const wanted = keysOf(place.replace(/\[\d+\]/g, ''))
   let table: string[] = []
   let best = { line: 0, length: 0 }
@@ -33,7 +33,7 @@ export function correctionOf(toml: string, place: string, message: string): Corr
   const nearest = /the nearest known is "([^"]+)"/.exec(message)?.[1]
   const line = lineOf(toml, place, message)
   if (nearest === undefined || line === null) return null
-  const isKey = message.startsWith('no such key')
+  const isKey = message.startsWith('unknown key')
   const wrong = isKey ? place.split('.').at(-1) : /found "([^"]+)"/.exec(message)?.[1]
   const lines = toml.split('\n')
   const text = lines[line - 1] ?? ''
@@ -41,7 +41,7 @@ export function correctionOf(toml: string, place: string, message: string): Corr
   const at = isKey ? text.indexOf(wrong) : text.lastIndexOf(wrong)
   if (at < 0) return null
   lines[line - 1] = text.slice(0, at) + nearest + text.slice(at + wrong.length)
-  return { label: `Write ${nearest}`, toml: lines.join('\n') }
+  return { label: `Use ${nearest}`, toml: lines.join('\n') }
 }
 
 /** Whether the text has words that a form would not keep. */

@@ -53,8 +53,8 @@ export function acceptLines({ resolved: { accept } }: Spec): Line[] {
   const encodings = accept.encodings?.map((one) => ENCODINGS[one] ?? one) ?? []
   return [
     { word: 'Container', value: [listed(containers, 'or'), listed(encodings, 'or')].filter(Boolean).join(', ') },
-    { word: 'Rate', value: accept.sample_rates_hz ? ratesOf(accept.sample_rates_hz) : 'any' },
-    { word: 'Depth', value: accept.bit_depths ? depthsOf(accept.bit_depths) : 'any' },
+    { word: 'Sample rate', value: accept.sample_rates_hz ? ratesOf(accept.sample_rates_hz) : 'any' },
+    { word: 'Bit depth', value: accept.bit_depths ? depthsOf(accept.bit_depths) : 'any' },
     { word: 'Channels', value: accept.channels ? accept.channels.map(channels).join(', ') : 'any' },
     { word: 'Length', value: lengthOf(accept.duration_s) },
   ]
@@ -77,24 +77,24 @@ export function limitLines({ resolved: { limits, checks, engine } }: Spec): Line
   if (limits.dc_offset_percent !== null) add('DC offset', `${exact(limits.dc_offset_percent, 1)} %`, of('dc-offset'))
   const { head_silence_ms: head, tail_silence_ms: tail } = limits
   if (head !== null && tail !== null && of('head-silence') === of('tail-silence')) {
-    add('Silence first, last', `${exact(head)}, ${exact(tail)} ms`, of('head-silence'))
+    add('Leading / trailing silence', `${exact(head)} / ${exact(tail)} ms`, of('head-silence'))
   } else {
-    if (head !== null) add('Silence first', `${exact(head)} ms`, of('head-silence'))
-    if (tail !== null) add('Silence last', `${exact(tail)} ms`, of('tail-silence'))
+    if (head !== null) add('Leading silence', `${exact(head)} ms`, of('head-silence'))
+    if (tail !== null) add('Trailing silence', `${exact(tail)} ms`, of('tail-silence'))
   }
   if (limits.silence_below_dbfs !== null) {
-    add('Silent below', `${exact(limits.silence_below_dbfs, 1)} dBFS`, of('silence'))
+    add('Counts as silence below', `${exact(limits.silence_below_dbfs, 1)} dBFS`, of('silence'))
   }
   if (limits.mono_loss_db !== null) {
-    add('Lost in mono', `${exact(limits.mono_loss_db, 1)} dB`, severityOf(checks, 'phase', 'warning'))
+    add('Mono fold-down loss', `${exact(limits.mono_loss_db, 1)} dB`, severityOf(checks, 'phase', 'warning'))
   }
-  add('Flat tops', 'none', severityOf(checks, 'clipping', 'warning'))
-  if (engine.adds.length > 0) lines.push({ word: 'Made by the engine', value: engine.adds.join(', ') })
+  add('Clipping', 'none', severityOf(checks, 'clipping', 'warning'))
+  if (engine.adds.length > 0) lines.push({ word: 'Applied in engine', value: engine.adds.join(', ') })
   return lines
 }
 
 const DITHERS: Record<string, string> = { tpdf: 'TPDF', shaped: 'shaped', none: 'none' }
-const OVER_PEAK: Record<string, string> = { attenuate: 'lower by the excess', refuse: 'refuse' }
+const OVER_PEAK: Record<string, string> = { attenuate: 'attenuate', refuse: 'refuse' }
 
 export interface TargetFacts {
   sample_rate_hz: number
@@ -105,7 +105,7 @@ export interface TargetFacts {
 
 /** "48 kHz, 16 bit, as master". */
 export function targetInWords({ sample_rate_hz, bit_depth, encoding, channels: count }: TargetFacts): string {
-  const made = typeof count === 'number' ? channels(count) : 'as master'
+  const made = typeof count === 'number' ? channels(count) : 'same as master'
   return [rate(sample_rate_hz), `${bit_depth} bit${encoding === 'float' ? ' float' : ''}`, made].join(', ')
 }
 
@@ -122,13 +122,13 @@ export function targetLines({ resolved: { targets } }: Spec): Line[] {
       all.map(({ dither }) => DITHERS[dither] ?? dither),
     ),
     ...together(
-      'Peak over',
+      'If a peak exceeds the limit',
       all.map(({ over_peak }) => OVER_PEAK[over_peak] ?? over_peak),
     ),
   ]
 }
 
-const SEVERITY_VERBS: Record<Severity, string> = { error: 'returns', warning: 'warns', off: 'is not checked' }
+const SEVERITY_VERBS: Record<Severity, string> = { error: 'returns', warning: 'warns', off: 'not checked' }
 
 const CHECK_WORDS = new Map([
   ...LIMITS.flatMap(({ check, word }) => (check ? [[check, word.toLowerCase()] as const] : [])),
@@ -171,7 +171,7 @@ function acceptDifferences(own: Tables, base: Tables): string[] {
 function limitDifferences({ head_silence_ms: head, tail_silence_ms: tail, ...own }: Tables): string[] {
   const edges =
     typeof head === 'number' && typeof tail === 'number'
-      ? [`silence first ${exact(head)}, last ${exact(tail)} ms`]
+      ? [`leading / trailing silence ${exact(head)} / ${exact(tail)} ms`]
       : limitWords({
           ...(head === undefined ? {} : { head_silence_ms: head }),
           ...(tail === undefined ? {} : { tail_silence_ms: tail }),
@@ -205,17 +205,15 @@ export function differences(tables: Tables, category: string): string[] {
     ),
     ...limitDifferences(tableIn(own.limits)),
     ...('pattern' in naming ? [naming.pattern === 'any' ? 'any name' : `named ${String(naming.pattern)}`] : []),
-    ...(Array.isArray(adds)
-      ? [adds.length === 0 ? 'the engine adds nothing' : `the engine adds ${listed(words(adds))}`]
-      : []),
+    ...(Array.isArray(adds) ? [adds.length === 0 ? 'no engine effects' : `engine adds ${listed(words(adds))}`] : []),
     ...Object.entries(tableIn(own.targets)).map(([name, value]) => {
       const { sample_rate_hz: hz, bit_depth: bits, channels: count } = tableIn(value)
       const facts = [
         typeof hz === 'number' ? rate(hz) : '',
         typeof bits === 'number' ? `${bits} bit` : '',
-        typeof count === 'number' ? channels(count) : count === 'master' ? 'as master' : '',
+        typeof count === 'number' ? channels(count) : count === 'master' ? 'same as master' : '',
       ]
-      return `${name} ${facts.filter(Boolean).join(' ') || 'made otherwise'}`
+      return `${name} ${facts.filter(Boolean).join(' ') || 'different settings'}`
     }),
   ]
 }

@@ -27,7 +27,7 @@ async function openSpec(more: Answers = {}) {
 async function openToml(more: Answers = {}) {
   const server = await openSpec(more)
   await userEvent.click(screen.getByRole('button', { name: 'TOML' }))
-  return { ...server, text: screen.getByLabelText<HTMLTextAreaElement>('The spec as TOML') }
+  return { ...server, text: screen.getByLabelText<HTMLTextAreaElement>('Spec as TOML') }
 }
 const type = (field: HTMLElement, value: string) => fireEvent.change(field, { target: { value } })
 
@@ -35,11 +35,11 @@ describe('by form', () => {
   test('shows what the tables say, and what a check does when the spec is silent', async () => {
     await openSpec()
     expect(screen.getByLabelText('True peak, dBTP')).toHaveValue('−1')
-    const peak = screen.getByRole('group', { name: 'True peak: what follows' })
+    const peak = screen.getByRole('group', { name: 'True peak: result' })
     expect(within(peak).getByRole('button', { name: 'warns' })).toHaveAttribute('aria-pressed', 'true')
-    const head = screen.getByRole('group', { name: 'Silence first: what follows' })
+    const head = screen.getByRole('group', { name: 'Leading silence: result' })
     expect(within(head).getByRole('button', { name: 'returns' })).toHaveAttribute('aria-pressed', 'true')
-    const twice = screen.getByRole('group', { name: 'Same sound twice: what follows' })
+    const twice = screen.getByRole('group', { name: 'Duplicate audio: result' })
     expect(
       within(twice)
         .getAllByRole('button')
@@ -47,19 +47,19 @@ describe('by form', () => {
     ).toEqual(['warns', 'off'])
     expect(screen.getByLabelText('Sample peak, dBFS')).toHaveValue('')
     expect(screen.getByRole('button', { name: /Save version 4/ })).toBeDisabled()
-    expect(screen.getByText('nothing is changed yet')).toBeVisible()
+    expect(screen.getByText('no changes')).toBeVisible()
   })
 
   test('a change is tried as it is typed, and saved as tables with its note', async () => {
     const { asked, at } = await openSpec({ [SAVE_FORM]: aSpec({ version: 4 }) })
     const field = screen.getByLabelText('True peak, dBTP')
     for (const typed of ['−2', '−2,', '−2,5']) type(field, typed)
-    expect(await screen.findByText('It is a spec.')).toBeVisible()
+    expect(await screen.findByText('The spec is valid.')).toBeVisible()
     // Typing was waited for: what stood there in between was not tried.
     const tries = wrote(asked, TRY).map(({ body }) => (body as { tables: typeof TABLES }).tables.limits.true_peak_dbtp)
     expect(new Set(tries)).toEqual(new Set([TABLES.limits.true_peak_dbtp, -2.5]))
-    expect(screen.getByText(/its comments are not kept/)).toBeVisible()
-    await userEvent.type(screen.getByLabelText(/What is different/), 'Less loud')
+    expect(screen.getByText(/without comments/)).toBeVisible()
+    await userEvent.type(screen.getByLabelText(/what changed and why/), 'Less loud')
     await userEvent.click(screen.getByRole('button', { name: /Save version 4/ }))
     await waitFor(() => expect(at()).toBe('/projects/p1'))
     expect(wrote(asked, SAVE_FORM)[0]?.body).toEqual({
@@ -72,7 +72,7 @@ describe('by form', () => {
   test('an emptied field takes the limit away', async () => {
     const { asked } = await openSpec()
     await userEvent.clear(screen.getByLabelText('True peak, dBTP'))
-    await screen.findByText('It is a spec.')
+    await screen.findByText('The spec is valid.')
     expect(wrote(asked, TRY).at(-1)?.body).toMatchObject({ tables: { limits: { head_silence_ms: 5 } } })
     expect(JSON.stringify(wrote(asked, TRY).map(({ body }) => body))).not.toContain('true_peak_dbtp":"')
   })
@@ -84,7 +84,7 @@ describe('by form', () => {
     const field = screen.getByLabelText('True peak, dBTP')
     await waitFor(() => expect(field).toHaveAccessibleDescription('Wanted a number or "any", found "loud".'))
     expect(field).toHaveValue('loud')
-    await userEvent.click(screen.getByRole('button', { name: 'Go there' }))
+    await userEvent.click(screen.getByRole('button', { name: 'Go to line' }))
     expect(field).toHaveFocus()
   })
 
@@ -98,11 +98,11 @@ describe('by form', () => {
         ],
       },
     })
-    expect(await screen.findByText('1 name of 3 on the list would not fit: UI-Back')).toBeVisible()
-    await userEvent.type(screen.getByLabelText('Try a name'), 'Laser')
-    expect(screen.getByText('does not fit.', { exact: false })).toBeVisible()
-    await userEvent.clear(screen.getByLabelText('Try a name'))
-    await userEvent.type(screen.getByLabelText('Try a name'), 'laser_2')
+    expect(await screen.findByText('1 name of 3 in the list don’t match: UI-Back')).toBeVisible()
+    await userEvent.type(screen.getByLabelText('Test a name'), 'Laser')
+    expect(screen.getByText('does not match.', { exact: false })).toBeVisible()
+    await userEvent.clear(screen.getByLabelText('Test a name'))
+    await userEvent.type(screen.getByLabelText('Test a name'), 'laser_2')
     expect(screen.getByText(/laser_2\.wav/).parentElement).toHaveTextContent('laser_2.wav fits.')
   })
 
@@ -116,8 +116,8 @@ describe('by form', () => {
     await userEvent.clear(name)
     await userEvent.type(name, 'console')
     await userEvent.tab()
-    await userEvent.click(screen.getByRole('button', { name: 'Add a target' }))
-    await screen.findByText('It is a spec.')
+    await userEvent.click(screen.getByRole('button', { name: 'Add target' }))
+    await screen.findByText('The spec is valid.')
     await waitFor(() =>
       expect(wrote(asked, TRY).at(-1)?.body).toMatchObject({
         tables: {
@@ -138,7 +138,7 @@ describe('by form', () => {
     await userEvent.click(await screen.findByRole('button', { name: 'impact' }))
     await userEvent.click(screen.getByText('impact', { selector: 'summary span' }))
     const own = within(screen.getByText('impact', { selector: 'summary span' }).closest('details') ?? document.body)
-    expect(own.getByLabelText('True peak, dBTP')).toHaveAttribute('placeholder', 'as above, −1')
+    expect(own.getByLabelText('True peak, dBTP')).toHaveAttribute('placeholder', 'general rule: −1')
     await userEvent.type(own.getByLabelText('True peak, dBTP'), '-3')
     await waitFor(() =>
       expect(wrote(asked, TRY).at(-1)?.body).toMatchObject({
@@ -158,7 +158,7 @@ describe('by form', () => {
 
 describe('as TOML', () => {
   const WRONG = TOML.replace('true_peak_dbtp', 'true_peak')
-  const MESSAGE = 'no such key; the nearest known is "true_peak_dbtp"'
+  const MESSAGE = 'unknown key; the nearest known is "true_peak_dbtp"'
   const tryToml = ({ body }: Asked) => {
     const { toml } = body as { toml: string }
     return toml.includes('true_peak ') ? badSpec('limits.true_peak', MESSAGE) : tried(toml)
@@ -170,9 +170,9 @@ describe('as TOML', () => {
     expect(await screen.findByText('limits.true_peak')).toBeVisible()
     expect(screen.getByRole('button', { name: 'Line 5' })).toBeVisible()
     expect(text).toHaveAttribute('aria-invalid', 'true')
-    await userEvent.click(screen.getByRole('button', { name: 'Write true_peak_dbtp' }))
+    await userEvent.click(screen.getByRole('button', { name: 'Use true_peak_dbtp' }))
     expect(text).toHaveValue(TOML)
-    expect(screen.getByText('nothing is changed yet')).toBeVisible()
+    expect(screen.getByText('no changes')).toBeVisible()
   })
 
   test('what is no spec cannot be shown as a form, and says so', async () => {
@@ -180,18 +180,18 @@ describe('as TOML', () => {
     type(text, WRONG)
     await screen.findByText('limits.true_peak')
     await userEvent.click(screen.getByRole('button', { name: 'Form' }))
-    expect(screen.getByText('Put it right before it can be shown as form.')).toBeVisible()
-    expect(screen.getByLabelText('The spec as TOML')).toHaveValue(WRONG)
+    expect(screen.getByText('Fix the error to switch to form.')).toBeVisible()
+    expect(screen.getByLabelText('Spec as TOML')).toHaveValue(WRONG)
   })
 
   test('warnings are shown, and the text is saved to the letter', async () => {
     const next = TOML.replace('-1.0 ', '-2.0 ')
     const { asked, text, at } = await openToml({
-      [TRY]: tried(next, TABLES, ['two targets make the same file']),
+      [TRY]: tried(next, TABLES, ['two targets make unchanged file']),
       [SAVE]: aSpec({ version: 4, toml: next }),
     })
     type(text, next)
-    expect(await screen.findByText('Two targets make the same file.')).toBeVisible()
+    expect(await screen.findByText('Two targets make unchanged file.')).toBeVisible()
     await userEvent.keyboard('{Control>}s{/Control}')
     await waitFor(() => expect(at()).toBe('/projects/p1'))
     expect(wrote(asked, SAVE)[0]?.body).toEqual({ toml: next, note: '', based_on_version: 3 })
@@ -201,10 +201,10 @@ describe('as TOML', () => {
     const { text } = await openToml()
     const next = TOML.replace('# a warning', '# said twice')
     type(text, next)
-    await screen.findByText('It is a spec.')
+    await screen.findByText('The spec is valid.')
     await userEvent.click(screen.getByRole('button', { name: 'Form' }))
     await userEvent.click(screen.getByRole('button', { name: 'TOML' }))
-    expect(screen.getByLabelText('The spec as TOML')).toHaveValue(next)
+    expect(screen.getByLabelText('Spec as TOML')).toHaveValue(next)
   })
 
   test('a saved version is taken back by Undo, as one version more', async () => {
@@ -213,7 +213,7 @@ describe('as TOML', () => {
       [SAVE]: ({ body }: Asked) => aSpec({ version: (body as { based_on_version: number }).based_on_version + 1 }),
     })
     type(text, next)
-    await screen.findByText('It is a spec.')
+    await screen.findByText('The spec is valid.')
     await userEvent.click(screen.getByRole('button', { name: /Save version 4/ }))
     await waitFor(() => expect(at()).toBe('/projects/p1'))
     await userEvent.click(await screen.findByRole('button', { name: /Undo/ }))
@@ -224,21 +224,21 @@ describe('as TOML', () => {
   test('what was typed and not saved is there again', async () => {
     const { text } = await openToml()
     type(text, `${TOML}# later\n`)
-    await screen.findByText('It is a spec.')
+    await screen.findByText('The spec is valid.')
     document.body.innerHTML = ''
     serve(inProject())
     openApp('/projects/p1/spec')
-    expect(await screen.findByText('What you wrote here before was kept.')).toBeVisible()
-    expect(screen.getByLabelText('The spec as TOML')).toHaveValue(`${TOML}# later\n`)
-    await userEvent.click(screen.getByRole('button', { name: 'Drop it' }))
-    expect(screen.getByLabelText('The spec as TOML')).toHaveValue(TOML)
+    expect(await screen.findByText('Your unsaved changes were restored.')).toBeVisible()
+    expect(screen.getByLabelText('Spec as TOML')).toHaveValue(`${TOML}# later\n`)
+    await userEvent.click(screen.getByRole('button', { name: 'Discard' }))
+    expect(screen.getByLabelText('Spec as TOML')).toHaveValue(TOML)
   })
 })
 
 describe('when somebody else saved', () => {
   const THEIRS = TOML.replace('head_silence_ms = 5', 'head_silence_ms = 8')
   const MINE = TOML.replace('-1.0 ', '-2.0 ')
-  const moved = refusal(409, 'spec-moved-on', 'Audio director saved version 4; yours began from version 3')
+  const moved = refusal(409, 'spec-changed', 'Audio director saved version 4; yours began from version 3')
 
   async function conflict() {
     const server = await openToml({
@@ -246,31 +246,31 @@ describe('when somebody else saved', () => {
         (body as { based_on_version: number }).based_on_version === 3 ? moved : aSpec({ version: 5, toml: MINE }),
     })
     type(server.text, MINE)
-    await screen.findByText('It is a spec.')
+    await screen.findByText('The spec is valid.')
     server.answers['GET /v1/projects/p1/spec'] = aSpec({
       version: 4,
       toml: THEIRS,
       note: 'Eight at the head',
-      author: people.decider,
+      author: people.approver,
     })
     await userEvent.click(screen.getByRole('button', { name: /Save version 4/ }))
-    await screen.findByRole('heading', { name: 'Audio director saved version 4 while you wrote' })
+    await screen.findByRole('heading', { name: 'Audio director saved version 4 while you were editing' })
     return server
   }
 
   test('both texts stand, line against line, and nothing typed is lost', async () => {
     await conflict()
-    expect(screen.getByLabelText('The spec as TOML')).toHaveValue(MINE)
-    const diff = screen.getByRole('region', { name: 'Version 4 against yours' })
+    expect(screen.getByLabelText('Spec as TOML')).toHaveValue(MINE)
+    const diff = screen.getByRole('region', { name: 'Version 4 compared with yours' })
     expect(within(diff).getByText('head_silence_ms = 8')).toBeVisible()
     expect(within(diff).getByText('head_silence_ms = 5')).toBeVisible()
-    expect(screen.getByText('They note: Eight at the head.')).toBeVisible()
+    expect(screen.getByText('Their note: Eight at the head.')).toBeVisible()
     expect(screen.getByRole('button', { name: /Save version 5/ })).toBeDisabled()
   })
 
   test('mine goes on over theirs', async () => {
     const { asked, at } = await conflict()
-    await userEvent.click(screen.getByRole('button', { name: 'Go on with mine over version 4' }))
+    await userEvent.click(screen.getByRole('button', { name: 'Keep mine and replace version 4' }))
     await userEvent.click(screen.getByRole('button', { name: /Save version 5/ }))
     await waitFor(() => expect(at()).toBe('/projects/p1'))
     expect(wrote(asked, SAVE).at(-1)?.body).toEqual({ toml: MINE, note: '', based_on_version: 4 })
@@ -278,10 +278,10 @@ describe('when somebody else saved', () => {
 
   test('theirs is taken, and mine comes back by Undo', async () => {
     await conflict()
-    await userEvent.click(screen.getByRole('button', { name: 'Take version 4, drop mine' }))
-    expect(screen.getByLabelText('The spec as TOML')).toHaveValue(THEIRS)
+    await userEvent.click(screen.getByRole('button', { name: 'Use version 4 and discard mine' }))
+    expect(screen.getByLabelText('Spec as TOML')).toHaveValue(THEIRS)
     await userEvent.click(screen.getByRole('button', { name: /Undo/ }))
-    expect(screen.getByLabelText('The spec as TOML')).toHaveValue(MINE)
+    expect(screen.getByLabelText('Spec as TOML')).toHaveValue(MINE)
   })
 })
 
@@ -307,10 +307,10 @@ describe('versions', () => {
   test('a version is compared with the one before, to the letter, and read whole', async () => {
     serve(inProject('producer', versions))
     openApp('/projects/p1/spec/versions')
-    await userEvent.click(await screen.findByRole('button', { name: 'To the letter' }))
-    const diff = await screen.findByRole('region', { name: 'Version 2 against 3' })
-    expect(within(diff).getByText('head_silence_ms = 9')).toHaveTextContent('gone: head_silence_ms = 9')
-    expect(within(diff).getByText('head_silence_ms = 5')).toHaveTextContent('new: head_silence_ms = 5')
+    await userEvent.click(await screen.findByRole('button', { name: 'Line by line' }))
+    const diff = await screen.findByRole('region', { name: 'Version 2 compared with 3' })
+    expect(within(diff).getByText('head_silence_ms = 9')).toHaveTextContent('removed: head_silence_ms = 9')
+    expect(within(diff).getByText('head_silence_ms = 5')).toHaveTextContent('added: head_silence_ms = 5')
     await userEvent.click(screen.getByRole('button', { name: 'Text' }))
     expect(screen.getByRole('region', { name: 'Text of version 3' })).toHaveTextContent('name = "Shield Wing"')
   })
@@ -318,9 +318,9 @@ describe('versions', () => {
   test('an old version is taken up again as a draft on the newest', async () => {
     const { asked } = serve(inProject('producer', { ...versions, [SAVE]: aSpec({ version: 4, toml: OLD }) }))
     const { at } = openApp('/projects/p1/spec/versions?version=2')
-    await userEvent.click(await screen.findByRole('button', { name: 'Take it up again' }))
+    await userEvent.click(await screen.findByRole('button', { name: 'Restore this version' }))
     await waitFor(() => expect(at()).toBe('/projects/p1/spec'))
-    expect(await screen.findByLabelText('The spec as TOML')).toHaveValue(OLD)
+    expect(await screen.findByLabelText('Spec as TOML')).toHaveValue(OLD)
     await userEvent.click(screen.getByRole('button', { name: /Save version 4/ }))
     await waitFor(() =>
       expect(wrote(asked, SAVE)[0]?.body).toEqual({ toml: OLD, note: 'As version 2', based_on_version: 3 }),
@@ -331,7 +331,7 @@ describe('versions', () => {
 test('a reviewer changes nothing, and is told who does', async () => {
   serve(inProject('reviewer'))
   openApp('/projects/p1/spec')
-  expect(await screen.findByRole('heading', { name: 'A producer or a liaison changes the spec.' })).toBeVisible()
+  expect(await screen.findByRole('heading', { name: 'Only producers and audio leads can edit the spec' })).toBeVisible()
   expect(screen.queryByRole('button', { name: /Save/ })).toBeNull()
 })
 
@@ -340,7 +340,7 @@ test('another refusal of saving is said where it happened, and the text stays', 
     [SAVE]: answer({ title: 'Gone', code: 'team-needed', detail: 'only a producer or a liaison can do this' }, 403),
   })
   type(text, `${TOML}# more\n`)
-  await screen.findByText('It is a spec.')
+  await screen.findByText('The spec is valid.')
   await userEvent.click(screen.getByRole('button', { name: /Save version 4/ }))
   expect(await screen.findByRole('alert')).toHaveTextContent('Only a producer or a liaison can do this.')
   expect(text).toHaveValue(`${TOML}# more\n`)

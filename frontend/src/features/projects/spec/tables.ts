@@ -39,7 +39,7 @@ export function same(one: unknown, other: unknown): boolean {
   return one === other
 }
 
-/** A number as somebody types it; what is none stays as typed, so that it is refused in words and not lost. */
+/** A number as typed; other text stays as typed, so that it is reported and not lost. */
 export function typedNumber(text: string): number | string | undefined {
   const plain = text
     .trim()

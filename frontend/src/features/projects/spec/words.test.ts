@@ -76,7 +76,7 @@ describe('where in the text', () => {
 
   test('the nearest known word takes the place of the wrong one, key or value', () => {
     expect(
-      correctionOf('[limits]\npeak = 1', 'limits.peak', 'no such key; the nearest known is "sample_peak_dbfs"')?.toml,
+      correctionOf('[limits]\npeak = 1', 'limits.peak', 'unknown key; the nearest known is "sample_peak_dbfs"')?.toml,
     ).toBe('[limits]\nsample_peak_dbfs = 1')
     const message = 'wanted one of error, warning, off, found "eror"; the nearest known is "error"'
     expect(correctionOf('[checks]\neror-peak = "eror"', 'checks.eror-peak', message)?.toml).toBe(
@@ -149,9 +149,9 @@ describe('in words', () => {
       'mono',
       '0.01–60 s',
       'true peak returns',
-      'flat tops is not checked',
+      'clipping not checked',
       'true peak not limited',
-      'silence first 50, last 150 ms',
+      'leading / trailing silence 50 / 150 ms',
       'handheld 24 bit',
     ])
     expect(differences(tables, 'ui')).toEqual([])

@@ -1,9 +1,9 @@
 import { describe, expect, test } from 'vitest'
 
-import type { Mend } from './api'
+import type { Fix } from './api'
 import { movedFigures, spotName, whatFollows } from './words'
 
-const mend = (more: Partial<Mend> = {}): Mend => ({
+const fix = (more: Partial<Fix> = {}): Fix => ({
   take_id: 't1',
   state: 'made',
   says: '',
@@ -21,13 +21,13 @@ const mend = (more: Partial<Mend> = {}): Mend => ({
   new_take_id: null,
   used_by: null,
   used_at: null,
-  mended_from: null,
+  fixed_from: null,
   ...more,
 })
 
-describe('what a mend moves', () => {
+describe('what a fix moves', () => {
   test('is told in levels with units, before and after', () => {
-    expect(movedFigures(mend())).toEqual([
+    expect(movedFigures(fix())).toEqual([
       { what: 'Sample peak', before: '0.0 dBFS', after: '−1.6 dBFS' },
       { what: 'True peak', before: '0.6 dBTP', after: '−1.0 dBTP' },
       { what: 'Loudness', before: '−11.4 LUFS', after: '−13.0 LUFS' },
@@ -35,12 +35,12 @@ describe('what a mend moves', () => {
   })
 
   test('a tenth that would hide the move gives way to a hundredth', () => {
-    const seen = mend({ before: { true_peak_dbtp: -0.96 }, after: { true_peak_dbtp: -1.04 } })
+    const seen = fix({ before: { true_peak_dbtp: -0.96 }, after: { true_peak_dbtp: -1.04 } })
     expect(movedFigures(seen)).toEqual([{ what: 'True peak', before: '−0.96 dBTP', after: '−1.04 dBTP' }])
   })
 
   test('what stays is left out, and a cut tells the length', () => {
-    const cut = mend({ after: { sample_peak_dbfs: 0 }, cut_head_s: 0.4, cut_tail_s: 0.1, duration_s: 2 })
+    const cut = fix({ after: { sample_peak_dbfs: 0 }, cut_head_s: 0.4, cut_tail_s: 0.1, duration_s: 2 })
     expect(movedFigures(cut)).toEqual([{ what: 'Length', before: '2.50 s', after: '2.00 s' }])
   })
 })
@@ -49,12 +49,12 @@ test('a spot is named by what is done there', () => {
   const shape = { frames: 0, sample_rate_hz: 48_000, min: [], max: [], rms: [] }
   const spot = { start_s: 0, end_s: 0.437, after_start_s: 0, after_end_s: 0.437, before: shape, after: shape }
   expect(spotName({ kind: 'head', ...spot })).toBe('The start, 0.000–0.437 s')
-  expect(spotName({ kind: 'gain', ...spot })).toBe('The loudest spot, 0.000–0.437 s')
+  expect(spotName({ kind: 'gain', ...spot })).toBe('The loudest part, 0.000–0.437 s')
 })
 
 test('what follows names both versions, and that no round counts', () => {
-  expect(whatFollows(mend(), 2)).toBe('It becomes version 3; version 2 stays as it is. No round counts.')
-  expect(whatFollows(mend({ becomes: null }), null)).toBe(
-    'It becomes a new version; your master stays as it is. No round counts.',
+  expect(whatFollows(fix(), 2)).toBe('It becomes version 3; version 2 is kept. No round is counted.')
+  expect(whatFollows(fix({ becomes: null }), null)).toBe(
+    'It becomes a new version; your master is kept. No round is counted.',
   )
 })

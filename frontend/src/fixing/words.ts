@@ -1,6 +1,6 @@
 import { figure, length, type LevelUnit, range } from '@/ui/format'
 
-import type { Mend, Spot } from './api'
+import type { Fix, Spot } from './api'
 
 export interface Moved {
   what: string
@@ -12,13 +12,13 @@ const LEVELS: readonly [figure: string, what: string, unit: LevelUnit][] = [
   ['sample_peak_dbfs', 'Sample peak', 'dBFS'],
   ['true_peak_dbtp', 'True peak', 'dBTP'],
   ['integrated_lufs', 'Loudness', 'LUFS'],
-  ['short_loudness_lufs', 'Loudness, loudest 0.4 s', 'LUFS'],
+  ['short_loudness_lufs', 'Loudness, loudest 400 ms', 'LUFS'],
 ]
 
 const numberOf = (value: unknown): number | null => (typeof value === 'number' ? value : null)
 
-/** What stands otherwise in the mended copy: levels with their units, then the length. */
-export function movedFigures({ before, after, duration_s: afterS, cut_head_s: head, cut_tail_s: tail }: Mend): Moved[] {
+/** What stands otherwise in the fixed copy: levels with their units, then the length. */
+export function movedFigures({ before, after, duration_s: afterS, cut_head_s: head, cut_tail_s: tail }: Fix): Moved[] {
   const moved = LEVELS.flatMap(([name, what, unit]): Moved[] => {
     const was = numberOf(before[name])
     const is = numberOf(after[name])
@@ -35,13 +35,13 @@ export function movedFigures({ before, after, duration_s: afterS, cut_head_s: he
 
 /** What a spot shows: "The start, 0.000–0.437 s". */
 export function spotName({ kind, start_s, end_s }: Spot): string {
-  const name = { head: 'The start', tail: 'The end', gain: 'The loudest spot' }[kind]
+  const name = { head: 'The start', tail: 'The end', gain: 'The loudest part' }[kind]
   return `${name}, ${range(start_s, end_s)}`
 }
 
 /** What follows from taking it: "It becomes version 2; version 1 stays as it is. No round counts." */
-export function whatFollows(mend: Mend, number: number | null): string {
-  const becomes = mend.becomes === null ? 'It becomes a new version' : `It becomes version ${mend.becomes}`
-  const stays = number === null ? 'your master stays as it is' : `version ${number} stays as it is`
-  return `${becomes}; ${stays}. No round counts.`
+export function whatFollows(fix: Fix, number: number | null): string {
+  const becomes = fix.becomes === null ? 'It becomes a new version' : `It becomes version ${fix.becomes}`
+  const stays = number === null ? 'your master is kept' : `version ${number} is kept`
+  return `${becomes}; ${stays}. No round is counted.`
 }

@@ -5,9 +5,9 @@ import { usePeaks } from '@/judging/api'
 import { length } from '@/ui/format'
 import { Segmented } from '@/ui/Segmented'
 
-import type { Mend, Shape, SoundBrief, Spot } from './api'
-import classes from './Mend.module.css'
-import type { Mending } from './useMending'
+import type { Fix, Shape, SoundBrief, Spot } from './api'
+import classes from './Fix.module.css'
+import type { Fixing } from './useFixing'
 import { spotName } from './words'
 
 interface Before {
@@ -16,11 +16,11 @@ interface Before {
   peaksUrl: string | null
 }
 
-interface MendWavesProps {
+interface FixWavesProps {
   before: Before
-  mend: Mend
+  fix: Fix
   sound: SoundBrief
-  mending: Mending
+  fixing: Fixing
   player: Player
   findings: readonly FindingMark[]
   limitDbfs?: number
@@ -28,13 +28,13 @@ interface MendWavesProps {
 
 const share = (part: number, whole: number) => `${(part / Math.max(whole, 1e-9)) * 100}%`
 
-/** A take and its mended copy on one axis of time; hatched is what goes. Below them the spots, as near as it takes. */
-export function MendWaves({ before, mend, sound, mending, player, findings, limitDbfs }: MendWavesProps) {
+/** A take and its fixed copy on one axis of time; hatched is what goes. Below them the spots, as near as it takes. */
+export function FixWaves({ before, fix, sound, fixing, player, findings, limitDbfs }: FixWavesProps) {
   const peaks = usePeaks(before.peaksUrl)
-  const mendedPeaks = usePeaks(sound.peaks_url)
-  const { cut_head_s: headS, cut_tail_s: tailS } = mend
-  const mendedS = sound.duration_s ?? before.durationS - headS - tailS
-  const clock = (side: 'before' | 'mended'): Clock | undefined => (mending.side === side ? player : undefined)
+  const fixedPeaks = usePeaks(sound.peaks_url)
+  const { cut_head_s: headS, cut_tail_s: tailS } = fix
+  const fixedS = sound.duration_s ?? before.durationS - headS - tailS
+  const clock = (side: 'before' | 'fixed'): Clock | undefined => (fixing.side === side ? player : undefined)
   const cuts = [
     { startS: 0, endS: headS },
     { startS: before.durationS - tailS, endS: before.durationS },
@@ -43,10 +43,10 @@ export function MendWaves({ before, mend, sound, mending, player, findings, limi
     <div className={classes.waves}>
       <div className={classes.line}>
         <p className={classes.side}>
-          Before <span className="dim">{length(before.durationS)}</span>
+          Original <span className="dim">{length(before.durationS)}</span>
         </p>
         <Waveform
-          label={`${before.name}, before`}
+          label={`${before.name}, original`}
           peaks={peaks}
           durationS={before.durationS}
           findings={findings}
@@ -54,34 +54,34 @@ export function MendWaves({ before, mend, sound, mending, player, findings, limi
           limitDbfs={limitDbfs}
           clock={clock('before')}
           playheadS={0}
-          onSeek={(s) => mending.hear('before', s)}
-          onMark={(s) => mending.hear('before', s)}
+          onSeek={(s) => fixing.hear('before', s)}
+          onMark={(s) => fixing.hear('before', s)}
           heightPx={76}
-          still={mending.side !== 'before'}
+          still={fixing.side !== 'before'}
           plain
         />
       </div>
       <div className={classes.line}>
         <p className={classes.side}>
-          Mended <span className="dim">{length(mendedS)}</span>
+          Fixed <span className="dim">{length(fixedS)}</span>
         </p>
-        <div style={{ marginLeft: share(headS, before.durationS), width: share(mendedS, before.durationS) }}>
+        <div style={{ marginLeft: share(headS, before.durationS), width: share(fixedS, before.durationS) }}>
           <Waveform
-            label={`${before.name}, mended`}
-            peaks={mendedPeaks}
-            durationS={mendedS}
+            label={`${before.name}, fixed`}
+            peaks={fixedPeaks}
+            durationS={fixedS}
             limitDbfs={limitDbfs}
-            clock={clock('mended')}
+            clock={clock('fixed')}
             playheadS={0}
-            onSeek={(s) => mending.hear('mended', s)}
+            onSeek={(s) => fixing.hear('fixed', s)}
             heightPx={76}
-            still={mending.side !== 'mended'}
+            still={fixing.side !== 'fixed'}
             lit
             plain
           />
         </div>
       </div>
-      <Spots name={before.name} spots={mend.spots} headS={headS} limitDbfs={limitDbfs} mending={mending} />
+      <Spots name={before.name} spots={fix.spots} headS={headS} limitDbfs={limitDbfs} fixing={fixing} />
     </div>
   )
 }
@@ -91,14 +91,14 @@ interface SpotsProps {
   spots: readonly Spot[]
   headS: number
   limitDbfs?: number
-  mending: Mending
+  fixing: Fixing
 }
 
 const peaksOf = (shape: Shape) => finePeaks({ ...shape, points: shape.rms.length })
-const SPOT_WORDS = { head: 'Start', tail: 'End', gain: 'Loudest spot' } as const
+const SPOT_WORDS = { head: 'Start', tail: 'End', gain: 'Loudest part' } as const
 
-/** The sound around each repair, before and mended, large enough to see what changes. */
-function Spots({ name, spots, headS, limitDbfs, mending }: SpotsProps) {
+/** The sound around each repair, before and fixed, large enough to see what changes. */
+function Spots({ name, spots, headS, limitDbfs, fixing }: SpotsProps) {
   const [kind, setKind] = useState<Spot['kind'] | null>(null)
   const spot = spots.find((each) => each.kind === kind) ?? spots.at(-1)
   if (spot === undefined) return null
@@ -110,12 +110,12 @@ function Spots({ name, spots, headS, limitDbfs, mending }: SpotsProps) {
   ].filter(({ startS, endS }) => endS - startS > 1e-6)
   const leftS = spot.after_end_s - spot.after_start_s
   return (
-    <section className={classes.spots} aria-label="The spot">
+    <section className={classes.spots} aria-label="Position">
       <div className={classes.spotHead}>
         <span className="small mid">{spotName(spot)}</span>
         {spots.length > 1 && (
           <Segmented
-            label="Which spot"
+            label="Choose position"
             options={spots.map((each) => ({ value: each.kind, label: SPOT_WORDS[each.kind] }))}
             value={spot.kind}
             onChange={setKind}
@@ -125,27 +125,27 @@ function Spots({ name, spots, headS, limitDbfs, mending }: SpotsProps) {
       <div className={classes.pair}>
         <div>
           <Waveform
-            label={`${name}, before, ${spotName(spot).toLowerCase()}`}
+            label={`${name}, original, ${spotName(spot).toLowerCase()}`}
             peaks={peaksOf(spot.before)}
             durationS={wholeS}
             cuts={cuts}
             limitDbfs={limit}
-            onSeek={(s) => mending.hear('before', spot.start_s + s)}
+            onSeek={(s) => fixing.hear('before', spot.start_s + s)}
             heightPx={92}
             still
             plain
           />
-          <p className="micro dim">Before</p>
+          <p className="micro dim">Original</p>
         </div>
         <div>
           {leftS > 0 && (
             <div style={{ marginLeft: share(spot.after_start_s - spot.start_s, wholeS), width: share(leftS, wholeS) }}>
               <Waveform
-                label={`${name}, mended, ${spotName(spot).toLowerCase()}`}
+                label={`${name}, fixed, ${spotName(spot).toLowerCase()}`}
                 peaks={peaksOf(spot.after)}
                 durationS={leftS}
                 limitDbfs={limit}
-                onSeek={(s) => mending.hear('mended', spot.after_start_s - headS + s)}
+                onSeek={(s) => fixing.hear('fixed', spot.after_start_s - headS + s)}
                 heightPx={92}
                 still
                 lit
@@ -153,7 +153,7 @@ function Spots({ name, spots, headS, limitDbfs, mending }: SpotsProps) {
               />
             </div>
           )}
-          <p className="micro dim">Mended</p>
+          <p className="micro dim">Fixed</p>
         </div>
       </div>
     </section>

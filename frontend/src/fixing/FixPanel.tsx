@@ -8,44 +8,44 @@ import { Button } from '@/ui/Button'
 import { Icon } from '@/ui/Icon'
 import { ProblemNote } from '@/ui/ProblemNote'
 
-import type { Mend } from './api'
-import classes from './Mend.module.css'
-import { MendWaves } from './MendWaves'
-import type { MendedTake, Mending } from './useMending'
+import type { Fix } from './api'
+import classes from './Fix.module.css'
+import { FixWaves } from './FixWaves'
+import type { FixedTake, Fixing } from './useFixing'
 import { movedFigures, whatFollows } from './words'
 
-interface MendPanelProps {
-  take: MendedTake
+interface FixPanelProps {
+  take: FixedTake
   durationS: number | null
   peaksUrl: string | null
-  mending: Mending
+  fixing: Fixing
   player: Player
   findings: readonly FindingMark[]
   limitDbfs?: number
-  /** Only the sound's own designer takes a mend; others see that it is offered. */
+  /** Only the sound's own designer takes a fix; others see that it is offered. */
   mayUse: boolean
   /** What stands where the two waves will, until there are two. */
   children?: ReactNode
-  /** Further buttons, after the mend's own. */
+  /** Further buttons, after the fix's own. */
   actions?: ReactNode
-  /** What stands at the end of the buttons while no mend is there to say it. */
+  /** What stands at the end of the buttons while no fix is there to say it. */
   follows?: ReactNode
 }
 
-/** What a mend does about a take: before and mended, to see, to hear and to compare, and the way to take it. */
-export function MendPanel(props: MendPanelProps) {
-  const { take, durationS, peaksUrl, mending, player, findings, limitDbfs, mayUse, children, actions, follows } = props
-  const { mend, sound, error } = mending
+/** What a fix does about a take: before and fixed, to see, to hear and to compare, and the way to take it. */
+export function FixPanel(props: FixPanelProps) {
+  const { take, durationS, peaksUrl, fixing, player, findings, limitDbfs, mayUse, children, actions, follows } = props
+  const { fix, sound, error } = fixing
   const refusal = error instanceof ApiProblem ? error : null
-  const isMade = mend?.state === 'made'
+  const isMade = fix?.state === 'made'
   return (
     <>
       {isMade && sound !== null && durationS !== null ? (
-        <MendWaves
+        <FixWaves
           before={{ name: take.name, durationS, peaksUrl }}
-          mend={mend}
+          fix={fix}
           sound={sound}
-          mending={mending}
+          fixing={fixing}
           player={player}
           findings={findings}
           limitDbfs={limitDbfs}
@@ -53,25 +53,25 @@ export function MendPanel(props: MendPanelProps) {
       ) : (
         children
       )}
-      {mend && isMade && <Moved mend={mend} />}
-      {mend && <Standing mend={mend} mayUse={mayUse} />}
+      {fix && isMade && <Moved fix={fix} />}
+      {fix && <CueProgress fix={fix} mayUse={mayUse} />}
       {error !== null && error !== undefined && (
         <ProblemNote
-          detail={ended(refusal?.detail ?? 'The page itself broke.')}
+          detail={ended(refusal?.detail ?? 'Something went wrong in the page.')}
           fix={refusal?.fix ? ended(refusal.fix) : undefined}
         />
       )}
       {(mayUse || actions || isMade) && (
         <div className={classes.actions}>
-          {mayUse && <Consent mending={mending} />}
+          {mayUse && <Consent fixing={fixing} />}
           {isMade && sound !== null && (
-            <Button icon="ab" keys="b" onClick={mending.flip}>
-              {mending.side === 'mended' ? 'Hear before' : 'Hear mended'}
+            <Button icon="ab" keys="b" onClick={fixing.flip}>
+              {fixing.side === 'fixed' ? 'Play original' : 'Play fixed'}
             </Button>
           )}
           {actions}
           <span className={`small mid ${classes.follows}`}>
-            {isMade && mayUse ? whatFollows(mend, take.number) : follows}
+            {isMade && mayUse ? whatFollows(fix, take.number) : follows}
           </span>
         </div>
       )}
@@ -80,32 +80,32 @@ export function MendPanel(props: MendPanelProps) {
 }
 
 /** The button that says yes: to make the copy first, then to use it. */
-function Consent({ mending }: { mending: Mending }) {
-  const { mend, isAsking, isUsing } = mending
-  if (mend?.state === 'made') {
+function Consent({ fixing }: { fixing: Fixing }) {
+  const { fix, isAsking, isUsing } = fixing
+  if (fix?.state === 'made') {
     return (
-      <Button variant="primary" icon="spanner" keys="t" disabled={isUsing} onClick={mending.use}>
-        Use the mend
+      <Button variant="primary" icon="spanner" keys="t" disabled={isUsing} onClick={fixing.use}>
+        Use auto-fix
       </Button>
     )
   }
-  if (mend?.state === 'offered' || mend?.is_our_fault) {
+  if (fix?.state === 'offered' || fix?.is_our_fault) {
     return (
-      <Button variant="primary" icon="spanner" keys="t" disabled={isAsking} onClick={mending.ask}>
-        Mend it
+      <Button variant="primary" icon="spanner" keys="t" disabled={isAsking} onClick={fixing.ask}>
+        Make auto-fix
       </Button>
     )
   }
   return null
 }
 
-/** How far a mend is, in words. */
-function Standing({ mend, mayUse }: { mend: Mend; mayUse: boolean }) {
-  switch (mend.state) {
+/** How far a fix is, in words. */
+function CueProgress({ fix, mayUse }: { fix: Fix; mayUse: boolean }) {
+  switch (fix.state) {
     case 'making':
       return (
         <p className={classes.says} role="status">
-          <Icon name="turning" /> The mended copy is being made. The version stays as it is.
+          <Icon name="turning" /> Making the fixed copy. The version itself is not changed.
         </p>
       )
     case 'offered':
@@ -114,9 +114,9 @@ function Standing({ mend, mayUse }: { mend: Mend; mayUse: boolean }) {
         <p className={classes.says}>
           <Icon name="spanner" />
           <span>
-            {mend.state === 'offered' ? 'A mend: ' : ''}
-            {mend.state === 'offered' ? mend.says.charAt(0).toLowerCase() + mend.says.slice(1) : mend.says}
-            {!mayUse && ' Its designer decides whether it becomes a version.'}
+            {fix.state === 'offered' ? 'Auto-fix: ' : ''}
+            {fix.state === 'offered' ? fix.says.charAt(0).toLowerCase() + fix.says.slice(1) : fix.says}
+            {!mayUse && ' The designer decides whether to use it.'}
           </span>
         </p>
       )
@@ -124,7 +124,7 @@ function Standing({ mend, mayUse }: { mend: Mend; mayUse: boolean }) {
       return (
         <p className={classes.says}>
           <Icon name="spanner" />
-          <span>{mend.says}</span>
+          <span>{fix.says}</span>
         </p>
       )
     case 'used':
@@ -132,14 +132,14 @@ function Standing({ mend, mayUse }: { mend: Mend; mayUse: boolean }) {
         <p className={classes.says}>
           <Icon name="tick" />
           <span>
-            {mend.new_take_id === null ? (
-              'It was mended.'
+            {fix.new_take_id === null ? (
+              'It was fixed.'
             ) : (
               <>
-                <Link className="link" to="/takes/$takeId" params={{ takeId: mend.new_take_id }}>
-                  Version {mend.becomes}
+                <Link className="link" to="/takes/$takeId" params={{ takeId: fix.new_take_id }}>
+                  Version {fix.becomes}
                 </Link>{' '}
-                is its mend{mend.used_by ? `, with the consent of ${mend.used_by.name}` : ''}. {mend.says}
+                is its fix{fix.used_by ? `, with the consent of ${fix.used_by.name}` : ''}. {fix.says}
               </>
             )}
           </span>
@@ -150,9 +150,9 @@ function Standing({ mend, mayUse }: { mend: Mend; mayUse: boolean }) {
   }
 }
 
-/** Levels and length, before and mended. */
-function Moved({ mend }: { mend: Mend }) {
-  const moved = movedFigures(mend)
+/** Levels and length, before and fixed. */
+function Moved({ fix }: { fix: Fix }) {
+  const moved = movedFigures(fix)
   if (moved.length === 0) return null
   return (
     <dl className={`${classes.moved} small`} aria-label="What changes">

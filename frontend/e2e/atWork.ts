@@ -1,0 +1,50 @@
+import { type Browser, expect, type Page } from '@playwright/test'
+
+import { ask } from './api'
+
+const PASSWORD = 'quiet reactor hum'
+const DESIGNER = 'designer@tones.example'
+
+/** A browser of somebody's own. */
+export const visit = async (browser: Browser): Promise<Page> =>
+  (await browser.newContext({ viewport: { width: 1440, height: 900 } })).newPage()
+
+/** A producer whose project asks for some sounds, and its designer at the desk; returns the project's id. */
+export async function atWork(producer: Page, designer: Page, url: string, cues: readonly object[]): Promise<string> {
+  await producer.goto(`${url}/sign-up`)
+  await producer.getByLabel('Studio name').fill('Lantern Games')
+  await producer.getByLabel('Your name').fill('Producer')
+  await producer.getByLabel('Email').fill('producer@lantern.example')
+  await producer.getByLabel('Password', { exact: true }).fill(PASSWORD)
+  await producer.keyboard.press('Enter')
+  await expect(producer.getByRole('heading', { name: 'New project' })).toBeVisible()
+
+  const asProducer = producer.context()
+  const { studios } = await ask<{ studios: { id: string }[] }>(asProducer, `${url}/v1/me`)
+  const studioId = studios[0]?.id ?? ''
+  const { id } = await ask<{ id: string }>(asProducer, `${url}/v1/projects`, 'POST', {
+    studio_id: studioId,
+    name: 'Deep Field',
+    cue_prefix: 'DF',
+    preset: '44k1',
+  })
+  await ask(asProducer, `${url}/v1/projects/${id}/cues`, 'POST', { cues })
+  await ask(asProducer, `${url}/v1/projects/${id}/invitations`, 'POST', { email: DESIGNER })
+  let link = ''
+  await expect(async () => {
+    const { mails } = await ask<{ mails: { recipient: string; link: string | null }[] }>(
+      asProducer,
+      `${url}/v1/studios/${studioId}/outbox`,
+    )
+    link = mails.find(({ recipient }) => recipient === DESIGNER)?.link ?? ''
+    expect(link).not.toBe('')
+  }).toPass()
+
+  await designer.goto(link)
+  await designer.getByRole('button', { name: 'Start delivering' }).click()
+  await designer.getByLabel('Your name').fill('Sound designer')
+  await designer.getByLabel('New password', { exact: true }).fill(PASSWORD)
+  await designer.keyboard.press('Enter')
+  await expect(designer.getByRole('heading', { name: 'Your desk' })).toBeVisible()
+  return id
+}

@@ -1,0 +1,177 @@
+import { writeFile } from 'node:fs/promises'
+
+import { type CDPSession, expect, type Page, test as base } from '@playwright/test'
+
+import { ask } from './api'
+import { test } from './fixtures'
+import { wav } from './sounds'
+
+/** A slow connection off-site: 1.6 Mbit/s and 150 ms. */
+const BYTES_PER_S = 200_000
+const LATENCY_MS = 150
+const FILES = 120
+
+interface Loaded {
+  /** In the order in which they were asked for. */
+  requests: { path: string; kind: 'script' | 'style' | 'preview' | 'peaks' | 'other'; bytes: number; endedAt: number }[]
+  shift: number
+  /** Largest contentful paint. */
+  paintedS: number
+}
+
+const kindOf = (path: string): Loaded['requests'][number]['kind'] => {
+  if (path.endsWith('.js')) return 'script'
+  if (path.endsWith('.css')) return 'style'
+  if (path.endsWith('/preview')) return 'preview'
+  return path.endsWith('/peaks.json') ? 'peaks' : 'other'
+}
+
+async function slow(page: Page): Promise<CDPSession> {
+  const devtools = await page.context().newCDPSession(page)
+  await devtools.send('Network.enable')
+  await devtools.send('Network.emulateNetworkConditions', {
+    offline: false,
+    latency: LATENCY_MS,
+    downloadThroughput: BYTES_PER_S,
+    uploadThroughput: BYTES_PER_S,
+  })
+  return devtools
+}
+
+/** Open a page over the slow connection with an empty cache, and wait until it shows what it is for. */
+async function load(page: Page, url: string, isShown: () => Promise<void>): Promise<Loaded> {
+  const devtools = await slow(page)
+  const requests = new Map<string, Loaded['requests'][number]>()
+  devtools.on('Network.requestWillBeSent', ({ requestId, request }) => {
+    const path = new URL(request.url).pathname
+    requests.set(requestId, { path, kind: kindOf(path), bytes: 0, endedAt: Infinity })
+  })
+  devtools.on('Network.loadingFinished', ({ requestId, encodedDataLength }) => {
+    const one = requests.get(requestId)
+    if (one) Object.assign(one, { bytes: encodedDataLength, endedAt: performance.now() })
+  })
+  await page.addInitScript(() => {
+    const seen = { shift: 0, paintedS: 0 }
+    Object.assign(globalThis, { seen })
+    new PerformanceObserver((list) => {
+      for (const entry of list.getEntries() as (PerformanceEntry & { value: number; hadRecentInput: boolean })[]) {
+        if (!entry.hadRecentInput) seen.shift += entry.value
+      }
+    }).observe({ type: 'layout-shift', buffered: true })
+    new PerformanceObserver((list) => {
+      seen.paintedS = (list.getEntries().at(-1)?.startTime ?? 0) / 1_000
+    }).observe({ type: 'largest-contentful-paint', buffered: true })
+  })
+  await page.goto(url)
+  await isShown()
+  await expect.poll(() => [...requests.values()].every(({ endedAt }) => endedAt < Infinity)).toBe(true)
+  const seen = await page.evaluate(() => (globalThis as unknown as { seen: Pick<Loaded, 'shift' | 'paintedS'> }).seen)
+  return { ...seen, requests: [...requests.values()] }
+}
+
+const bytesOf = ({ requests }: Loaded, kind: string) =>
+  requests.filter((one) => one.kind === kind).reduce((sum, { bytes }) => sum + bytes, 0)
+
+/** Seconds depend on the machine, so they are reported and not judged. */
+function report(name: string, loaded: Loaded): void {
+  const kb = (kind: string) => `${Math.round(bytesOf(loaded, kind) / 1_000)} kB ${kind}`
+  const description =
+    `LCP ${loaded.paintedS.toFixed(1)} s, shift ${loaded.shift.toFixed(3)}, ` +
+    `${loaded.requests.length} requests, ${['script', 'style', 'preview', 'other'].map(kb).join(', ')}`
+  base.info().annotations.push({ type: `${name}, 1.6 Mbit/s`, description })
+  console.log(`${name}: ${description}`)
+}
+
+for (const { name, part, path, shows } of [
+  { name: 'sign-in', part: 'producer', path: () => '/sign-in', shows: 'Forgotten password' },
+  { name: 'Today', part: 'approver', path: (project: string) => `${project}/today`, shows: 'With others' },
+  { name: 'Review', part: 'approver', path: (project: string) => `${project}/review`, shows: 'Match level' },
+  { name: 'desk', part: 'designer', path: (project: string) => `${project}/desk`, shows: 'Your desk' },
+]) {
+  test(`${name} over a slow connection`, async ({ demo, context, page }) => {
+    await context.addCookies([{ name: 'soundlist_demo_part', value: part, url: demo.url }])
+    const loaded = await load(page, demo.url + path(`/projects/${demo.projectId}`), () =>
+      expect(page.getByText(shows).first()).toBeAttached({ timeout: 30_000 }),
+    )
+    report(name, loaded)
+    expect.soft(bytesOf(loaded, 'script'), 'compressed script').toBeLessThan(240_000)
+    expect.soft(bytesOf(loaded, 'style'), 'compressed styles').toBeLessThan(30_000)
+    expect.soft(loaded.shift, 'layout shift').toBeLessThanOrEqual(0.05)
+  })
+}
+
+test('Review asks for no sound before its peaks are here, and for one at a time', async ({ demo, context, page }) => {
+  await context.addCookies([{ name: 'soundlist_demo_part', value: 'approver', url: demo.url }])
+  const asked: { path: string; at: number; endedAt: number }[] = []
+  page.on('request', (request) => {
+    const one = { path: new URL(request.url()).pathname, at: performance.now(), endedAt: Infinity }
+    asked.push(one)
+    void request
+      .response()
+      .then((answer) => answer?.finished())
+      .then(() => (one.endedAt = performance.now()))
+  })
+  await load(page, `${demo.url}/projects/${demo.projectId}/review`, () =>
+    expect(page.getByText('Match level').first()).toBeAttached({ timeout: 30_000 }),
+  )
+  const sounds = () => asked.filter(({ path }) => path.endsWith('/preview'))
+  await expect.poll(() => sounds().length, { timeout: 30_000 }).toBeGreaterThan(1)
+  const [first, second] = sounds()
+  const peaks = asked.find(({ path }) => path.endsWith('/peaks.json'))
+  expect(peaks?.endedAt).toBeLessThan(first?.at ?? 0)
+  expect(first?.endedAt).toBeLessThan((second?.at ?? 0) + 50) // both times are of this process, not of the browser
+})
+
+test('small files take one request each, and the lists few', async ({ server, page }, testInfo) => {
+  test.setTimeout(300_000)
+  const context = page.context()
+  await page.goto(`${server.url}/sign-up`)
+  await page.getByLabel('Name of the studio').fill('Lantern Games')
+  await page.getByLabel('Your name').fill('Producer')
+  await page.getByLabel('Mail address').fill('producer@lantern.example')
+  await page.getByLabel('Password', { exact: true }).fill('quiet reactor hum')
+  await page.keyboard.press('Enter')
+  await expect(page.getByRole('heading', { name: 'New project' })).toBeVisible()
+  const me = await ask<{ studios: { id: string }[] }>(context, `${server.url}/v1/me`)
+  const opened = { studio_id: me.studios[0]?.id, name: 'Deep Field', cue_prefix: 'DF', preset: '44k1' }
+  const { id } = await ask<{ id: string }>(context, `${server.url}/v1/projects`, 'POST', opened)
+  await ask(context, `${server.url}/v1/projects/${id}/invitations`, 'POST', { email: 'designer@tones.example' })
+  let link = ''
+  await expect(async () => {
+    const outbox = `${server.url}/v1/studios/${opened.studio_id}/outbox`
+    const { mails } = await ask<{ mails: { recipient: string; link: string | null }[] }>(context, outbox)
+    link = mails.find(({ recipient }) => recipient === 'designer@tones.example')?.link ?? ''
+    expect(link).not.toBe('')
+  }).toPass()
+  await context.clearCookies()
+  await page.goto(link)
+  await page.getByRole('button', { name: 'Start delivering' }).click()
+  await page.getByLabel('Your name').fill('Sound designer')
+  await page.getByLabel('New password', { exact: true }).fill('quiet reactor hum')
+  await page.keyboard.press('Enter')
+  await expect(page.getByRole('heading', { name: 'Your desk' })).toBeVisible()
+
+  const paths: string[] = []
+  for (let index = 0; index < FILES; index += 1) {
+    const path = testInfo.outputPath(`step_${index}.wav`)
+    await writeFile(path, wav({ seconds: 0.1, pitchHz: 300 + index }))
+    paths.push(path)
+  }
+  const asked: string[] = []
+  page.on('request', (request) => asked.push(`${request.method()} ${new URL(request.url()).pathname}`))
+  const startedAt = performance.now()
+  await page.getByLabel('Files to deliver').setInputFiles(paths)
+  const taken = async () => {
+    const { items } = await ask<{ items: { takes_count: number }[] }>(
+      context,
+      `${server.url}/v1/projects/${id}/deliveries`,
+    )
+    return items[0]?.takes_count
+  }
+  await expect.poll(taken, { timeout: 240_000 }).toBe(FILES)
+  const seconds = (performance.now() - startedAt) / 1_000
+  console.log(`${FILES} files: ${seconds.toFixed(1)} s, ${asked.length} requests`)
+  expect(asked.filter((one) => one.startsWith('POST') && one.endsWith('/files'))).toHaveLength(FILES)
+  // Five lists every 2 s, and what is polled every second or less often.
+  expect(asked.length).toBeLessThan(FILES + 20 + 8 * seconds)
+})

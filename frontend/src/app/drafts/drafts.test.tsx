@@ -1,0 +1,86 @@
+import { act, fireEvent, render, screen } from '@testing-library/react'
+import { beforeEach, expect, test, vi } from 'vitest'
+
+import { DraftNote, forgetDrafts, keptDraft, openDraftsOf, useDraft } from '.'
+
+function Note({ about = 'c1' }: { about?: string }) {
+  const [text, setText, draft] = useDraft(`note:${about}`, '')
+  return (
+    <>
+      <input aria-label="Note" value={text} onChange={(event) => setText(event.currentTarget.value)} />
+      <DraftNote draft={draft} />
+      <button onClick={draft.discard}>Send</button>
+    </>
+  )
+}
+
+const field = () => screen.getByLabelText<HTMLInputElement>('Note')
+const type = (text: string) => fireEvent.change(field(), { target: { value: text } })
+
+beforeEach(() => {
+  localStorage.clear()
+  forgetDrafts()
+  openDraftsOf('ada')
+})
+
+test('what was typed stands there again, says so, and can be discarded', () => {
+  render(<Note />).unmount()
+  const first = render(<Note />)
+  expect(screen.queryByText(/Draft restored/)).toBeNull()
+  type('a bit shorter')
+  first.unmount()
+  const second = render(<Note />)
+  expect(field().value).toBe('a bit shorter')
+  expect(screen.getByRole('status').textContent).toBe('Draft restored · Discard')
+  fireEvent.click(screen.getByText('Discard'))
+  expect(field().value).toBe('')
+  second.unmount()
+  render(<Note />)
+  expect(field().value).toBe('')
+})
+
+test('what was sent is not kept, and each thing has its own draft', () => {
+  const page = render(<Note />)
+  type('one')
+  page.rerender(<Note about="c2" />)
+  expect(field().value).toBe('')
+  type('two')
+  fireEvent.click(screen.getByText('Send'))
+  expect(keptDraft('note:c2')).toBeNull()
+  page.rerender(<Note />)
+  expect(field().value).toBe('one')
+})
+
+test('nobody reads what another person typed in the same browser, and signing out deletes it', () => {
+  const page = render(<Note />)
+  type('for Ada only')
+  page.unmount()
+  act(() => openDraftsOf('bob'))
+  render(<Note />).unmount()
+  expect(keptDraft('note:c1')).toBeNull()
+  openDraftsOf('ada')
+  expect(keptDraft('note:c1')).toBe('for Ada only')
+  forgetDrafts()
+  expect(Object.keys(localStorage).filter((key) => key.includes(':ada:'))).toEqual([])
+})
+
+test('a draft is deleted after a month', () => {
+  const page = render(<Note />)
+  type('old')
+  page.unmount()
+  vi.setSystemTime(Date.now() + 31 * 24 * 3_600_000)
+  expect(keptDraft('note:c1')).toBeNull()
+  vi.useRealTimers()
+})
+
+test('leaving asks only where the browser could not keep it', () => {
+  const leaves = () => window.dispatchEvent(new Event('beforeunload', { cancelable: true }))
+  render(<Note />)
+  type('kept')
+  expect(leaves()).toBe(true)
+  vi.spyOn(Storage.prototype, 'setItem').mockImplementation(() => {
+    throw new DOMException('full', 'QuotaExceededError')
+  })
+  type('too large')
+  expect(leaves()).toBe(false)
+})

@@ -1,0 +1,73 @@
+/** What people typed and did not send yet, kept in this browser for each person until it is sent or a month old. */
+const PREFIX = 'soundlist-draft'
+const KEPT_FOR_MS = 30 * 24 * 3_600_000
+
+let owner = ''
+/** What the browser could not keep lives as long as the page. */
+const memory = new Map<string, unknown>()
+
+interface Kept {
+  atMs: number
+  value: unknown
+}
+
+const keyOf = (key: string) => `${PREFIX}:${owner}:${key}`
+
+function keys(prefix: string): string[] {
+  return Array.from({ length: localStorage.length }, (_, index) => localStorage.key(index) ?? '').filter((key) =>
+    key.startsWith(prefix),
+  )
+}
+
+function read(fullKey: string): Kept | null {
+  try {
+    const kept: unknown = JSON.parse(localStorage.getItem(fullKey) ?? 'null')
+    return typeof kept === 'object' && kept !== null && 'atMs' in kept && 'value' in kept ? (kept as Kept) : null
+  } catch {
+    return null
+  }
+}
+
+/** Whose drafts are read and kept from now on; those that grew old are deleted. */
+export function openDraftsOf(personId: string): void {
+  if (owner === personId) return
+  owner = personId
+  try {
+    for (const key of keys(`${PREFIX}:`)) {
+      if (Date.now() - (read(key)?.atMs ?? 0) > KEPT_FOR_MS) localStorage.removeItem(key)
+    }
+  } catch {
+    // A browser that keeps nothing keeps what was typed as long as the page stands.
+  }
+}
+
+/** Delete what the person typed here and did not send: they sign out. */
+export function forgetDrafts(): void {
+  try {
+    for (const key of keys(`${PREFIX}:${owner}:`)) localStorage.removeItem(key)
+  } catch {
+    // There are none.
+  }
+  memory.clear()
+  owner = ''
+}
+
+export function keptDraft<T>(key: string): T | null {
+  if (memory.has(keyOf(key))) return memory.get(keyOf(key)) as T
+  const kept = owner === '' ? null : read(keyOf(key))
+  return kept === null || Date.now() - kept.atMs > KEPT_FOR_MS ? null : (kept.value as T)
+}
+
+/** Keep a draft, or delete it where it is null; the answer is whether it outlives this page. */
+export function keepDraft(key: string, value: unknown): boolean {
+  memory.delete(keyOf(key))
+  try {
+    if (owner === '') throw new Error('nobody is signed in')
+    if (value === null) localStorage.removeItem(keyOf(key))
+    else localStorage.setItem(keyOf(key), JSON.stringify({ atMs: Date.now(), value } satisfies Kept))
+    return true
+  } catch {
+    if (value !== null) memory.set(keyOf(key), value) // no room, or turned off
+    return false
+  }
+}

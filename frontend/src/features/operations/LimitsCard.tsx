@@ -1,0 +1,78 @@
+import { useQuery } from '@tanstack/react-query'
+
+import { Card, CardHead } from '@/ui/Card'
+import { bytes, countOf, plural } from '@/ui/format'
+import { Meter } from '@/ui/Meter'
+import { Row, Rows } from '@/ui/Rows'
+import { State } from '@/ui/State'
+
+import { limitsQuery, type Limits, type Quota, type Scope, share } from './api'
+import classes from './Operations.module.css'
+import { Refusal } from './Refusal'
+
+const NEAR = 0.9
+const SHOWN = 3 // limits of a studio: the nearest
+
+const NAMES: Record<Quota['kind'], string> = {
+  master_bytes: 'Storage for masters',
+  cues: 'Cues',
+  projects: 'Projects',
+  people: 'Members',
+  tokens: 'Tokens',
+  open_uploads: 'Unfinished uploads',
+}
+const isNear = ({ quotas: [first] }: Limits) => first !== undefined && share(first) >= NEAR
+
+/** What studios use of their limits: who is nearest to one comes first. */
+export function LimitsCard({ scope }: { scope: Scope }) {
+  const { data: studios, error } = useQuery(limitsQuery(scope))
+  const near = studios?.filter(isNear).length ?? 0
+  return (
+    <Card aria-labelledby="limits">
+      <CardHead
+        id="limits"
+        title="Limits"
+        note={studios && (near === 0 ? 'none is near' : scope === 'server' ? `${plural(near, 'studio')} near` : 'near')}
+      />
+      {error && (
+        <div className={classes.inside}>
+          <Refusal error={error} />
+        </div>
+      )}
+      <Rows aria-labelledby="limits">
+        {studios?.map(({ studioId, studioName, quotas }) => (
+          <Row key={studioId}>
+            <div className="grow">
+              {studioName !== '' && <p className="strong">{studioName}</p>}
+              {quotas.slice(0, SHOWN).map((quota) => (
+                <Limit key={quota.kind} quota={quota} />
+              ))}
+            </div>
+          </Row>
+        ))}
+      </Rows>
+      {scope === 'server' && (
+        <p className={`small mid ${classes.inside}`}>
+          Set one with <code>soundlist quota STUDIO_ID --set cues=20000</code>
+        </p>
+      )}
+    </Card>
+  )
+}
+
+function Limit({ quota }: { quota: Quota }) {
+  const { kind, used, limit } = quota
+  const inWords = kind === 'master_bytes' ? `${bytes(used)} of ${bytes(limit)}` : countOf(used, limit)
+  const tone = used >= limit ? 'bad' : share(quota) >= NEAR ? 'warn' : undefined
+  return (
+    <div>
+      <p className={`small ${classes.limit}`}>
+        <span>{NAMES[kind]}</span>
+        <span className="num">{inWords}</span>
+      </p>
+      <Meter thin label={`${NAMES[kind]}: ${inWords}`} whole={limit} parts={[{ value: used, tone }]} />
+      {tone === 'bad' && <State kind="refused">Limit reached</State>}
+      {tone === 'warn' && <State kind="warning">Almost full</State>}
+    </div>
+  )
+}

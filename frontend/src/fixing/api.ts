@@ -1,0 +1,82 @@
+import { type QueryClient, queryOptions, useMutation, useQuery, useQueryClient } from '@tanstack/react-query'
+
+import { answered, api } from '@/api'
+import type { components } from '@/api/schema.gen'
+
+type Schemas = components['schemas']
+export type Fix = Schemas['FixRead']
+export type FixOffer = Schemas['FixOffer']
+export type Repair = Schemas['RepairRead']
+export type Spot = Schemas['SpotRead']
+export type Shape = Schemas['ShapeRead']
+export type Sounds = Schemas['TakeSoundsRead']
+export type SoundBrief = Schemas['SoundBrief']
+
+const POLL_MS = 700
+/** Where the answers that a fix touches are kept. */
+const TOUCHED = [
+  'fixes',
+  'desk',
+  'delivery',
+  'deliveries',
+  'unmatched',
+  'progress',
+  'take',
+  'take-history',
+  'cue-review',
+]
+
+const ofTake = (takeId: string) => ({ params: { path: { take_id: takeId } } })
+
+/** What a fix can do, or did, about a take; asked again while it is being made. */
+export const fixQuery = (takeId: string) =>
+  queryOptions({
+    queryKey: ['fix', takeId],
+    queryFn: () => answered(api.GET('/v1/takes/{take_id}/fix', ofTake(takeId))),
+    refetchInterval: ({ state: { data } }) => (data?.state === 'making' ? POLL_MS : false),
+  })
+
+export const useFix = (takeId: string) => useQuery(fixQuery(takeId))
+
+/** What can be heard of a take, its fixed copy too; asked again while something is still being drawn. */
+export const useSounds = (takeId: string, fix?: Fix) =>
+  useQuery({
+    queryKey: ['take-sounds', takeId],
+    queryFn: () => answered(api.GET('/v1/takes/{take_id}/sounds', ofTake(takeId))),
+    refetchInterval: ({ state: { data } }) =>
+      data && (data.master.state === 'drawing' || (fix?.state === 'made' && data.fix === null)) ? POLL_MS : false,
+  })
+
+/** The takes of a project of which a fix would be enough. */
+export const fixesQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: ['fixes', projectId],
+    queryFn: () =>
+      answered(api.GET('/v1/projects/{project_id}/fixes', { params: { path: { project_id: projectId } } })),
+  })
+
+/** Have the fixed copy made. */
+export function useAskForFix(takeId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: () => answered(api.POST('/v1/takes/{take_id}/fix', ofTake(takeId))),
+    onSuccess: (fix) => {
+      client.setQueryData(fixQuery(takeId).queryKey, fix)
+    },
+  })
+}
+
+/** Make the fixed copy a version; the result is shown even if the desk no longer shows its origin. */
+export function useUseFix(takeId: string, onUsed: (made: Schemas['TakeRead']) => void) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: () => answered(api.POST('/v1/takes/{take_id}/fix/use', ofTake(takeId))),
+    onSuccess: onUsed,
+    onSettled: () => refresh(client, takeId),
+  })
+}
+
+async function refresh(client: QueryClient, takeId: string): Promise<void> {
+  const touched = [fixQuery(takeId).queryKey, ...TOUCHED.map((key) => [key])]
+  await Promise.all(touched.map((queryKey) => client.invalidateQueries({ queryKey })))
+}
