@@ -98,7 +98,7 @@ class AudioFile:
     Raises
     ------
     Unreadable
-        When a rule of structure is broken. R7 (finite samples) shows only when the file streams.
+        When a rule of structure is broken. R7 (finite samples below 385 dBFS) shows only when the file streams.
     SandboxFailed
         When a FLAC could not be unpacked: for want of time, memory or disk, or because its decoder broke.
     """

@@ -30,7 +30,7 @@ def stretch(file: BinaryIO, layout: wav.WavLayout, first: int, end: int) -> Iter
     Raises
     ------
     Unreadable
-        R1, when the file became shorter meanwhile; R7, for a float sample that is not a finite number.
+        R1, when the file became shorter meanwhile; R7, for a float sample that is not a finite number or too large.
     """
     first, end = max(first, 0), min(end, layout.frames)
     if end > first:

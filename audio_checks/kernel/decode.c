@@ -118,8 +118,8 @@ static int32_t from_32(const uint8_t *RESTRICT raw, double *RESTRICT to, Py_ssiz
     return used;
 }
 
-/* The largest magnitude's bits show whether all are finite: infinity and NaN have all bits of the exponent set. */
-static int finite_32(const uint8_t *RESTRICT raw, double *RESTRICT to, Py_ssize_t frames, Py_ssize_t step) {
+/* The exponent of the largest magnitude shows whether all are sound: infinity and NaN have all of its bits set. */
+static int32_t largest_32(const uint8_t *RESTRICT raw, double *RESTRICT to, Py_ssize_t frames, Py_ssize_t step) {
     int32_t largest = 0;
     for (Py_ssize_t frame = 0; frame < frames; frame++) {
         int32_t bits;
@@ -130,10 +130,10 @@ static int finite_32(const uint8_t *RESTRICT raw, double *RESTRICT to, Py_ssize_
         largest = bits > largest ? bits : largest;
         to[frame] = (double)value;
     }
-    return largest < 0x7f800000;
+    return (largest >> 23) - 127;
 }
 
-static int finite_64(const uint8_t *RESTRICT raw, double *RESTRICT to, Py_ssize_t frames, Py_ssize_t step) {
+static int32_t largest_64(const uint8_t *RESTRICT raw, double *RESTRICT to, Py_ssize_t frames, Py_ssize_t step) {
     int32_t largest = 0;
     for (Py_ssize_t frame = 0; frame < frames; frame++) {
         uint64_t bits;
@@ -142,7 +142,7 @@ static int finite_64(const uint8_t *RESTRICT raw, double *RESTRICT to, Py_ssize_
         const int32_t upper = (int32_t)(bits >> 32) & 0x7fffffff;
         largest = upper > largest ? upper : largest;
     }
-    return largest < 0x7ff00000;
+    return (largest >> 20) - 1023;
 }
 
 /* All channels of 24 bits; no byte stands before the very first sample, so that one is put together. */
@@ -173,10 +173,12 @@ int32_t decode_integers(const uint8_t *raw, Py_ssize_t width, const planar *bloc
 }
 
 Py_ssize_t decode_floats(const uint8_t *raw, Py_ssize_t width, const planar *block, Py_ssize_t at, Py_ssize_t frames) {
+    const int32_t endless = width == 4 ? 128 : 1024;
     for (Py_ssize_t channel = 0; channel < block->channels; channel++) {
         const uint8_t *from = raw + channel * width;
         double *to = block->samples + channel * block->row + at;
-        if (!(width == 4 ? finite_32 : finite_64)(from, to, frames, block->channels * width)) return channel + 1;
+        const int32_t exponent = (width == 4 ? largest_32 : largest_64)(from, to, frames, block->channels * width);
+        if (exponent >= TOO_LARGE_EXPONENT) return exponent == endless ? channel + 1 : -(channel + 1);
     }
     return 0;
 }

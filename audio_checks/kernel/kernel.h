@@ -141,7 +141,8 @@ typedef struct {
 const whole_loops *in_whole_numbers(void);
 
 /* decode.c: `frames` frames to place `at` of each channel; all integers or-ed together, or the first channel with a
- * number that is not finite (0: none). `sample_bytes` is -1 with an error set for bits that are no container's. */
+ * number that is not finite, less than 0 where it is too large (0: none). `sample_bytes` is -1 with an error set for bits that are no container's. */
+enum { TOO_LARGE_EXPONENT = 64 }; /* no float of sound is 2^64 or more; sums of sixth powers of what is less are numbers */
 Py_ssize_t sample_bytes(PyObject *container_bits, int floats);
 int32_t decode_integers(const uint8_t *raw, Py_ssize_t width, const planar *block, Py_ssize_t at, Py_ssize_t frames);
 Py_ssize_t decode_floats(const uint8_t *raw, Py_ssize_t width, const planar *block, Py_ssize_t at, Py_ssize_t frames);
@@ -165,7 +166,7 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(cells, "Measure cells one after the other: sum, sum of squares, largest step, sixth differences.") \
     EACH(convert, "Filter blocks of a stream and bring them to a lower rate.") \
     EACH(crests, "Measure the shape of each crest that rises high enough; return how many there are.") \
-    EACH(decode_float, "Decode interleaved IEEE float; return the first channel that is not finite, or 0.") \
+    EACH(decode_float, "Decode interleaved IEEE float; return the first channel that is not finite, or too large (< 0), or 0.") \
     EACH(decode_pcm, "Decode interleaved PCM into planar float64; return all samples or-ed together.") \
     EACH(encode_pcm, "Write whole numbers as interleaved PCM; return whether all of them fit.") \
     EACH(extremes, "Raise the highest and the deepest sample known to those of a signal.") \

@@ -143,7 +143,7 @@ static int measure_whole_pieces(const block_to_be *block, int32_t *used) {
 }
 
 /* bytes, container bits, whether they are floats, samples, first frame to fill, maxima, figures to add to, cells or None,
- * frames of a cell, hops of stereo to add to or None, frames of a hop, those of the first that came before -> integers or-ed together, first channel that is not finite or 0 */
+ * frames of a cell, hops of stereo to add to or None, frames of a hop, those of the first that came before -> integers or-ed together, first channel that is not finite, or too large (< 0), or 0 */
 PyObject *survey(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
     holding held = {.count = 0};

@@ -7,6 +7,7 @@ the codec's frames may begin is tried, and one that stands out from all others i
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -127,12 +128,14 @@ def traces_of(samples: Floats, sample_rate_hz: int, step: float = 0.0) -> tuple[
         less than two frames of the codec.
     """
     traces = []
+    scale = 0.5 ** max(0, math.frexp(np.abs(samples).max(initial=0.0))[1])  # squares in single precision end at 2^127
+    dither = scale * max(step, COARSEST_DITHER)
     for rate_hz in rates_of(sample_rate_hz):
-        excerpt = _at_rate(samples, sample_rate_hz, rate_hz)[:EXCERPT_FRAMES]
+        excerpt = _at_rate(scale * samples, sample_rate_hz, rate_hz)[:EXCERPT_FRAMES]
         spectrum = _spectrum(excerpt)
         for lines, filters in _filters():
             if lines.rate_hz in (None, rate_hz) and len(excerpt) >= lines.filters.shape[1] + 2 * lines.frame:
-                traces.append(_trace(lines, rate_hz, spectrum, filters, len(excerpt), max(step, COARSEST_DITHER)))
+                traces.append(_trace(lines, rate_hz, spectrum, filters, len(excerpt), dither))
     return tuple(trace for trace in traces if trace is not None)
 
 

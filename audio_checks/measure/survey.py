@@ -180,7 +180,7 @@ class Survey:
         int
             All PCM samples or-ed together, as `wav.decode` has it.
         int
-            The first channel, from 1 on, with a float that is not finite; 0 where all are.
+            The first channel, from 1 on, with a float that is not finite, or too large (< 0); 0 where there is none.
         """
         channels = len(room.samples)
         figures = np.zeros((channels, 3))

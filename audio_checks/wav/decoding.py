@@ -14,6 +14,7 @@ from audio_checks.wav.files import read_frames
 from audio_checks.wav.layout import WavLayout
 
 BLOCK_FRAMES = 65_536
+TOO_LARGE_DBFS = 385  # 2^64 times full scale: the sixth powers of more do not add up to numbers
 MAX_BLOCK_BYTES = 4 << 20  # of float64, so that a header of many channels cannot ask for much memory
 
 
@@ -44,7 +45,7 @@ class Decoder(Protocol):
     def decode(
         self, pieces: Iterable[bytes | memoryview], frames: int, container_bits: int, *, floats: bool
     ) -> tuple[NDArray[np.float64], int, int]:
-        """Return the block, all PCM samples or-ed together, and the first channel that is not finite or 0."""
+        """Return the block, all PCM samples or-ed together, and the first channel not finite, or too large (< 0), or 0."""
 
 
 def decode_to(
@@ -52,7 +53,7 @@ def decode_to(
 ) -> tuple[NDArray[np.float64], int]:
     """Decode whole frames that come in pieces with `decode`; return its result, with its errors."""
     block, used, broken = decoder.decode(pieces, frames, layout.container_bits, floats=layout.encoding == "float")
-    _ensure_finite(broken)
+    _ensure_levels(broken)
     return block, used
 
 
@@ -65,24 +66,24 @@ def decode(raw: bytes | memoryview, layout: WavLayout) -> tuple[NDArray[np.float
     Raises
     ------
     Unreadable
-        R7, for a float sample that is not a finite number.
+        R7, for a float sample that is not a finite number or over TOO_LARGE_DBFS.
     """
     block = np.empty((layout.channels, len(raw) // layout.frame_bytes)).T
     if layout.encoding == "pcm":
         return block, kernel.decode_pcm(raw, layout.container_bits, block.T)
-    _ensure_finite(kernel.decode_float(raw, layout.container_bits, block.T))
+    _ensure_levels(kernel.decode_float(raw, layout.container_bits, block.T))
     return block, 0
 
 
-def _ensure_finite(broken: int) -> None:
-    """Raise Unreadable where a channel, from 1 on, holds samples that are not finite."""
-    if broken:
-        raise Unreadable(
-            f"channel {broken} holds samples that are not numbers (infinity or NaN)",
-            "R7",
-            "structure:not-finite",
-            "look for a broken plug-in in the session, then export again",
-        )
+def _ensure_levels(broken: int) -> None:
+    """Raise Unreadable where a channel, from 1 on, holds samples that are not finite, or less than 0: too large."""
+    fix = "look for a broken plug-in in the session, then export again"
+    if broken > 0:
+        words = f"channel {broken} holds samples that are not numbers (infinity or NaN)"
+        raise Unreadable(words, "R7", "structure:not-finite", fix)
+    if broken < 0:
+        words = f"channel {-broken} holds samples over {TOO_LARGE_DBFS} dBFS, which no sound has"
+        raise Unreadable(words, "R7", "structure:too-large", fix)
 
 
 def blocks(file: BinaryIO, layout: WavLayout, block_frames: int = BLOCK_FRAMES) -> Iterator[NDArray[np.float64]]:
@@ -91,7 +92,8 @@ def blocks(file: BinaryIO, layout: WavLayout, block_frames: int = BLOCK_FRAMES) 
     Raises
     ------
     Unreadable
-        R7, for a float sample that is not a finite number; R1, when the file became shorter meanwhile.
+        R7, for a float sample that is not a finite number or over TOO_LARGE_DBFS; R1, when the file became shorter
+        meanwhile.
     """
     for raw in raw_blocks(file, layout, block_frames):
         yield decode(raw, layout)[0]

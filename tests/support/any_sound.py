@@ -89,7 +89,7 @@ def _float_gain(rng: np.random.Generator) -> float:
     if draw < 0.85:
         return float(10 ** rng.uniform(0, 6))
     if draw < 0.9:
-        return float(10 ** rng.uniform(6, 18))
+        return float(10 ** rng.uniform(6, 19))  # 2^64, at 10^19.3, is refused
     return float(10 ** rng.uniform(-44, -6))
 
 

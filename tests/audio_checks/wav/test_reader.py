@@ -315,6 +315,19 @@ def test_samples_that_are_no_numbers(bad, place):
     with pytest.raises(Unreadable, match="channel 2") as refusal:
         samples_of(wav_bytes(samples, bits=32, encoding="float"))
     assert refusal.value.rule == "R7"
+    assert refusal.value.code == "structure:not-finite"
+
+
+@pytest.mark.parametrize("bits", [32, 64])
+@pytest.mark.parametrize("place", [0, 479])
+def test_samples_that_no_sound_has(bits, place):
+    samples = np.zeros((480, 2))
+    samples[place, 1] = -(2.0**64)
+    with pytest.raises(Unreadable, match="channel 2 holds samples over 385 dBFS") as refusal:
+        samples_of(wav_bytes(samples, bits=bits, encoding="float"))
+    assert (refusal.value.rule, refusal.value.code) == ("R7", "structure:too-large")
+    samples[place, 1] = np.nextafter(np.float32(2.0**64), np.float32(0))
+    assert samples_of(wav_bytes(samples, bits=bits, encoding="float"))[place, 1] == samples[place, 1]
 
 
 def test_loops():
