@@ -1,7 +1,8 @@
 """A database that an earlier version filled: this one upgrades it, shows what is in it, and does what was left to do.
 
-`older/0005.sql.gz` was written by the program at revision 0005: a project of 34 takes, and one that had just come in,
-whose check nobody had done. A change that cannot read what it holds fails here; the file is never written anew.
+`older/0027.sql.gz` holds a database at revision 0027, the first of the history: a project of 34 takes, and one that
+had just come in, whose check nobody had done. A change that cannot read what it holds fails here; the file is never
+replaced.
 """
 
 import gzip
@@ -34,7 +35,7 @@ from app.settings import Settings
 from tests.support.server import RunningServer
 
 ROOT = Path(__file__).resolve().parents[2]
-OLDER = Path(__file__).parent / "older" / "0005.sql.gz"
+OLDER = Path(__file__).parent / "older" / "0027.sql.gz"
 TAKES, HALF_DONE = 34, "half_done.wav"
 WITHIN_S = 120.0  # most of it for a new process to import what it needs, where others want the processors
 SECRET_KEY = "only for tests, nowhere else"
@@ -64,7 +65,7 @@ def server(upgraded_folder: Path) -> Iterator[RunningServer]:
     """This version on the older one's data, which it migrates; a worker beside it takes up what waits."""
     runtime = Runtime.of(Settings(data_dir=upgraded_folder, secret_key=SECRET_KEY))
     with runtime.database.reading() as session:
-        assert MigrationContext.configure(session.connection()).get_current_revision() == "0005"
+        assert MigrationContext.configure(session.connection()).get_current_revision() == "0027"
         studio_id, sha256 = session.execute(
             sa.text("select studio_id, master_sha256 from deliveries_takes where file_name = :name"),
             {"name": HALF_DONE},
