@@ -93,5 +93,7 @@ def _dies_away(means: NDArray[np.float64], quietest: int) -> bool:
     if quietest < 2 * PAUSE:
         return False
     before, middle, last = (means[[quietest - 2 * PAUSE, quietest - PAUSE, quietest]]).tolist()
+    if min(before, middle, last) <= 0:  # a difference of sums has no digits left after what was far louder
+        return False
     falls = sorted((10 * math.log10(before / middle), 10 * math.log10(middle / last)))
     return falls[0] > FALL_DB and falls[1] < FALLS_ALIKE * falls[0]

@@ -68,6 +68,8 @@ class Course:
         tops = smooth.max(axis=0)
         floors = np.maximum(tops - RANGE_DB, _noise_under(smooth) + ABOVE_FLOOR_DB)
         active = (smooth > floors) & (tops > tops[WIDE] - BAND_RANGE_DB)
+        if not active[:, WIDE].any():  # no louder than TINY
+            return None
         wide, top = smooth[:, WIDE], tops[WIDE]
         forgotten = 0.1 * np.arange(len(wide))  # what was loudest counts for 20 dB less a second later
         under = np.maximum.accumulate(wide + forgotten) - forgotten - wide

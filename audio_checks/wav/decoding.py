@@ -45,7 +45,7 @@ class Decoder(Protocol):
     def decode(
         self, pieces: Iterable[bytes | memoryview], frames: int, container_bits: int, *, floats: bool
     ) -> tuple[NDArray[np.float64], int, int]:
-        """Return the block, all PCM samples or-ed together, and the first channel not finite, or too large (< 0), or 0."""
+        """Return the block, all PCM samples or-ed together, the first channel not finite, or too large (< 0), or 0."""
 
 
 def decode_to(

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from tests.support.waves import join, noise, silence, sine
+import audio_checks
+from tests.support.waves import join, noise, silence, sine, write_wav
 
 LIMIT = "limits.noise_floor_dbfs = -60.0"
 OVER = ["noise-floor:over"]
@@ -57,3 +58,9 @@ def test_a_pause_too_near_both_ends_for_another_beside_it(found_by, seconds):
     whole = join(word, silence(seconds=pause_s, channels=2), word) + noise(dbfs=-45, seconds=seconds, channels=2)
     (finding,) = found_by("noise-floor", whole, LIMIT)
     assert finding.measured == pytest.approx(-45.0, abs=0.5)
+
+
+def test_a_pause_whose_squares_have_no_digits_beside_the_sound(tmp_path):
+    whole = join(noise(dbfs=0, seconds=0.45), noise(dbfs=-170, seconds=0.3))
+    path = write_wav(tmp_path / "deep.wav", whole, bits=64, encoding="float")
+    assert audio_checks.measure_file(path).measurements["noise_floor_dbfs"] == pytest.approx(-170, abs=0.5)

@@ -68,7 +68,9 @@ def test_equal_channels_are_alike_and_those_of_chance_are_not():
 
 
 @pytest.mark.parametrize(
-    "samples", [silence(), silence(seconds=0), sine(hz=997, seconds=0.02)], ids=["silence", "empty", "short"]
+    "samples",
+    [silence(), silence(seconds=0), sine(hz=997, seconds=0.02), noise(dbfs=-195, seconds=0.3)],
+    ids=["silence", "empty", "short", "under all levels"],
 )
 def test_nothing_to_say(samples):
     assert features_of(decay_of(samples)) is None
