@@ -8,6 +8,7 @@ from app.accounts.sign_up_endpoints import router as sign_up
 from app.accounts.studio_endpoints import router as studios
 from app.agreements.endpoints import router as contracts
 from app.agreements.template_endpoints import router as contract_templates
+from app.amendments.endpoints import router as amendments
 from app.builds.endpoints import router as builds
 from app.builds.manifest_endpoints import router as manifests
 from app.conformance.endpoints import router as conformance
@@ -36,6 +37,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     money,
     contract_templates,
     contracts,
+    amendments,
     deliveries,
     conformance,
     renders,
@@ -58,6 +60,7 @@ JOB_MODULES = (
     "app.renders.timbre_jobs",
     "app.reviews.jobs",
     "app.builds.jobs",
+    "app.amendments.jobs",
     "app.notifications.jobs",
 )
 PARSERS = (
@@ -89,6 +92,8 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "changes.sent": ("notifications.notify_changes",),
     "take.approved": ("notifications.notify_approval", "builds.fingerprint_take"),
     "cue.cut": ("notifications.notify_cut",),
+    "contract.notice_given": ("notifications.notify_contract",),
+    "contract.settled": ("notifications.notify_contract",),
     "contract.sent": ("notifications.notify_contract",),
     "contract.change_requested": ("notifications.notify_contract",),
     "contract.agreed": ("notifications.notify_contract", "reviews.add_accepted_cues"),

@@ -23,7 +23,10 @@ UNGUARDED = frozenset({"accounts_people"})  # people are global: an invitation m
 # Read by the server alone: answers it replays, under a hash of the credentials, and changes for open pages.
 ADD_ONLY = frozenset({"kit_saved_responses", "kit_changed_rooms"})
 NEVER_ALTERED = frozenset(  # what was said and owed stands
-    {"contracts_events", "contracts_acceptances", "contracts_ledger_lines", "contracts_invoice_lines"}
+    {
+        *("contracts_events", "contracts_acceptances", "contracts_amendment_acceptances"),
+        *("contracts_ledger_lines", "contracts_invoice_lines"),
+    }
 )
 SERVERS_OWN = frozenset({"kit_heartbeats", "accounts_rate_limits", "accounts_sign_ups"})
 PERSONAL = frozenset(

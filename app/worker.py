@@ -54,6 +54,7 @@ CHORES = (
     "server.delete_finished_jobs",
     "server.delete_expired_rate_limits",
     "reviews.apply_deemed_acceptance",
+    "amendments.settle_ended",
     "notifications.notify_overdue_checks",
 )
 

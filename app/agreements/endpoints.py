@@ -23,6 +23,7 @@ from app.agreements.errors import (
     DraftChanged,
     FrameworkNeeded,
     NoContractNeeded,
+    NoticeNeeded,
     NotYourContract,
     SamePersonOnBothSides,
     TemplateNotFound,
@@ -31,7 +32,7 @@ from app.agreements.errors import (
     WrongState,
 )
 from app.agreements.models import Contract, ContractVersion
-from app.agreements.rules import ContractState, Party
+from app.agreements.rules import ORDERS, ContractState, Party
 from app.agreements.template_endpoints import attachment, clauses_of
 from app.agreements.text import Block, blocks_of
 from app.kit.bodies import LARGE_BODY_BYTES
@@ -85,6 +86,7 @@ def _contract(session: DbSession, actor: Actor, contract: Contract) -> schemas.C
     accepted = [each.party for each in acceptances]
     party, state = party_of(actor, contract), contract.state
     is_draft, is_sent = state is ContractState.DRAFT, state is ContractState.SENT
+    is_running = state is ContractState.AGREED and contract.kind in ORDERS
     asked = queries.newest_event(session, contract.id) if is_draft else None
     change = json.loads(asked.payload) if asked and asked.kind == "change_requested" else None
     return schemas.ContractRead(
@@ -103,7 +105,8 @@ def _contract(session: DbSession, actor: Actor, contract: Contract) -> schemas.C
             recall=is_sent and party is Party.STUDIO,
             request_change=is_sent and party is Party.DESIGNER,
             accept=is_sent and party is not None and party not in accepted,
-            end=party is not None and state is not ContractState.ENDED,
+            end=party is not None and state is not ContractState.ENDED and not is_running,
+            amend=party is not None and is_running,
         ),
     )
 
@@ -272,11 +275,13 @@ def accept_contract(
     return _contract(session, actor, visible_contract(session, actor, contract_id))
 
 
-@router.post("/contracts/{contract_id}/end", responses=problems(ContractNotFound, NotYourContract, WrongState))
+@router.post(
+    "/contracts/{contract_id}/end", responses=problems(ContractNotFound, NotYourContract, WrongState, NoticeNeeded)
+)
 def end_contract(
     contract_id: UUID, body: schemas.EndAdd, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> schemas.ContractRead:
-    """End a contract, or give up a draft."""
+    """End a contract that orders no work, or give up a draft."""
     lifecycle.end(session, actor, contract_id, reason=body.reason)
     return _contract(session, actor, visible_contract(session, actor, contract_id))
 

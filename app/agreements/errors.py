@@ -47,6 +47,10 @@ class WrongState(Conflict):
     """The contract is not in the state in which this can be done."""
 
 
+class NoticeNeeded(Conflict):
+    """An agreed contract that orders work ends by a notice, so that what is owed is settled."""
+
+
 class DraftChanged(Conflict):
     """The draft was changed by another person since it was read."""
 

@@ -34,6 +34,7 @@ from app.agreements.rules import (
     ReleaseClause,
     ensure_address_proven,
     ensure_another_person,
+    ensure_ends_without_settlement,
     ensure_needs_contract,
     ensure_same_text,
     ensure_state,
@@ -282,6 +283,10 @@ def accept(
     )
     if given:
         _agree(session, actor, contract, version)
+    else:
+        publish(
+            session, "contract.signed_once", studio_id=contract.studio_id, contract_id=contract.id, party=party.value
+        )
     return acceptance
 
 
@@ -302,16 +307,25 @@ def _agree(session: Session, actor: Actor, contract: Contract, version: Contract
 
 
 def end(session: Session, actor: Actor, contract_id: UUID, *, reason: str) -> None:
-    """End a contract, or give up a draft; either party may, and the reason is kept."""
+    """End a contract that orders no work, or give up a draft; either party may, and the reason is kept.
+
+    Raises NoticeNeeded for an agreed contract that orders work.
+    """
     contract = visible_contract(session, actor, contract_id)
     if party_of(actor, contract) is None:
         raise NotYourContract("only a producer of the studio and the contract's designer end it")
     contract = queries.lock_contract(session, contract.id)
     running = {ContractState.DRAFT, ContractState.SENT, ContractState.AGREED}
-    ensure_state(contract.state, running, "this contract has ended already")
+    ensure_state(contract.state, running, "there is nothing left to end; its text and record stay readable")
+    ensure_ends_without_settlement(contract.kind, contract.state)
+    mark_ended(session, contract, reason=reason)
+    _note(session, actor, contract, "ended", reason=reason)
+
+
+def mark_ended(session: Session, contract: Contract, *, reason: str) -> None:
+    """Put a locked contract into its last state; callers record why."""
     contract.state, contract.ended_at, contract.end_reason = ContractState.ENDED, clock.now(), reason
     session.flush()
-    _note(session, actor, contract, "ended", reason=reason)
 
 
 def visible_versions(session: Session, actor: Actor, contract: Contract) -> Sequence[ContractVersion]:

@@ -26,7 +26,7 @@ def in_reach(actor: Actor) -> ColumnElement[bool]:
     named = exists().where(Liaison.project_id == Contract.project_id, Liaison.person_id == actor.person_id)
     speaks = or_(Contract.studio_id.in_(produces), Contract.studio_id.in_(actor.roles) & named)
     was_sent = exists().where(ContractVersion.contract_id == Contract.id, ContractVersion.sent_at.is_not(None))
-    is_shown = or_(Contract.state == ContractState.AGREED, was_sent)
+    is_shown = or_(Contract.agreed_at.is_not(None), was_sent)
     return or_(speaks, (Contract.designer_id == actor.person_id) & is_shown)
 
 

@@ -9,6 +9,7 @@ from app.agreements.errors import (
     AddressNotProven,
     FrameworkNeeded,
     NoContractNeeded,
+    NoticeNeeded,
     SamePersonOnBothSides,
     TextChanged,
     WrongState,
@@ -70,6 +71,7 @@ KIND_WORDS = {
     ContractKind.STATEMENT_OF_WORK: "statement of work",
     ContractKind.SINGLE: "contract",
 }
+ORDERS = frozenset({ContractKind.SINGLE, ContractKind.STATEMENT_OF_WORK})  # kinds that order work
 STATE_WORDS = {
     ContractState.DRAFT: "is a draft",
     ContractState.SENT: "was sent and needs both signatures",
@@ -82,6 +84,15 @@ def ensure_state(now: ContractState, wanted: Collection[ContractState], fix: str
     """Raise WrongState unless a contract is in one of the states in which this can be done."""
     if now not in wanted:
         raise WrongState(f"this contract {STATE_WORDS[now]}", fix=fix)
+
+
+def ensure_ends_without_settlement(kind: ContractKind, state: ContractState) -> None:
+    """Raise NoticeNeeded for an agreed contract under which money may be owed."""
+    if kind in ORDERS and state is ContractState.AGREED:
+        raise NoticeNeeded(
+            "this contract orders work, so it ends with a settlement of what each cue is owed",
+            fix="give notice on its page Ending early; where both agree to the statement, it ends at once",
+        )
 
 
 def ensure_same_text(seen_sha256: str, sent_sha256: str) -> None:

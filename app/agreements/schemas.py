@@ -220,6 +220,7 @@ class MayRead(Schema):
     request_change: bool
     accept: bool
     end: bool
+    amend: bool = Field(description="Whether they may propose a change order, or give notice.")
 
 
 class ContractBrief(Schema):

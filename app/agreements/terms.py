@@ -9,6 +9,13 @@ from app.agreements.clauses import BY_DAY
 from app.agreements.rules import WorkState
 
 
+class DepositAtEnd(StrEnum):
+    """What becomes of the deposit where a contract ends early."""
+
+    STAYS = "stays"  # with the designer
+    SET_OFF = "set_off"  # against what the cues are owed
+
+
 class PriceMode(StrEnum):
     """How a contract's price comes about."""
 
@@ -51,6 +58,8 @@ class MoneyTerms:
     day_rate_minor: int = 0
     days_cap: int = 0
     po_number: str = ""  # what invoices begin with
+    notice_days: int | None = None  # None: it ends early only where both agree
+    deposit_at_end: DepositAtEnd = DepositAtEnd.STAYS
 
     @classmethod
     def of(cls, terms: Mapping[str, Any]) -> "MoneyTerms":
@@ -58,6 +67,10 @@ class MoneyTerms:
         known = {field.name: terms[field.name] for field in fields(cls) if terms.get(field.name) is not None}
         if "price_mode" in known:
             known["price_mode"] = PriceMode(known["price_mode"])
+        if known.get("notice_days") == "":
+            del known["notice_days"]  # its clause is struck
+        if "deposit_at_end" in known:
+            known["deposit_at_end"] = DepositAtEnd(known["deposit_at_end"])
         if "reverse_charge" in known:
             known["reverse_charge"] = bool(known["reverse_charge"])  # 0 or 1 where only numbers and text are kept
         return cls(**known)

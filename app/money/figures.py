@@ -16,11 +16,16 @@ class Figures:
     paid_minor: int
     due_minor: int  # owed and not paid; below zero: paid for what was taken back since
     open_minor: int  # agreed and not due yet
-    saved_minor: int  # what cuts left over
+    saved_minor: int  # what cuts and an early end left over
 
 
-def figures_of(book: LedgerBook, cues: Sequence[PricedCue], beside_cues_minor: int) -> Figures:
-    """Sum a contract up; `beside_cues_minor` is what the plan has that no cue carries: a deposit, the cap of days."""
+def figures_of(
+    book: LedgerBook, cues: Sequence[PricedCue], beside_cues_minor: int, *, is_ended: bool = False
+) -> Figures:
+    """Sum a contract up; `beside_cues_minor` is what the plan has that no cue carries: a deposit, the cap of days.
+
+    `is_ended`: it was settled early, so nothing more can become due and all that is not owed is saved.
+    """
     owed_lines = [line for line in book.owed if line.kind is not LineKind.TAX]
     owed_minor = sum(line.amount_minor for line in owed_lines)
     paid_minor = sum(book.paid_minor(line.id) for line in owed_lines)
@@ -28,6 +33,8 @@ def figures_of(book: LedgerBook, cues: Sequence[PricedCue], beside_cues_minor: i
     extras_minor = sum(line.amount_minor for line in owed_lines if line.id in rounds or line.about_id in rounds)
     agreed_minor = beside_cues_minor + sum(cue.amount_minor for cue in cues) + extras_minor
     saved_minor = sum(cue.amount_minor - book.share_minor(cue.cue_id) for cue in cues if cue.cut_in is not None)
+    if is_ended:
+        saved_minor = agreed_minor - owed_minor
     return Figures(
         agreed_minor=agreed_minor,
         accepted_minor=owed_minor,

@@ -103,6 +103,10 @@ class LedgerBook:
         }
         return [line for line in unbilled.values() if line.id not in undone and line.about_id not in undone]
 
+    def standing(self, kind: LineKind) -> list[Line]:
+        """Return the lines of a kind that were not taken back."""
+        return [line for line in self.lines if line.kind is kind and line.id not in self._taken_back]
+
     def paid_minor(self, line_id: UUID) -> int:
         """Return how much of a line was paid."""
         return self._paid_minor.get(line_id, 0)

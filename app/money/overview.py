@@ -14,6 +14,7 @@ from app.agreements.models import Contract, ContractCue, Milestone
 from app.agreements.plan import advice_on
 from app.agreements.plan_queries import terms_of
 from app.agreements.queries import contract_for
+from app.agreements.rules import ContractState
 from app.agreements.terms import MoneyTerms
 from app.money import queries, schemas
 from app.money.figures import Figures, figures_of, open_tax_minor, tax_minor
@@ -116,7 +117,9 @@ def figures(session: Session, contract: Contract, book: LedgerBook) -> Figures:
     milestones = plan_queries.milestones_of(session, contract.id)
     deposit_minor = sum(milestone.amount_minor for milestone in milestones if milestone.is_deposit)
     days_minor = terms_of(session, contract).days_cap_minor
-    return figures_of(book, priced(plan_queries.cues_of(session, contract.id)), deposit_minor + days_minor)
+    cues = priced(plan_queries.cues_of(session, contract.id))
+    is_ended = contract.state is ContractState.ENDED and all(cue.is_settled for cue in cues)
+    return figures_of(book, cues, deposit_minor + days_minor, is_ended=is_ended)
 
 
 def ledger(session: Session, actor: Actor, contract_id: UUID) -> schemas.LedgerRead:

@@ -14,8 +14,10 @@ from app.agreements.models import Contract, ContractCue
 from app.agreements.plan_queries import terms_of
 from app.agreements.queries import contract_for, lock_contract
 from app.agreements.rules import AcceptedBy, ContractState, WorkState
+from app.agreements.terms import DepositAtEnd
 from app.kit import clock
 from app.money import queries
+from app.money.ending import Statement, statement_of
 from app.money.errors import ExtraRoundNotFound, OtherPartyNeeded, RoundAlreadySettled
 from app.money.ledger import called, load_ledger_book, priced, rules_of, write
 from app.money.ledger_book import CLAUSES, Entry, PricedCue, price_of_round, settle_shares
@@ -92,6 +94,39 @@ def settle_cut(session: Session, cue_id: UUID, *, state: WorkState, person_id: U
     covered.cut_in = WorkState.ACCEPTED if covered.accepted_at is not None else state
     _record(session, covered, "cut", person_id, {"state": covered.cut_in.value})
     _settle(session, covered.contract_id, person_id)
+
+
+def end_statement(session: Session, contract: Contract, states: Mapping[UUID, WorkState]) -> Statement:
+    """Return what a contract comes to if it ends now, by the state of the work on each cue that is not settled."""
+    terms = terms_of(session, contract)
+    milestones = plan_queries.milestones_of(session, contract.id)
+    deposit_minor = sum(milestone.amount_minor for milestone in milestones if milestone.is_deposit)
+    return statement_of(
+        load_ledger_book(session, contract),
+        priced(plan_queries.cues_of(session, contract.id)),
+        states,
+        rules_of(contract, terms),
+        beside_cues_minor=deposit_minor + terms.days_cap_minor,
+        deposit_is_set_off=terms.deposit_at_end is DepositAtEnd.SET_OFF,
+    )
+
+
+def settle_end(
+    session: Session,
+    contract: Contract,
+    states: Mapping[UUID, WorkState],
+    *,
+    person_id: UUID,
+    is_by_server: bool,
+) -> None:
+    """Count every cue that is not settled as cut, and write all that is owed; callers hold the contract's lock."""
+    statement = end_statement(session, contract, states)
+    now = clock.now()
+    for covered in plan_queries.cues_of(session, contract.id):
+        if covered.accepted_at is None and covered.cut_at is None:
+            covered.cut_at, covered.cut_in = now, states[covered.cue_id]
+    session.flush()
+    write(session, contract, statement.entries, person_id=person_id, is_by_server=is_by_server)
 
 
 def price_round(session: Session, cue_id: UUID, *, number: int, person_id: UUID) -> ExtraRound | None:

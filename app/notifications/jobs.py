@@ -235,6 +235,16 @@ def notify_contract(runtime: Runtime, payload: Payload) -> None:
         notifier = Notifier(runtime, session, project, payload["event_id"])
         for recipient in recipients:
             notifier.notify(recipient, f"contract:{payload['event']}", subject, line, page=f"contracts/{contract.id}")
+            "contract.notice_given": (
+                producers | {designer},
+                "notice was given on a contract",
+                f"{title}: notice was given. Its page Ending early says what each cue is owed.",
+            ),
+            "contract.settled": (
+                producers | {designer},
+                "a contract has ended",
+                f"{title}: it is settled and has ended. What is owed is due.",
+            ),
 
 
 @job("notifications.notify_reminder")

@@ -51,6 +51,15 @@ class Contracts:
         self.accept(sent, self.world.designer, "N. Designer")
         return self.accept(sent, self.world.producer, "P. Producer")
 
+    def end(self, contract: dict[str, Any], reason: str = "All is done.") -> dict[str, Any]:
+        """Give notice of an agreed contract and have both agree to its statement."""
+        path = f"/contracts/{contract['id']}/ending"
+        ended: dict[str, Any] = self.ask(self.world.producer, "POST", f"{path}/notice", json={"reason": reason})
+        for by, name in ((self.world.designer, "N. Designer"), (self.world.producer, "P. Producer")):
+            body = {"name": name, "text_sha256": ended["statement_sha256"]}
+            ended = self.ask(by, "POST", f"{path}/agree", json=body)
+        return ended
+
     @staticmethod
     def draft_of(contract: dict[str, Any], **changes: Any) -> dict[str, Any]:
         """Return a contract's draft as the editor sends it."""

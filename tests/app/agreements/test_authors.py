@@ -67,7 +67,7 @@ def cut(_agreed: Agreed, client: Any, _take: UUID, cue: UUID) -> Any:
 
 
 def end(agreed: Agreed, client: Any, _take: UUID, _cue: UUID) -> Any:
-    return client.post(f"/v1/contracts/{agreed.contract_id}/end", json={"reason": "the game is shelved"})
+    return client.post(f"/v1/contracts/{agreed.contract_id}/ending/notice", json={"reason": "the game is shelved"})
 
 
 def invoice(agreed: Agreed, client: Any, take: UUID, _cue: UUID) -> Any:
@@ -94,7 +94,7 @@ ACTS: list[tuple[str, Act, str, tuple[str, ...]]] = [
     ("withdraw", undo, "judged", ("approver",)),
     ("send changes", send, "judged", ("approver",)),
     ("cut", cut, "cut", ("producer", "approver")),
-    ("end", end, "ended", ("producer",)),
+    ("give notice", end, "notice_given", ("producer",)),
     ("invoice", invoice, "invoiced", ("designer",)),
     ("pay", pay, "paid", ("producer",)),
 ]

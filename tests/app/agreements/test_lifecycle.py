@@ -231,6 +231,13 @@ def test_agreed_is_agreed(world: World, contracts: Contracts):
         assert (refused.status_code, refused.json()["code"]) == (409, "wrong-state"), path
     body = contracts.draft_of(agreed) | {"based_on_version": agreed["version"]["number"]}
     assert world.producer.put(f"/v1/contracts/{agreed['id']}/draft", json=body).status_code == 409
+    refused = world.designer.post(f"/v1/contracts/{agreed['id']}/end", json={"reason": "Done early."})
+    assert (refused.status_code, refused.json()["code"]) == (409, "notice-needed")
+
+
+@pytest.mark.parametrize("kind", ["framework", "nda"])
+def test_what_orders_no_work_ends_at_once(world: World, contracts: Contracts, kind: str):
+    agreed = contracts.agree(contracts.begin(kind))
     ended = contracts.ask(world.designer, "POST", f"/contracts/{agreed['id']}/end", json={"reason": "Done early."})
     assert (ended["state"], ended["end_reason"]) == ("ended", "Done early.")
 

@@ -101,7 +101,7 @@ def test_what_another_contract_has_paid_for_is_not_owed_again(world: World, stag
     cue = stage.cue()
     stage.approve(stage.take(cue))
     first = agree(contracts, cue)
-    contracts.ask(world.producer, "POST", f"/contracts/{first['id']}/end", json={"reason": "All is done."})
+    contracts.end(first)
     second = agree(contracts, cue, title="Once more")
     assert owed(contracts, second) == []
     assert how(world, cue) == [AcceptedBy.ADOPTION, None]

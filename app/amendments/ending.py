@@ -1,0 +1,308 @@
+"""Ending an agreed contract: notice, a statement that both see, and its settlement in one step."""
+
+from dataclasses import asdict
+from datetime import date, datetime
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.accounts.schemas import PersonBrief
+from app.agreements import lifecycle, plan_queries, record
+from app.agreements.access import party_of, visible_contract
+from app.agreements.documents import TextPdf, sha256_of
+from app.agreements.errors import NotYourContract
+from app.agreements.models import Contract
+from app.agreements.plan_queries import terms_of
+from app.agreements.queries import lock_contract
+from app.agreements.rules import ORDERS, ContractState, Party, WorkState
+from app.agreements.terms import MoneyTerms, PriceMode
+from app.amendments import queries, schemas
+from app.amendments.ending_text import statement_text, statement_title
+from app.amendments.errors import AlreadyEnded, NoNotice, NoticeGiven
+from app.amendments.models import Notice
+from app.amendments.rules import end_of_notice, is_over
+from app.amendments.signing import locked_for_party, sign
+from app.kit import clock
+from app.kit.events import publish
+from app.kit.money import money
+from app.money import overview
+from app.money import queries as money_queries
+from app.money.days import price_of
+from app.money.ledger import called, load_ledger_book
+from app.money.ledger_book import price_of_round
+from app.money.schemas import FiguresRead
+from app.money.settlement import end_statement, settle_end
+from app.reviews.rules import work_state
+
+
+def ending(session: Session, actor: Actor, contract_id: UUID) -> schemas.EndingRead:
+    """Return what a contract comes to if it ends early, as it stands now or as it was settled."""
+    return _read(session, visible_contract(session, actor, contract_id), actor)
+
+
+def give_notice(session: Session, actor: Actor, contract_id: UUID, *, reason: str, ends_on: date | None = None) -> None:
+    """Give notice for the caller's party; from then on both see the statement."""
+    contract, party = locked_for_party(session, actor, contract_id)
+    _ensure_unsettled(session, contract)
+    standing = queries.standing_notice(session, contract.id)
+    if standing is not None:
+        raise NoticeGiven(
+            f"{standing.giver.name} gave notice on {standing.given_at.date()}",
+            fix="agree to its statement; who gave the notice can withdraw it",
+        )
+    is_agreed = contract.state is ContractState.AGREED
+    notice_days = terms_of(session, contract).notice_days if is_agreed else None
+    last_day = end_of_notice(clock.now().date(), notice_days, ends_on)
+    notice = Notice(
+        studio_id=contract.studio_id,
+        project_id=contract.project_id,
+        contract_id=contract.id,
+        number=queries.next_notice_number(session, contract.id),
+        party=party,
+        given_by=actor.person,
+        reason=reason,
+        ends_on=last_day,
+    )
+    session.add(notice)
+    session.flush()
+    facts = {"notice": notice.number, "reason": reason, "ends_on": last_day.isoformat() if last_day else ""}
+    record.append(session, contract.id, "notice_given", facts, by=actor.person)
+    _publish(session, contract, "contract.notice_given")
+
+
+def withdraw_notice(session: Session, actor: Actor, contract_id: UUID) -> None:
+    """Take a notice back, as the party that gave it, before it takes hold."""
+    contract, party = locked_for_party(session, actor, contract_id)
+    notice = _open_notice(session, contract)
+    if notice.party is not party:
+        raise NotYourContract(f"only the {notice.party}, who gave the notice, can withdraw it")
+    notice.withdrawn_at = clock.now()
+    session.flush()
+    record.append(session, contract.id, "notice_withdrawn", {"notice": notice.number}, by=actor.person)
+
+
+def agree_to_statement(
+    session: Session,
+    actor: Actor,
+    contract_id: UUID,
+    *,
+    name: str,
+    text_sha256: str,
+    address: str,
+    proof_needed: bool,
+) -> None:
+    """Say yes to the statement for the caller's party; with the second yes the contract is settled and ends."""
+    contract, party = locked_for_party(session, actor, contract_id)
+    notice = _open_notice(session, contract)
+    read = _read(session, contract, actor)
+    text = statement_text(read, contract.project.studio.name)
+    are_both = sign(
+        session,
+        actor,
+        contract,
+        party,
+        kind="statement_accepted",
+        facts={"notice": notice.number},
+        text_sha256=sha256_of(text),
+        seen_sha256=text_sha256,
+        name=name,
+        address=address,
+        proof_needed=proof_needed,
+    )
+    if are_both:
+        _settle(session, contract, notice, text, read, by=actor.person)
+
+
+def settle_if_over(session: Session, contract_id: UUID, today: date) -> None:
+    """Settle a contract whose last day has passed, as the server; settling twice is settling once."""
+    contract = lock_contract(session, contract_id)
+    notice = queries.standing_notice(session, contract_id)
+    if notice is None or notice.settled_at is not None or not is_over(notice.ends_on, today):
+        return
+    read = _read(session, contract, None)
+    _settle(session, contract, notice, statement_text(read, contract.project.studio.name), read, by=None)
+
+
+def _settle(
+    session: Session,
+    contract: Contract,
+    notice: Notice,
+    text: str,
+    read: schemas.EndingRead,
+    *,
+    by: UUID | None,
+) -> None:
+    notice.settled_at, notice.statement, notice.statement_sha256 = clock.now(), text, sha256_of(text)
+    session.flush()
+    facts = {
+        "notice": notice.number,
+        "because": "both agreed to the statement" if by else "the last day of the notice is over",
+        "text_sha256_of_amendment": notice.statement_sha256,
+        "owed": money(read.figures.accepted_minor, contract.currency),
+        "to_pay": money(read.figures.due_minor, contract.currency),
+    }
+    record.append(session, contract.id, "settled", facts, by=by)
+    states = work_states(session, contract)
+    settle_end(session, contract, states, person_id=by or notice.given_by, is_by_server=by is None)
+    if contract.state is ContractState.AGREED:
+        lifecycle.mark_ended(session, contract, reason=notice.reason)
+        record.append(session, contract.id, "ended", {"reason": notice.reason}, by=by)
+    _publish(session, contract, "contract.settled")
+
+
+def statement_pdf(session: Session, actor: Actor, contract_id: UUID) -> TextPdf:
+    """Return the statement as PDF, as it took hold or as it stands; raise NoNotice while there is none."""
+    contract = visible_contract(session, actor, contract_id)
+    notice = queries.standing_notice(session, contract.id)
+    if notice is None:
+        raise NoNotice("no notice was given, so there is no statement yet", fix="give notice first")
+    read = _read(session, contract, actor)
+    text = notice.statement or statement_text(read, contract.project.studio.name)
+    return TextPdf.of(statement_title(read), text)
+
+
+def work_states(session: Session, contract: Contract) -> dict[UUID, WorkState]:
+    """Return how far its designer's work is on each cue of a contract that is not settled."""
+    covered = [
+        one for one in plan_queries.cues_of(session, contract.id) if one.accepted_at is None and one.cut_at is None
+    ]
+    states = queries.variation_states(session, [one.cue_id for one in covered], contract.designer_id)
+    found = {one.cue_id: work_state(one.cue.variations, states[one.cue_id]) for one in covered}
+    for cue_id, state in found.items():
+        if state is WorkState.ACCEPTED and plan_queries.is_accepted_elsewhere(session, contract.id, cue_id):
+            found[cue_id] = WorkState.NOT_BEGUN  # it was paid for there
+    return found
+
+
+def _ensure_unsettled(session: Session, contract: Contract) -> None:
+    if contract.kind not in ORDERS or contract.agreed_at is None:
+        raise AlreadyEnded(
+            "nothing is owed under this contract, so it needs no settlement", fix="end it on the contract's page"
+        )
+    is_open = any(one.accepted_at is None and one.cut_at is None for one in plan_queries.cues_of(session, contract.id))
+    if contract.state is ContractState.ENDED and not is_open:
+        raise AlreadyEnded(
+            "this contract has ended and is settled", fix="invoice what is due, or sign another contract"
+        )
+
+
+def _open_notice(session: Session, contract: Contract) -> Notice:
+    notice = queries.standing_notice(session, contract.id)
+    if notice is None:
+        raise NoNotice("no notice stands", fix="give notice; the statement is made from it")
+    if notice.settled_at is not None:
+        raise AlreadyEnded("the notice took hold, and this contract is settled", fix="read the statement on its page")
+    return notice
+
+
+def _publish(session: Session, contract: Contract, event: str) -> None:
+    publish(session, event, studio_id=contract.studio_id, contract_id=contract.id)
+
+
+def _read(session: Session, contract: Contract, actor: Actor | None) -> schemas.EndingRead:
+    """Return the ending as one party sees it; `actor` None: as the server does."""
+    terms = terms_of(session, contract)
+    notice = queries.standing_notice(session, contract.id)
+    is_settled = notice is not None and notice.settled_at is not None
+    states = work_states(session, contract)
+    statement = end_statement(session, contract, states)
+    milestones = {one.id: one.name for one in plan_queries.milestones_of(session, contract.id)}
+    covered = {one.cue_id: one for one in plan_queries.cues_of(session, contract.id)}
+    prefix = contract.project.cue_prefix
+    party = party_of(actor, contract) if actor else None
+    now = load_ledger_book(session, contract)
+    read = schemas.EndingRead(
+        project_id=contract.project_id,
+        contract_id=contract.id,
+        title=contract.title,
+        designer=PersonBrief(id=contract.designer_id, name=contract.designer.name),
+        currency=contract.currency,
+        my_party=party,
+        state="settled" if is_settled else "notice" if notice else "forecast",
+        notice=_notice_read(notice) if notice else None,
+        notice_days=terms.notice_days,
+        earliest_ends_on=end_of_notice(clock.now().date(), terms.notice_days, None),
+        deposit_at_end=terms.deposit_at_end,
+        cues=[
+            schemas.StatedCueRead(
+                cue=overview.brief(covered[one.cue_id].cue, prefix),
+                milestone=milestones[one.milestone_id],
+                state=one.state,
+                was_cut=one.was_cut and not _was_cut_by(notice, covered[one.cue_id].cut_at),
+                price_minor=one.price_minor,
+                part_bp=one.part_bp,
+                owed_minor=one.owed_minor,
+                clause=one.clause,
+            )
+            for one in statement.cues
+        ],
+        cues_minor=statement.cues_minor,
+        deposit_minor=statement.deposit_minor,
+        rounds_minor=statement.rounds_minor,
+        days_minor=statement.days_minor,
+        due_now_minor=overview.figures(session, contract, now).due_minor,
+        figures=FiguresRead(**asdict(statement.figures)),
+        open_points=_open_points(session, contract, terms),
+        statement_sha256=notice.statement_sha256 if notice else None,
+        settled_at=notice.settled_at if notice else None,
+        signed=[],
+        may=_may(contract, notice, party),
+    )
+    if notice is not None and not is_settled:
+        read.statement_sha256 = sha256_of(statement_text(read, contract.project.studio.name))
+    if read.statement_sha256 is not None:
+        given = queries.acceptances_of(session, contract.id, read.statement_sha256)
+        read.signed = [schemas.SignedRead.model_validate(one) for one in given]
+        read.may.agree &= party not in {one.party for one in given}
+    return read
+
+
+def _was_cut_by(notice: Notice | None, cut_at: datetime | None) -> bool:
+    """Whether the settlement itself counted a cue as cut."""
+    return bool(notice and notice.settled_at and cut_at and cut_at >= notice.settled_at)
+
+
+def _notice_read(notice: Notice) -> schemas.NoticeRead:
+    return schemas.NoticeRead(
+        number=notice.number,
+        party=notice.party,
+        given_by=notice.giver.name,
+        given_at=notice.given_at,
+        reason=notice.reason,
+        ends_on=notice.ends_on,
+    )
+
+
+def _open_points(session: Session, contract: Contract, terms: MoneyTerms) -> list[schemas.OpenPointRead]:
+    """Return rounds and days that wait for the studio to agree to them."""
+    prefix = contract.project.cue_prefix
+    cues = overview.priced_by_cue(session, contract)
+    rounds = [
+        schemas.OpenPointRead(
+            kind="round",
+            text=f"round {one.number} of {called(one.cue, prefix)}",
+            amount_minor=price_of_round(cues[one.cue_id], terms.extra_round_bp),
+        )
+        for one in money_queries.extra_rounds_of(session, contract.id)
+        if one.agreed_at is None and one.dropped_at is None
+    ]
+    by_day = terms.price_mode is PriceMode.DAY_RATE
+    days = [
+        schemas.OpenPointRead(
+            kind="day", text=f"work on {one.worked_on}", amount_minor=price_of(one.quarters, terms.day_rate_minor)
+        )
+        for one in (money_queries.worked_days_of(session, contract.id) if by_day else ())
+        if one.agreed_at is None
+    ]
+    return rounds + days
+
+
+def _may(contract: Contract, notice: Notice | None, party: Party | None) -> schemas.EndingMay:
+    is_open = notice is not None and notice.settled_at is None
+    can_be_given = notice is None and contract.kind in ORDERS and contract.agreed_at is not None
+    return schemas.EndingMay(
+        give_notice=party is not None and can_be_given and contract.state is ContractState.AGREED,
+        withdraw=notice is not None and is_open and notice.party is party,
+        agree=party is not None and is_open,
+    )

@@ -1,0 +1,61 @@
+"""Notices, yeses and the state of work under a contract, read from the database; callers have checked who looks."""
+
+from collections import defaultdict
+from collections.abc import Collection, Sequence
+from datetime import date
+from uuid import UUID
+
+from sqlalchemy import func, select
+from sqlalchemy.orm import Session, joinedload
+
+from app.amendments.models import AmendmentAcceptance, Notice
+from app.deliveries.models import Take
+from app.deliveries.rules import TakeState
+from app.kit.in_array import in_array
+
+
+def standing_notice(session: Session, contract_id: UUID) -> Notice | None:
+    """Return the notice of a contract that was not withdrawn, settled or not."""
+    return session.scalar(
+        select(Notice)
+        .where(Notice.contract_id == contract_id, Notice.withdrawn_at.is_(None))
+        .options(joinedload(Notice.giver))
+        .execution_options(populate_existing=True)
+    )
+
+
+def next_notice_number(session: Session, contract_id: UUID) -> int:
+    """Return the number of a contract's next notice."""
+    return (session.scalar(select(func.max(Notice.number)).where(Notice.contract_id == contract_id)) or 0) + 1
+
+
+def contracts_to_settle(session: Session, today: date) -> Sequence[UUID]:
+    """Return the contracts whose notice is over and which are not settled."""
+    return session.scalars(
+        select(Notice.contract_id)
+        .where(Notice.ends_on < today, Notice.withdrawn_at.is_(None), Notice.settled_at.is_(None))
+        .order_by(Notice.id)
+    ).all()
+
+
+def acceptances_of(session: Session, contract_id: UUID, text_sha256: str) -> Sequence[AmendmentAcceptance]:
+    """Return who said yes to a text, in order."""
+    return session.scalars(
+        select(AmendmentAcceptance)
+        .where(AmendmentAcceptance.contract_id == contract_id, AmendmentAcceptance.text_sha256 == text_sha256)
+        .order_by(AmendmentAcceptance.id)
+    ).all()
+
+
+def variation_states(
+    session: Session, cue_ids: Collection[UUID], designer_id: UUID
+) -> dict[UUID, dict[int, set[TakeState]]]:
+    """Return in which states a designer's takes of cues are, by cue and variation."""
+    states: dict[UUID, dict[int, set[TakeState]]] = defaultdict(lambda: defaultdict(set))
+    query = select(Take.cue_id, Take.variation, Take.state).where(
+        in_array(Take.cue_id, cue_ids), Take.designer_id == designer_id
+    )
+    for cue_id, variation, state in session.execute(query):
+        if cue_id is not None:
+            states[cue_id][variation].add(state)
+    return states
