@@ -7,13 +7,20 @@ import sqlite3
 import subprocess
 import sys
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
+from uuid import UUID
+
+import httpx
 
 import audio_checks
+from app.accounts.authentication import CSRF_HEADER
+from app.kit.connections import BoundedHttpProtocol
 from tests.support.any_sound import any_sound
 from tests.support.deliver import deliver, open_delivery
-from tests.support.server import World
+from tests.support.listening import listening
+from tests.support.server import RunningServer, World
 
 ALONE = """
 [checks]
@@ -95,6 +102,27 @@ def remembered(cache: Path) -> int:
     with sqlite3.connect(cache / "verdicts.sqlite") as database:
         (count,) = database.execute("SELECT count(*) FROM verdicts").fetchone()
     return int(count)
+
+
+class WorldOverTcp(World):
+    """People whose requests go to a port, as those of browsers and scripts do."""
+
+    def __init__(self, server: RunningServer, address: str) -> None:
+        super().__init__(server)
+        self._address = address
+
+    def signed_in(self, person_id: UUID) -> httpx.Client:
+        """Return a client that is signed in as this person."""
+        browser = super().signed_in(person_id)
+        headers = {CSRF_HEADER: browser.headers[CSRF_HEADER]}
+        return httpx.Client(base_url=self._address, cookies=dict(browser.cookies), headers=headers, timeout=60)
+
+
+@contextmanager
+def world_over_tcp(server: RunningServer) -> Iterator[World]:
+    """Listen on a port, and yield a studio whose people ask there."""
+    with listening(server.application, lifespan="off", http=BoundedHttpProtocol) as port:
+        yield WorldOverTcp(server, f"http://127.0.0.1:{port}")
 
 
 class Server:

@@ -13,9 +13,10 @@ from tests.support.parity import (
     remembered,
     said_by_command,
     said_by_python,
+    world_over_tcp,
     write_sounds,
 )
-from tests.support.server import World, run_server
+from tests.support.server import run_server
 
 
 def main() -> int:
@@ -26,10 +27,14 @@ def main() -> int:
     parser.add_argument("--first", type=int, default=0, help="the first seed")
     arguments = parser.parse_args()
     found = 0
-    with tempfile.TemporaryDirectory() as name, run_server(Path(name, "data")) as server:
+    with (
+        tempfile.TemporaryDirectory() as name,
+        run_server(Path(name, "data")) as server,
+        world_over_tcp(server) as world,
+    ):
         seeds = range(arguments.first, arguments.first + arguments.sounds)
         paths = write_sounds(Path(name, "sounds"), seeds, longest_s=20.0)
-        asked = Server(World(server), paths)
+        asked = Server(world, paths)
         for spec in list(SPECS)[: arguments.specs]:
             for one in compared(asked, paths, spec):
                 found += 1
