@@ -79,8 +79,9 @@ false-alarms: setup  ## Count false alarms and injected faults; SOUNDS_DIR names
 audit: setup  ## Look for changed sounds among approved ones; SOUNDS_DIR names the folder of real sounds
 	$(BIN)/python -m benchmarks.audits
 
-fuzz: setup  ## Feed the reader a million mutants, and everything 200,000 sounds of every shape (SOUNDS=, FIRST=)
+fuzz: setup  ## Feed the readers damaged sounds and projects, and everything 200,000 sounds of every shape (PROJECTS=, SOUNDS=, FIRST=)
 	$(BIN)/python -m tests.audio_checks.fuzz --mutants 1000000
+	$(BIN)/python -m tests.audio_checks.project_fuzz --mutants $(or $(PROJECTS),200000) --seed $(or $(FIRST),0)
 	$(BIN)/python -m tests.audio_checks.sound_fuzz --count $(or $(SOUNDS),200000) --first $(or $(FIRST),0)
 
 parity: setup  ## Ask server, command line and Python about 1,000 sounds by 6 specs

@@ -1,0 +1,64 @@
+"""Finds which engine or middleware a project is of, and reads it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from audio_checks.middleware.fmod import read_fmod
+from audio_checks.middleware.godot import read_godot
+from audio_checks.middleware.reading import ProjectRefused
+from audio_checks.middleware.unity import read_unity
+from audio_checks.middleware.unreal import read_unreal
+from audio_checks.middleware.values import Project
+from audio_checks.middleware.wwise import read_wwise
+
+WANTED = (
+    "wanted a .wproj of Wwise, a .fspro of FMOD Studio, the folder of a Unity project, a project.godot, or the JSON"
+    " file that integrations/unreal/export_sounds.py writes"
+)
+
+
+def read_project(path: str | Path) -> Project:
+    """Return which sound files a game plays, and at which gain.
+
+    Parameters
+    ----------
+    path : str or Path
+        The project's file, or the folder that holds it.
+
+    Raises
+    ------
+    ProjectRefused
+        There is no such project, or more than one in the folder.
+    """
+    place = Path(path)
+    if not place.exists():
+        raise ProjectRefused(f"{place}: does not exist; {WANTED}")
+    if place.is_dir():
+        place = _project_in(place)
+    name = place.name.lower()
+    if name.endswith(".wproj"):
+        return read_wwise(place)
+    if name.endswith(".fspro"):
+        return read_fmod(place)
+    if name == "project.godot":
+        return read_godot(place.parent)
+    if place.is_dir():
+        return read_unity(place)
+    if name == "projectversion.txt":
+        return read_unity(place.parent.parent)
+    if name.endswith(".json"):
+        return read_unreal(place)
+    raise ProjectRefused(f"{place}: is no project that is known; {WANTED}")
+
+
+def _project_in(folder: Path) -> Path:
+    """Return the project that stands in a folder; a Unity project is its folder."""
+    if (folder / "Assets").is_dir() and (folder / "ProjectSettings").is_dir():
+        return folder
+    files = [one for one in sorted(folder.iterdir()) if not one.name.startswith("._")]  # which macOS leaves
+    found = [one for one in files if one.suffix.lower() in (".wproj", ".fspro") or one.name == "project.godot"]
+    if len(found) != 1:
+        which = f"more than one project: {', '.join(one.name for one in found[:4])}" if found else "no project"
+        raise ProjectRefused(f"{folder}: holds {which}; {WANTED}")
+    return found[0]

@@ -1,0 +1,382 @@
+"""Reads a Wwise project: `.wproj` and work units (`.wwu`) of 2016.1 to 2025.1.
+
+All gains are in dB and add up: of the source, of the sound and what holds it, and of the buses up to the master. A
+property at its default is not written. Of a value for each platform the one without a platform counts, else the first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+from audio_checks.middleware.reading import (
+    MOST_DEPTH,
+    MOST_OBJECTS,
+    MOST_STEPS,
+    NotRead,
+    ProjectFiles,
+    at_most,
+    xml_root,
+)
+from audio_checks.middleware.values import Conversion, Dependency, Part, PlayedSound, Project, gain, in_order, number
+
+CATEGORIES = (
+    "AudioObjects", "Containers", "InteractiveMusic", "Busses", "Events", "Conversions", "DynamicDialogue",
+)  # fmt: skip
+OBJECT_GAINS = ("Volume", "MakeUpGain", "OutputBusVolume")
+BUS_GAINS = ("BusVolume", "Volume", "OutputBusVolume")
+GAINS = frozenset({*OBJECT_GAINS, *BUS_GAINS, "VolumeOffset"})
+BUSES = ("Bus", "AuxBus")
+PLAY = "1"  # the type of an action that plays; also the default
+PLAYS_AN_EVENT = 8  # events within one another
+MASTER = ("Master Audio Bus", "{1514A4D8-1DA6-412A-A17E-75CA0C2149F3}")  # of every project
+
+
+@dataclass(slots=True)
+class _Object:
+    id: str
+    tag: str
+    name: str
+    file: str
+    parent: str
+    gains: dict[str, float] = field(default_factory=dict)
+    settings: dict[str, str] = field(default_factory=dict)
+    references: dict[str, tuple[str, str]] = field(default_factory=dict)  # the name and the id of what is meant
+    depends: list[Dependency] = field(default_factory=list)
+    sources: list[_Source] = field(default_factory=list)
+    active: set[str] = field(default_factory=set)
+    path: str = ""  # of a work unit that stands by itself
+
+
+@dataclass(slots=True)
+class _Source:
+    id: str
+    name: str
+    language: str
+    audio_file: str
+    offset_db: float
+
+
+def read_wwise(project: Path) -> Project:
+    """Return what a Wwise project says of its sounds.
+
+    Parameters
+    ----------
+    project : Path
+        The `.wproj` file.
+    """
+    files = ProjectFiles(project.parent, skipped=lambda name: name.startswith(".") or name == "GeneratedSoundBanks")
+    reading = _Reading(files)
+    version = reading.read_project_file(project.name)
+    for file, text in files.texts(files.ending(".wwu")):
+        if any(f"<{category}" in text[:4_096] for category in CATEGORIES):
+            try:
+                reading.read_unit(file, text)
+            except NotRead as error:
+                files.leave_out(file, str(error), error.line)
+    return Project(
+        "wwise", str(project.parent), version, in_order(at_most(reading.played(), files.leave_out)), tuple(files.unread)
+    )
+
+
+class _Reading:
+    def __init__(self, files: ProjectFiles) -> None:
+        self._files = files
+        self._objects: dict[str, _Object] = {}
+        self._references: dict[str, str] = {}  # the parents of units, where only a place-holder names them
+        self._targets: dict[str, list[str]] = {}  # what events play, with the events' names
+        self._events_played: dict[str, list[str]] = {}  # events that other events play
+        self._set_by: dict[str, list[Dependency]] = {}  # objects whose level an action changes
+        self._conversions: dict[str, tuple[Conversion, ...]] = {}
+        self._originals = "Originals"
+        self._by_lower = {file.lower(): file for file in files.files}
+        self._chains: dict[str, tuple[tuple[Part, ...], tuple[Dependency, ...]]] = {}
+
+    def read_project_file(self, file: str) -> str:
+        """Return the version that the project file names."""
+        for _, text in self._files.texts([file]):
+            try:
+                root = xml_root(text)
+            except NotRead as error:
+                self._files.leave_out(file, str(error), error.line)
+                return ""
+            for entry in root.iter("MiscSettingEntry"):
+                if entry.get("Name") == "Originals" and entry.text:
+                    self._originals = entry.text.replace("\\", "/").strip("/")
+            return root.get("WwiseVersion", "")[:64]
+        return ""
+
+    def read_unit(self, file: str, text: str) -> None:
+        """Take the objects of one work unit."""
+        root = xml_root(text)
+        if root.tag != "WwiseDocument":
+            raise NotRead(f"is a <{root.tag[:64]}> document; wanted <WwiseDocument>")
+        for category in root:
+            for unit in category.iter("WorkUnit"):
+                mode = unit.get("PersistMode")
+                id_ = unit.get("ID", "")
+                if mode == "Reference":
+                    continue
+                owner = unit.get("OwnerID", "") if mode == "Nested" else ""
+                path = "" if owner else "\\" + file.removesuffix(".wwu").replace("/", "\\")
+                self._add(_Object(id_, "WorkUnit", unit.get("Name", ""), file, owner, path=path))
+                self._children(unit, id_, file, 0)
+                break  # the one unit of the file
+
+    def _add(self, one: _Object) -> None:
+        if one.id and len(self._objects) < MOST_OBJECTS:
+            self._objects.setdefault(one.id, one)
+
+    def _children(self, element: ET.Element, parent: str, file: str, depth: int) -> None:
+        if depth > MOST_DEPTH // 2:
+            raise NotRead(f"objects lie more than {MOST_DEPTH // 2} deep in one another")
+        for list_ in element.iterfind("ChildrenList"):
+            for child in list_:
+                id_ = child.get("ID", "")
+                if child.tag == "WorkUnit":
+                    self._references[id_] = parent
+                elif child.tag == "Event":
+                    self._event(child)
+                elif child.tag == "Conversion":
+                    self._conversions[id_] = _harms(child, file)
+                elif child.tag == "DialogueEvent":
+                    for target in child.iter("ObjectRef"):
+                        self._targets.setdefault(target.get("ID", ""), []).append(child.get("Name", ""))
+                elif child.tag == "AudioFileSource":
+                    self._source(child, parent)
+                elif id_:
+                    self._add(_object(child, parent, file))
+                    self._children(child, id_, file, depth + 1)
+
+    def _source(self, element: ET.Element, parent: str) -> None:
+        audio_file = (element.findtext("AudioFile") or "").strip()
+        holder = self._objects.get(parent)
+        if holder is None or not audio_file:
+            return
+        offset_db = 0.0
+        for name, property_ in _properties(element):
+            if name == "VolumeOffset":
+                offset_db = number(_value(property_)) or 0.0
+        language = (element.findtext("Language") or "SFX").strip()
+        holder.sources.append(_Source(element.get("ID", ""), element.get("Name", ""), language, audio_file, offset_db))
+
+    def _event(self, event: ET.Element) -> None:
+        name = event.get("Name", "")
+        for action in event.iterfind("ChildrenList/Action"):
+            properties = dict(_properties(action))
+            kind = _value(properties["ActionType"]) if "ActionType" in properties else PLAY
+            target = action.find("ReferenceList/Reference[@Name='Target']/ObjectRef")
+            if target is None:
+                continue
+            id_ = target.get("ID", "")
+            if kind == PLAY:
+                self._targets.setdefault(id_, []).append(name)
+                self._events_played.setdefault(event.get("ID", ""), []).append(id_)
+            elif any("Volume" in one for one in properties):
+                self._set_by.setdefault(id_, []).append(
+                    Dependency("", "Volume", "state", f'an action of event "{name}"')
+                )
+
+    def played(self) -> Iterator[PlayedSound]:
+        """Yield a sound for each file that an object plays."""
+        for one in self._objects.values():
+            for source in _active(one):
+                yield self._sound(one, source)
+
+    def _sound(self, one: _Object, source: _Source) -> PlayedSound:
+        path = self._path(one.id)
+        parts, depends = self._chain(one)
+        offset = gain(f"{path}\\{source.name}", "VolumeOffset", source.offset_db, one.file, source.id)
+        events: dict[str, None] = {}
+        looped, streamed = None, None
+        conversion: tuple[Conversion, ...] = ()
+        converted = False
+        for holder in self._holders(one):
+            events.update(dict.fromkeys(self._targets.get(holder.id, ())))
+            has_own = holder.settings.get("OverrideConversion") == "True" or self._is_top(holder)
+            if not converted and has_own and "Conversion" in holder.references:
+                converted = True
+                conversion = self._conversions.get(holder.references["Conversion"][1], ())
+        if one.tag == "Sound":
+            looped = one.settings.get("IsLoopingEnabled") == "True"
+            streamed = one.settings.get("IsStreamingEnabled") == "True"
+        return PlayedSound(
+            self._file_of(source), path, offset + parts, depends, conversion,
+            tuple(events), bool(events), True, looped, streamed,
+        )  # fmt: skip
+
+    def _file_of(self, source: _Source) -> str:
+        folder = "SFX" if source.language == "SFX" else f"Voices/{source.language}"
+        path = f"{self._originals}/{folder}/{source.audio_file}".replace("\\", "/")
+        return self._by_lower.get(path.lower(), path)
+
+    def _parent(self, one: _Object) -> _Object | None:
+        return self._objects.get(one.parent or self._references.get(one.id, ""))
+
+    def _holders(self, one: _Object) -> Iterator[_Object]:
+        """Yield an object and all that hold it, up to its work unit."""
+        holder: _Object | None = one
+        for _ in range(MOST_STEPS):
+            if holder is None:
+                return
+            yield holder
+            holder = self._parent(holder)
+
+    def _is_top(self, one: _Object) -> bool:
+        """Whether nothing with properties of its own holds an object."""
+        return all(holder.tag in ("WorkUnit", "Folder") for holder in list(self._holders(one))[1:])
+
+    def _path(self, id_: str) -> str:
+        names: list[str] = []
+        for holder in self._holders(self._objects[id_]):
+            if holder.path:
+                names.append(holder.path)
+                break
+            names.append(holder.name)
+        else:
+            names.append("")
+        return "\\".join(reversed(names))
+
+    def _chain(self, one: _Object) -> tuple[tuple[Part, ...], tuple[Dependency, ...]]:
+        """Return the gains of an object and all above it, and what else changes them."""
+        parts, depends = self._own(one, OBJECT_GAINS)
+        routed = None
+        distance = False
+        for holder in list(self._holders(one))[1:]:
+            if holder.tag in ("WorkUnit", "Folder"):
+                continue
+            more = self._own(holder, OBJECT_GAINS)
+            parts, depends = parts + more[0], depends + more[1]
+        for holder in self._holders(one):
+            top = self._is_top(holder)
+            if routed is None and (top or holder.settings.get("OverrideOutput") == "True"):
+                routed = holder.references.get("OutputBus", MASTER if top else None)
+            if not distance and (top or holder.settings.get("OverridePositioning") == "True"):
+                if "Attenuation" in holder.references:
+                    name = holder.references["Attenuation"][0]
+                    depends += (Dependency(self._path(holder.id), "Attenuation", "distance", f'attenuation "{name}"'),)
+                distance = True
+            if top and holder.tag not in ("WorkUnit", "Folder"):
+                break
+        if routed is not None and routed[1] in self._objects:
+            more = self._bus_chain(routed[1])
+            parts, depends = parts + more[0], depends + more[1]
+        return parts, tuple(dict.fromkeys(depends))
+
+    def _own(self, one: _Object, names: tuple[str, ...]) -> tuple[tuple[Part, ...], tuple[Dependency, ...]]:
+        if not (one.gains or one.depends or one.id in self._set_by):
+            return (), ()
+        path = self._path(one.id)
+        parts = tuple(
+            part for name in names if name in one.gains for part in gain(path, name, one.gains[name], one.file, one.id)
+        )
+        set_by = [Dependency(path, by.property, by.on, by.what) for by in self._set_by.get(one.id, ())]
+        return parts, (*(Dependency(path, by.property, by.on, by.what) for by in one.depends), *set_by)
+
+    def _bus_chain(self, id_: str) -> tuple[tuple[Part, ...], tuple[Dependency, ...]]:
+        if id_ not in self._chains:
+            parts: tuple[Part, ...] = ()
+            depends: tuple[Dependency, ...] = ()
+            for bus in self._holders(self._objects[id_]):
+                if bus.tag in BUSES:
+                    more = self._own(bus, BUS_GAINS)
+                    parts, depends = parts + more[0], depends + more[1]
+            self._chains[id_] = parts, depends
+        return self._chains[id_]
+
+
+def _object(element: ET.Element, parent: str, file: str) -> _Object:
+    one = _Object(element.get("ID", ""), element.tag, element.get("Name", ""), file, parent)
+    for name, property_ in _properties(element):
+        if name in GAINS:
+            if (value := number(_value(property_))) is not None:
+                one.gains[name] = value
+            one.depends += _changes(name, property_)
+        elif name in (
+            "OverrideOutput", "OverrideConversion", "OverridePositioning", "IsLoopingEnabled", "IsStreamingEnabled",
+        ):  # fmt: skip
+            one.settings[name] = _value(property_)
+        elif name == "EnableLoudnessNormalization" and _value(property_) == "True":
+            one.depends.append(Dependency("", name, "loudness", "loudness normalization of the source"))
+        elif name == "HdrEnable" and _value(property_) == "True":
+            one.depends.append(Dependency("", name, "state", "the HDR window"))
+    for reference in element.iterfind("ReferenceList/Reference"):
+        meant = reference.find("ObjectRef")
+        name = reference.get("Name", "")
+        if meant is not None:
+            one.references[name] = (meant.get("Name", ""), meant.get("ID", ""))
+        if name.startswith("Effect") and name[6:].isdigit():
+            what = meant.get("Name", "") if meant is not None else reference.get("PluginName", "")
+            one.depends.append(Dependency("", name, "effect", f'effect "{what}"'))
+    one.depends += _states(element)
+    for track in element.iterfind("BlendTrackList/BlendTrack"):
+        for name, property_ in _properties(track):
+            if name in GAINS:
+                one.depends += _changes(name, property_)
+    for duck in element.iter("DuckInfo") if element.tag in BUSES else ():
+        one.depends.append(Dependency("", "Ducking", "state", f'ducked buses "{duck.get("Name", "")}"'))
+    one.active = {source.get("ID", "") for source in element.iterfind("ActiveSourceList/ActiveSource")}
+    return one
+
+
+def _properties(element: ET.Element) -> Iterator[tuple[str, ET.Element]]:
+    for list_ in element.iterfind("PropertyList"):
+        for property_ in list_:
+            yield property_.get("Name", ""), property_
+
+
+def _value(property_: ET.Element) -> str:
+    if (own := property_.get("Value")) is not None:
+        return own
+    values = property_.findall("ValueList/Value")
+    shared = next((value for value in values if "Platform" not in value.attrib), values[0] if values else None)
+    return (shared.text or "").strip() if shared is not None else ""
+
+
+def _changes(name: str, property_: ET.Element) -> list[Dependency]:
+    """Return what moves a property away from its value."""
+    found = []
+    for rtpc in property_.iterfind("RTPCList/RTPC"):
+        meant = rtpc.find("ReferenceList/Reference[@Name='ControlInput']/ObjectRef")
+        what = meant.get("Name", "") if meant is not None else rtpc.get("Name", "")
+        found.append(Dependency("", name, "state", f'game parameter "{what}"'))
+    for modifier in property_.iterfind("ModifierList/ModifierInfo/Modifier"):
+        values = {one: _value(two) for one, two in _properties(modifier)}
+        if values.get("Enabled") == "True":
+            what = f"random from {values.get('Min', '0')} to {values.get('Max', '0')} dB"
+            found.append(Dependency("", name, "random", what))
+    if property_.find("ValueList/Value[@Platform]") is not None:
+        values_of = {value.text for value in property_.iterfind("ValueList/Value")}
+        if len(values_of) > 1:
+            found.append(Dependency("", name, "state", "the platform"))
+    return found
+
+
+def _states(element: ET.Element) -> Iterator[Dependency]:
+    for state in element.iterfind("StateInfo/CustomStateList/CustomState"):
+        meant = state.find("StateRef")
+        for inner in state.iterfind("CustomState"):
+            for name, property_ in _properties(inner):
+                if name in GAINS and number(_value(property_)):
+                    what = f'state "{meant.get("Name", "") if meant is not None else ""}", {_value(property_)} dB'
+                    yield Dependency("", name, "state", what)
+
+
+def _active(one: _Object) -> list[_Source]:
+    """Return the sources that are played: of each language the active ones, else all."""
+    chosen = [source for source in one.sources if source.id in one.active]
+    covered = {source.language for source in chosen}
+    return [source for source in one.sources if source in chosen or source.language not in covered]
+
+
+def _harms(conversion: ET.Element, file: str) -> tuple[Conversion, ...]:
+    name = conversion.get("Name", "")
+    values = {key: _value(property_) for key, property_ in _properties(conversion)}
+    harms = []
+    if (rate := number(values.get("SampleRate"))) and rate >= 1_000:
+        harms.append(Conversion(f'"{name}": SampleRate', f"resampled to {rate:,.0f} Hz", file))
+    if any(one.get("PluginName") == "ADPCM" for one in conversion.iter("ConversionPlugin")):
+        harms.append(Conversion(f'"{name}": ADPCM', "4 bits a sample undo the dither", file))
+    return tuple(harms)
