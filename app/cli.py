@@ -195,11 +195,11 @@ def restore(
 ) -> None:
     """Fill an empty database and a store, whichever the settings name, from a backup."""
     from app.backup import BackupRefused
-    from app.backup import restore as return_to_received
+    from app.backup import restore as restore_backup
 
     runtime = _opened(_settings())
     try:
-        _notify_copied("restored", return_to_received(runtime, folder, database))
+        _notify_copied("restored", restore_backup(runtime, folder, database))
     except (BackupRefused, Refused) as error:
         raise _refusal([str(error)]) from None
     finally:

@@ -12,7 +12,7 @@ from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 
 from app import rooms
 from app.accounts.authentication import DEMO_COOKIE, SESSION_COOKIE
-from app.dashboards.watching import sights_of
+from app.dashboards.watching import GRANTING, sights_of
 from app.kit import events, health, http
 from app.kit.api_document import ApiDocument
 from app.kit.change_feed import ChangeFeed
@@ -51,7 +51,7 @@ def create_app(runtime: Runtime) -> FastAPI:
         generate_unique_id_function=lambda route: route.name,
     )
     app.state.runtime = runtime
-    app.state.change_feed = ChangeFeed(runtime.database, sights_of)
+    app.state.change_feed = ChangeFeed(runtime.database, sights_of, GRANTING)
     app.state.readiness = health.Readiness(runtime, {**health.PROBES, "migrations": ensure_at_head})
     runtime.parsers.connect(rooms.PARSERS)
     events.connect(rooms.SUBSCRIBERS, handlers=rooms.HANDLERS, low_priority=rooms.LOW_PRIORITY_JOBS)

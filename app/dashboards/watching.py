@@ -17,9 +17,10 @@ from app.kit.db import Database
 from app.projects.models import Engagement, Liaison, Project
 from app.projects.visibility import engaged_with_nda_accepted
 
-BEFORE_NDA = frozenset({"projects", "contracts"})  # what a designer sees before the project's NDA is accepted
+BEFORE_NDA = frozenset({"projects", "agreements"})  # what a designer sees before the project's NDA is accepted
+GRANTING = frozenset({"accounts", "projects", "agreements"})  # where roles, engagements and NDAs are written
 STUDIOS_OWN = frozenset({"accounts", "notifications"})  # of a studio outside its projects: people and mails
-PARTIES_ONLY = frozenset({"contracts"})  # contracts and money: members of the studio who act for it
+PARTIES_ONLY = frozenset({"agreements", "money"})  # contracts and money: members of the studio who act for it
 
 
 @dataclass

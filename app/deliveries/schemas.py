@@ -221,7 +221,7 @@ class TakesActRead(Schema):
 class TakesActUndone(TakesActRead):
     """The undone action."""
 
-    return_to_received: int
+    moved_back: int = Field(description="Takes that are where they were before.")
     left: int = Field(description="Takes that were changed or decided since; they stay as they are.")
 
 

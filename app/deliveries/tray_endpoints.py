@@ -86,8 +86,8 @@ def restore_takes(
 )
 def undo_takes_act(takes_act_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> TakesActUndone:
     """Put takes back where they were before an act; those that were touched since stay."""
-    act, return_to_received, left = tray.undo(session, actor, takes_act_id)
-    return TakesActUndone(**_act_read(act).model_dump(), return_to_received=return_to_received, left=left)
+    act, moved_back, left = tray.undo(session, actor, takes_act_id)
+    return TakesActUndone(**_act_read(act).model_dump(), moved_back=moved_back, left=left)
 
 
 def _moves(body: TakesMove) -> list[Move]:

@@ -37,7 +37,6 @@ FORGET_EVERY_S = 60.0
 UNAVAILABLE_PAUSE_S = 2.0  # while the database is unavailable
 MAX_STREAMS = 2_000  # of one web process
 MAX_STREAMS_OF_ONE_PERSON = 20
-RIGHTS_ROOMS = frozenset({"accounts", "projects", "contracts"})  # roles, engagements and NDAs are written there
 STREAMS = Gauge("soundlist_event_streams", "Pages that receive changes from this process.")
 log = structlog.get_logger(__name__)
 
@@ -104,9 +103,10 @@ class Stream:
 class ChangeFeed:
     """The streams of one event loop, and the task that reads changes while there are streams."""
 
-    def __init__(self, database: Database, look_up: LookUp) -> None:
+    def __init__(self, database: Database, look_up: LookUp, granting_rooms: Collection[str]) -> None:
         self._database = database
         self._look_up = look_up
+        self._granting_rooms = frozenset(granting_rooms)  # a change there may change what a viewer sees
         self._streams: set[Stream] = set()
         self._reading: asyncio.Task[None] | None = None
         self._is_leaving: Callable[[], bool] = bool  # returns False
@@ -156,7 +156,7 @@ class ChangeFeed:
             try:
                 changed = merged(await run_sync(self._unseen))
                 is_due = time.monotonic() - checked_at > CHECK_SIGHT_EVERY_S
-                if is_due or any(rooms & RIGHTS_ROOMS for rooms in changed.values()):
+                if is_due or any(rooms & self._granting_rooms for rooms in changed.values()):
                     await self._check_sight()  # first: viewers who lost access by this change do not receive it
                     checked_at = time.monotonic()
                 for stream in self._streams:

@@ -76,7 +76,7 @@ ALLOWED = re.compile(r"cannot tell", re.IGNORECASE)  # the third verdict of a ju
 ROOT = Path(__file__).parents[2]
 STRINGS = (tokenize.STRING, getattr(tokenize, "FSTRING_MIDDLE", tokenize.STRING))  # f-strings, from Python 3.12 on
 CODE = ("app", "audio_checks", "benchmarks", "training", "deploy", "integrations", "migrations")
-CLAUSES = ROOT / "app" / "contracts" / "library"  # legal text, worded by its own rules
+CLAUSES = ROOT / "app" / "agreements" / "library"  # legal text, worded by its own rules
 LATER = frozenset(
     f"docs/{name}.md" for name in ("scale", "judgements", "house", "contracts", "money")
 )  # still to be reworded

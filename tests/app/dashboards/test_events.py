@@ -9,9 +9,11 @@ from typing import Any
 import httpx
 import pytest
 
+from app.dashboards.watching import BEFORE_NDA, GRANTING, PARTIES_ONLY, STUDIOS_OWN
 from app.kit import change_feed
 from app.kit.changes import KEPT_FOR, instant_id
 from app.kit.connections import BoundedHttpProtocol
+from app.kit.db import Base
 from app.main import create_app
 from app.projects.models import Engagement, Project
 from tests.support.event_stream import Listener, listening_for_changes
@@ -75,6 +77,27 @@ def test_before_the_nda_a_designer_hears_of_contracts_only(server: RunningServer
         add_cue(world)
         heard(producer, world.project_id, "sound_lists")
         assert "sound_lists" not in designer.rooms_of(world.project_id)
+
+
+def test_contracts_reach_parties_only(web: str, world: World):
+    with (
+        listening_for_changes(web, world.designer.cookies) as designer,
+        listening_for_changes(web, world.reviewer.cookies) as reviewer,
+    ):
+        project = f"/v1/projects/{world.project_id}"
+        engagement = world.producer.get(project).json()["engagements"][0]
+        body = {"engagement_id": engagement["id"], "kind": "single", "title": "Effects for Alpha"}
+        contract = world.producer.post(f"{project}/contracts", json=body).json()
+        assert world.producer.post(f"/v1/contracts/{contract['id']}/send", json={}).is_success
+        add_cue(world)
+        heard(reviewer, world.project_id, "sound_lists")
+        heard(designer, world.project_id, "agreements")
+        assert "agreements" not in reviewer.rooms_of(world.project_id)
+
+
+def test_sight_names_rooms_that_exist():
+    named = BEFORE_NDA | GRANTING | PARTIES_ONLY | STUDIOS_OWN
+    assert {mapper.class_.__module__.split(".")[1] for mapper in Base.registry.mappers} >= named
 
 
 def test_who_is_engaged_hears_at_once_and_who_left_no_more(server: RunningServer, web: str, world: World):

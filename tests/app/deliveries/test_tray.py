@@ -98,7 +98,7 @@ def test_sure_matches_are_accepted_in_one_act_and_undone(world: World) -> None:
     ]
     assert desk_unmatched(world) == 1
     undone = undo(world, done)
-    assert (undone["return_to_received"], undone["left"]) == (3, 0)
+    assert (undone["moved_back"], undone["left"]) == (3, 0)
     assert desk_unmatched(world) == 4
     again = world.designer.post(f"/v1/takes-acts/{done['id']}/undo")
     assert (again.status_code, again.json()["code"]) == (409, "already-undone")
@@ -133,7 +133,7 @@ def test_a_folder_of_300_goes_away_in_one_act_and_comes_back(world: World) -> No
     assert {take["id"] for take in gone} == {*ids, matched}
     assert all(take["discarded_at"] for take in gone)
     assert world.designer.get(f"/v1/deliveries/{delivery_id}").json()["takes"] == []
-    assert undo(world, done)["return_to_received"] == 12
+    assert undo(world, done)["moved_back"] == 12
     assert (slot(see(world, matched))[:3], desk_unmatched(world)) == (("UI click", 1, 1), 11)
 
 
@@ -160,7 +160,7 @@ def test_many_are_moved_at_once_and_undone(world: World) -> None:
     assert see(world, first["id"])["cue"]["id"] == bell["id"]  # a preview changes nothing
     done = act(world, "move", {"moves": moves}, by=world.producer)
     assert [slot(see(world, take["id"]))[:2] for take in (first, second)] == [("Step grass", 2), ("UI click", 1)]
-    assert undo(world, done, by=world.producer)["return_to_received"] == 2
+    assert undo(world, done, by=world.producer)["moved_back"] == 2
     assert see(world, first["id"])["cue"]["id"] == bell["id"]
     assert see(world, second["id"])["cue"] is None
 
@@ -198,7 +198,7 @@ def test_what_was_touched_since_stays_when_an_act_is_undone(world: World) -> Non
     done = act(world, "accept-sure", {})
     world.designer.put(f"/v1/takes/{take}/match", json={"cue_id": click["id"]})
     undone = undo(world, done)
-    assert (undone["return_to_received"], undone["left"]) == (0, 1)
+    assert (undone["moved_back"], undone["left"]) == (0, 1)
     assert see(world, take)["cue"]["id"] == click["id"]
 
 

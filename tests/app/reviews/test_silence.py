@@ -33,12 +33,12 @@ class MovedClock:
         """Agree on a cue for 180.00, as if at that time, when its takes began to wait."""
         self.agreed.agree(milestone("Alpha", cue_id, amount_minor=18_000))
 
-        def return_to_received(session: Session) -> None:
+        def set_times(session: Session) -> None:
             session.get_one(Contract, self.agreed.contract_id).agreed_at = at
             for take_id in takes:
                 session.get_one(Take, take_id).state_since = at
 
-        self.agreed.world.server.in_database(return_to_received)
+        self.agreed.world.server.in_database(set_times)
 
     def apply_deemed(self, at: datetime) -> None:
         """Do what is done every five minutes, at that time."""

@@ -283,7 +283,7 @@ const MOVE = 'POST /v1/projects/p1/takes/move'
 describe('an unmatched file', () => {
   test('is given to its likeliest cue by one key, and back by Undo', async () => {
     const { asked } = serve(
-      answers({ [MOVE]: MOVED, 'POST /v1/takes-acts/a1/undo': { ...MOVED, return_to_received: 1, left: 0 } }),
+      answers({ [MOVE]: MOVED, 'POST /v1/takes-acts/a1/undo': { ...MOVED, moved_back: 1, left: 0 } }),
     )
     const user = userEvent.setup()
     openApp('/desk')
