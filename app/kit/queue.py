@@ -1,6 +1,6 @@
 """Durable jobs: written in the transaction of their row, run at least once by one of any number of workers.
 
-Nothing but this and `workers` imports DBOS. Its tables live in the application's own database.
+Nothing but this, `workers` and `dbos_internals` imports DBOS. Its tables live in the application's own database.
 
 Order: a job's position in the queue is a number, the lowest first. It is as far behind the head of
 the queue, or behind the last job of its own lane (one studio, one urgency), as its urgency costs. So lanes take
@@ -16,11 +16,10 @@ from uuid import UUID
 
 import sqlalchemy as sa
 from dbos import DBOS, DBOSClient, EnqueueOptions
-from sqlalchemy.dialects.postgresql import JSONB
 from sqlalchemy.orm import Mapped, Session, mapped_column
 
 from app import logs
-from app.kit import clock, job_format
+from app.kit import clock, dbos_internals
 from app.kit.db import Base, Database, bypass_row_policies
 
 if TYPE_CHECKING:
@@ -38,7 +37,7 @@ URGENCY_WORDS = {URGENT: "urgent", NORMAL: "normal", BULK: "bulk"}
 NOBODY = "nobody"  # in place of a studio
 LAST_PLACE = 2**31 - 1
 OPEN_STATES = ["ENQUEUED", "PENDING", "DELAYED"]
-FAILED_STATES = ["CANCELLED", "MAX_RECOVERY_ATTEMPTS_EXCEEDED", "ERROR"]
+FAILED_STATES = list(dbos_internals.FAILED_STATES)
 STATE_WORDS = {
     "ENQUEUED": "waiting",
     "DELAYED": "delayed",
@@ -48,19 +47,13 @@ STATE_WORDS = {
     "ERROR": "broken",  # none of ours ends so: what fails is tried again, then parked
 }
 
-NOT_DONE = {  # conditions of DBOS's partial indices, and the states that each is for
-    "status in ('ENQUEUED', 'PENDING')": ("ENQUEUED", "PENDING"),
-    "status = 'DELAYED'": ("DELAYED",),
-    "status in ('ERROR', 'CANCELLED', 'MAX_RECOVERY_ATTEMPTS_EXCEEDED')": FAILED_STATES,
-}
-
 Payload = dict[str, Any]
 REASON_LENGTH = 500
 DELETED_PER_BATCH = 500
 ATTEMPT_MARK = "~"
 Handler = Callable[["Runtime", Payload], None]
 _handlers: dict[str, Handler] = {}
-job_format.refuse_pickled_classes()
+dbos_internals.refuse_pickled_classes()
 
 
 class Heartbeat(Base):
@@ -146,11 +139,11 @@ class JobQueue:
     def __init__(self, database: Database) -> None:
         self._database = database
         database.session_info[QUEUE] = self
-        self._workflows = _workflows(database)
+        self._workflows = dbos_internals.workflows(is_sqlite=database.is_sqlite)
         self._client = DBOSClient(
             system_database_url=system_url(database),
             application_name=APPLICATION,
-            serializer=job_format.SERIALIZER,
+            serializer=dbos_internals.SERIALIZER,
             lazy=True,
             retry_connection_errors=False,
         )
@@ -312,7 +305,7 @@ class JobQueue:
         Done jobs are kept for a month: a read without an index would scan them all.
         """
         jobs, parts = self._workflows, []
-        for condition, some in NOT_DONE.items():
+        for condition, some in dbos_internals.INDEXED_CONDITIONS.items():
             if not set(some) & set(states):
                 continue
             part = sa.select(jobs).where(
@@ -363,25 +356,6 @@ def queue_of(session: Session) -> JobQueue:
     """Return the queue of the database that a session is on."""
     queue: JobQueue = session.info[QUEUE]
     return queue
-
-
-def _workflows(database: Database) -> sa.TableClause:
-    """Return DBOS's table of jobs, as far as we read it."""
-    return sa.table(
-        "workflow_status",
-        sa.column("workflow_uuid", sa.Text),
-        sa.column("status", sa.Text),
-        sa.column("name", sa.Text),
-        sa.column("queue_name", sa.Text),  # null once a job is parked
-        sa.column("queue_partition_key", sa.Text),
-        sa.column("priority", sa.Integer),
-        sa.column("executor_id", sa.Text),
-        sa.column("attributes", sa.JSON().with_variant(JSONB(), "postgresql")),
-        sa.column("created_at", sa.BigInteger),
-        sa.column("completed_at", sa.BigInteger),
-        sa.column("recovery_attempts", sa.BigInteger),
-        schema=None if database.is_sqlite else "dbos",
-    )
 
 
 def _unfinished(row: sa.Row[Any]) -> UnfinishedJob:

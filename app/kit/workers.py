@@ -13,10 +13,9 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import sqlalchemy as sa
 import structlog
 from dbos import DBOS, DBOSConfig
-from dbos._core import WorkflowHandleFuture, execute_dequeued_workflow
 
 from app import logs
-from app.kit import clock, job_format, metrics, queue
+from app.kit import clock, dbos_internals, metrics, queue
 from app.kit.db import Database, ensure_open, is_unavailable
 from app.kit.queue import Heartbeat, Payload, Work
 
@@ -121,21 +120,15 @@ class Worker:
 
     def _claim(self) -> int:
         """Begin the jobs at the head of the line that there are seats for; return how many."""
-        system, owner = self._dbos._sys_db, secrets.token_hex(16)
-        job_ids, _ = system.start_queued_workflows(
-            self._queue, self.id, queue.STEPS_VERSION, None, len(self._begun), owner_xid=owner, is_latest_version=False
-        )
-        jobs = {job["workflow_uuid"]: job for job in system.get_workflow_statuses(job_ids)} if job_ids else {}
-        for job_id in job_ids:
-            try:
-                handle = execute_dequeued_workflow(self._dbos, jobs[job_id], owner)
-            except Exception as error:  # it killed its worker too often, or cannot be read: the others are not to wait
-                log.error("a job cannot begin", job_id=job_id, error=str(error))
-                continue
-            if isinstance(handle, WorkflowHandleFuture):
-                self._begun.add(handle.future)
-                handle.future.add_done_callback(self._end)
-        return len(job_ids)
+        begun = 0
+        for job in dbos_internals.begin_jobs(
+            self._dbos, self._queue, self.id, version=queue.STEPS_VERSION, running=len(self._begun)
+        ):
+            begun += 1
+            if job is not None:
+                self._begun.add(job)
+                job.add_done_callback(self._end)
+        return begun
 
     def _end(self, begun: "Future[Any]") -> None:
         self._begun.discard(begun)
@@ -161,7 +154,7 @@ class Worker:
         """Put back into the line what workers hold that have been silent for too long; a job is put back once."""
         for worker_id in self._silent():
             log.warning("a worker is silent; its jobs are taken over", worker=worker_id)
-            DBOS._recover_pending_workflows([worker_id])
+            dbos_internals.take_over(worker_id)
             self._forget(worker_id)
             del self._watched[worker_id]
 
@@ -170,10 +163,10 @@ class Worker:
 
         DBOS drops a job if the database becomes unavailable just as the job's end is written.
         """
-        unheld = self.runtime.queue.held_by(self.id) - set(self._dbos._active_workflows_set.activeList())
+        unheld = self.runtime.queue.held_by(self.id) - dbos_internals.running_jobs(self._dbos)
         for job_id in unheld & self._unheld:  # at two beats: between claim and start a job is in no list
             log.warning("a job's end was not written; it runs again", job_id=job_id)
-            self._dbos._sys_db.reenqueue_for_recovery(job_id, [self.id], queue.JOB_QUEUE)
+            dbos_internals.requeue(self._dbos, job_id, worker_id=self.id, queue_name=queue.JOB_QUEUE)
         self._unheld = unheld
 
     def _silent(self) -> list[str]:
@@ -213,7 +206,7 @@ def _config(database: Database, worker_id: str, jobs_at_once: int) -> DBOSConfig
         "system_database_url": queue.system_url(database),
         "application_version": queue.STEPS_VERSION,
         "executor_id": worker_id,
-        "serializer": job_format.SERIALIZER,
+        "serializer": dbos_internals.SERIALIZER,
         "sys_db_pool_size": 5 + jobs_at_once,
         "db_engine_kwargs": {
             "pool_pre_ping": False,

@@ -1,24 +1,18 @@
 """Jobs are written with their row, run once in effect, take turns, outlive workers, and are parked and retried."""
 
-import inspect
 import json
-import re
 import time
-import tomllib
 from datetime import UTC, datetime, timedelta
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 from uuid import UUID
 
-import dbos
 import pytest
 import sqlalchemy as sa
 from dbos import DBOSClient
-from dbos._serialization import DefaultSerializer
 
 from app import worker
-from app.kit import job_format, queue, workers
+from app.kit import dbos_internals, queue, workers
 from app.kit.db import Database, new_id
 from app.kit.runtime import Runtime
 from app.settings import Settings
@@ -170,7 +164,7 @@ def test_what_is_not_urgent_is_done_all_the_same(runtime: Runtime):
 
 
 def test_what_a_silent_worker_holds_is_taken_over(runtime: Runtime, server: RunningServer):
-    jobs = queue._workflows(runtime.database)
+    jobs = dbos_internals.workflows(is_sqlite=runtime.database.is_sqlite)
     with runtime.database.writing() as session:
         session.add(queue.Heartbeat(worker_id="dead", beat_at=queue.clock.now()))
         for holder in ("dead", "never-beat"):
@@ -187,7 +181,7 @@ def test_what_a_silent_worker_holds_is_taken_over(runtime: Runtime, server: Runn
 def test_a_job_whose_end_its_worker_could_not_write_runs_again(runtime: Runtime, server: RunningServer):
     """It is held by a worker that lives and does not run it."""
     (worker,) = runtime.queue.heartbeats(within=queue.timedelta(days=1))
-    jobs = queue._workflows(runtime.database)
+    jobs = dbos_internals.workflows(is_sqlite=runtime.database.is_sqlite)
     with runtime.database.writing() as session:
         runtime.queue.enqueue(session, "tests.note", {"word": "again"}, key="held", studio_id=None, delay_s=3600)
         held = sa.update(jobs).where(jobs.c.workflow_uuid == "held")
@@ -264,28 +258,13 @@ def test_a_pickle_that_would_run_code_is_refused_and_others_go_on(runtime: Runti
     assert not written.exists()
 
 
-def test_the_private_method_that_we_replace_is_that_of_the_version_pinned():
-    project = tomllib.loads((Path(__file__).parents[3] / "pyproject.toml").read_text())["project"]
-    assert f"dbos=={version('dbos')}" in project["optional-dependencies"]["server"]
-    assert len(inspect.signature(DefaultSerializer.deserialize).parameters) == 2, "itself, and what is stored"
-
-
-def test_every_pickle_that_dbos_reads_is_read_by_ours():
-    package = Path(dbos.__file__).parent
-    importing = [path.name for path in package.rglob("*.py") if re.search(r"import (c?pickle|dill)", path.read_text())]
-    assert importing == ["_serialization.py"]
-    assert (package / "_serialization.py").read_text().count("pickle.load") == 1
-    assert "pickle.loads" in inspect.getsource(DefaultSerializer)
-    assert DefaultSerializer.deserialize is job_format._read
-
-
 def test_only_what_is_promised_to_nobody_is_synced_later(runtime: Runtime, server: RunningServer, tmp_path: Path):
     if not runtime.database.is_sqlite:
         pytest.skip("SQLite's own")
     assert server.worker is not None
     synced = []
     as_served = Database(f"sqlite:///{tmp_path / 'test.sqlite'}")  # the server of tests syncs nothing
-    for engine in (as_served.engine, server.worker._dbos._sys_db.engine):
+    for engine in (as_served.engine, dbos_internals.engine(server.worker._dbos)):
         with engine.connect() as connection:
             synced.append(connection.exec_driver_sql("PRAGMA synchronous").scalar_one())
     assert synced == [2, 1], "FULL and NORMAL"
@@ -308,7 +287,7 @@ def test_done_jobs_are_forgotten_after_a_while(runtime: Runtime):
     enqueue(runtime, "tests.note", "long ago")
     until(lambda: calls == ["long ago"])
     enqueue(runtime, "tests.note", "waits", delay_s=3600)
-    jobs = queue._workflows(runtime.database)
+    jobs = dbos_internals.workflows(is_sqlite=runtime.database.is_sqlite)
 
     def kept() -> set[str]:
         with runtime.database.reading() as session:
