@@ -88,7 +88,7 @@ def working(folder: Path) -> Iterator[None]:
     try:
         yield
     finally:
-        process.terminate()
+        process.kill()  # what it leaves is not looked at, and an orderly stop waits for its jobs
         process.wait(WITHIN_S)
 
 
