@@ -149,7 +149,9 @@ def shaped_steps(
 ) -> None: ...
 def silent_lines(
     spectrum: NDArray[np.float32],
-    filters: NDArray[np.float32],
+    bands: NDArray[np.float32],
+    firsts: NDArray[np.int32],
+    taps: NDArray[np.float32],
     turns: NDArray[np.float32],
     first: int,
     frame: int,

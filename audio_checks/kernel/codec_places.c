@@ -1,15 +1,14 @@
 /* How many lines of a codec are silent at each place at which its frames may begin.
  *
- * A line is a filter. Sixteen lines are correlated with the sound at once: eight in the real and eight in the imaginary
- * parts of one inverse Fourier transform of 128 · 128 values in single precision, one pair in each lane. Value i of
- * lane l lies at 16i+l (real) and 16i+8+l (imaginary). The lanes never meet, so wider registers change no bit.
+ * A line is a narrow filter, so what it makes of a sound is a carrier whose envelope, a complex signal, changes slowly.
+ * The envelope is made at every eighth place, by an inverse Fourier transform of 2048 values in single precision, of
+ * eight lines at once, one in each lane; a straight line between two of its values, each turned as the carrier turns
+ * up to there, gives the places between. Value i of lane l lies at 16i+l (real) and 16i+8+l (imaginary). The lanes
+ * never meet, so wider registers change no bit.
  */
 #include "kernel.h"
 
-enum { LANES = 8, VALUE = 2 * LANES, SIDE = 128, LENGTH = SIDE * SIDE, BINS = LENGTH / 2 + 1, ROOMY = SIDE + 1 };
-
-/* Where value `place` lies: rows are longer by one, else all of a column would share one part of the cache. */
-#define AT(place) (VALUE * ((place) + (place) / SIDE))
+enum { LANES = 8, VALUE = 2 * LANES, LENGTH = 1 << 14, BINS = LENGTH / 2 + 1, APART = 8, POINTS = LENGTH / APART };
 
 #if defined(__GNUC__)
 typedef float numbers __attribute__((vector_size(LANES * sizeof(float)), aligned(sizeof(float))));
@@ -28,14 +27,12 @@ enum { LANES_AT_ONCE = 1 };
 #define IN_RE(value) (*(const numbers *)((value) + l))
 #define IN_IM(value) (*(const numbers *)((value) + LANES + l))
 
-/* `apart` is the distance of what is read. */
-CLONES static void pass_4(const float *RESTRICT x, int apart, float *RESTRICT y, const float *turns, int m, int s) {
+CLONES static void pass_4(const float *RESTRICT x, float *RESTRICT y, const float *turns, int m, int s) {
     for (int k = 0; k < m; k++) {
         const float *at = turns + 2 * s * k, w1[2] = {at[0], at[1]}, w2[2] = {at[2 * s * k], at[2 * s * k + 1]};
         const float w3[2] = {at[4 * s * k], at[4 * s * k + 1]};
         for (int t = 0; t < s; t++) {
-            const float *a = x + VALUE * apart * (s * k + t), *b = a + VALUE * apart * s * m;
-            const float *c = b + VALUE * apart * s * m, *d = c + VALUE * apart * s * m;
+            const float *a = x + VALUE * (s * k + t), *b = a + VALUE * s * m, *c = b + VALUE * s * m, *d = c + VALUE * s * m;
             float *p = y + VALUE * (s * 4 * k + t), *q = p + VALUE * s, *r = q + VALUE * s, *u = r + VALUE * s;
             EACH {
                 const numbers er = IN_RE(a) + IN_RE(c), ei = IN_IM(a) + IN_IM(c);
@@ -56,52 +53,44 @@ CLONES static void pass_4(const float *RESTRICT x, int apart, float *RESTRICT y,
     }
 }
 
-/* Transform SIDE values of `x`, each ROOMY from the next, and put them as far apart in `out`: 4 · 4 · 4 · 2, Stockham's
- * passes. Where `turns` are given value j is multiplied by the (step · j)th. */
-CLONES static void transform_side(const float *x, int from_apart, const float *side_turns, float *out, const float *turns, int step) {
-    float one[VALUE * SIDE], other[VALUE * SIDE];
-    pass_4(x, from_apart, one, side_turns, SIDE / 4, 1);
-    pass_4(one, 1, other, side_turns, SIDE / 16, 4);
-    pass_4(other, 1, one, side_turns, SIDE / 64, 16);
-    for (int t = 0; t < SIDE / 2; t++) {
-        const float *a = one + VALUE * t, *b = a + VALUE * (SIDE / 2), *w = turns + 2 * step * t;
-        const float *v = w + step * SIDE;
-        float *p = out + VALUE * ROOMY * t, *q = p + VALUE * ROOMY * (SIDE / 2);
+CLONES static void pass_2(const float *RESTRICT x, float *RESTRICT y) {
+    for (int t = 0; t < POINTS / 2; t++) {
+        const float *a = x + VALUE * t, *b = a + VALUE * (POINTS / 2);
+        float *p = y + VALUE * t, *q = p + VALUE * (POINTS / 2);
         EACH {
             const numbers ar = IN_RE(a), ai = IN_IM(a), br = IN_RE(b), bi = IN_IM(b);
-            const numbers sr = ar + br, si = ai + bi, dr = ar - br, di = ai - bi;
-            RE(p) = sr * w[0] - si * w[1];
-            IM(p) = sr * w[1] + si * w[0];
-            RE(q) = dr * v[0] - di * v[1];
-            IM(q) = dr * v[1] + di * v[0];
+            RE(p) = ar + br;
+            IM(p) = ai + bi;
+            RE(q) = ar - br;
+            IM(q) = ai - bi;
         }
     }
 }
 
-/* Multiply the sound's spectrum by those of sixteen lines, and make one complex signal's spectrum of each two, for both
- * halves. Real and imaginary parts change places, here and in the answer: that makes a transform backwards of one forwards. */
-CLONES static void weigh(const float *spectrum, const float *filters, float *grid) {
-    for (int k = 0; k < BINS; k++) {
-        const float re = spectrum[2 * k], im = spectrum[2 * k + 1], *one = filters + 2 * VALUE * k, *other = one + VALUE;
-        const int opposite = k ? LENGTH - k : 0;
-        float *here = grid + AT(k), *there = grid + AT(opposite);
-        EACH {
-            const numbers ar = IN_RE(one) * re - IN_IM(one) * im, ai = IN_RE(one) * im + IN_IM(one) * re;
-            const numbers br = IN_RE(other) * re - IN_IM(other) * im, bi = IN_RE(other) * im + IN_IM(other) * re;
-            RE(here) = ai + br;
-            IM(here) = ar - bi;
-            if (k % (LENGTH / 2)) {
-                RE(there) = br - ai;
-                IM(there) = ar + bi;
-            }
-        }
-    }
+/* Transform the POINTS values of `x` by Stockham's passes, 4 · 4 · 4 · 4 · 4 · 2; the answer is in `x` again. */
+static void transform(float *x, float *y, const float *turns) {
+    pass_4(x, y, turns, POINTS / 4, 1);
+    pass_4(y, x, turns, POINTS / 16, 4);
+    pass_4(x, y, turns, POINTS / 64, 16);
+    pass_4(y, x, turns, POINTS / 256, 64);
+    pass_4(x, y, turns, POINTS / 1024, 256);
+    pass_2(y, x);
 }
 
-/* Sixteen lines at every place, from the spectra in `grid`; `answer` holds them in the order of time. */
-static void correlate(float *grid, const float *turns, const float *side_turns, float *answer) {
-    for (int c = 0; c < SIDE; c++) transform_side(grid + VALUE * c, ROOMY, side_turns, grid + VALUE * c, turns, c);
-    for (int k = 0; k < SIDE; k++) transform_side(grid + VALUE * ROOMY * k, 1, side_turns, answer + VALUE * k, turns, 0);
+/* Multiply the sound's spectrum by those of eight lines, each of `width` bins from its own first one on. Real and
+ * imaginary parts change places, here and in the answer: that makes a transform backwards of one forwards. */
+CLONES static void weigh(const float *spectrum, const float *bands, const int32_t *firsts, Py_ssize_t width, float *out) {
+    memset(out, 0, sizeof(float) * VALUE * POINTS);
+    for (Py_ssize_t bin = 0; bin < width; bin++) {
+        const float *band = bands + VALUE * bin;
+        for (int lane = 0; lane < LANES; lane++) {
+            const int32_t place = firsts[lane] + (int32_t)bin;
+            const float re = spectrum[2 * place], im = spectrum[2 * place + 1];
+            float *to = out + VALUE * (place % POINTS) + lane;
+            to[LANES] += band[lane] * re - band[LANES + lane] * im;
+            to[0] += band[lane] * im + band[LANES + lane] * re;
+        }
+    }
 }
 
 typedef struct {
@@ -109,78 +98,100 @@ typedef struct {
     float silent, rounding, audible;
 } limits;
 
-/* Count by lane the lines that are silent at each place of a frame; return how many of them, over all frames, are heard. */
-CLONES static Py_ssize_t count_silent(const float *answer, const limits *with, int32_t *silent) {
+/* Return by lane under which size a line is silent in the frame that begins at `start`, 0 where it is not heard, and
+ * count those that are. The mean square of a carrier is half of its envelope's. */
+CLONES static int below_in_frame(const float *envelope, const limits *with, Py_ssize_t start, float *below) {
+    const Py_ssize_t from = (start + APART - 1) / APART, to = (start + with->frame + APART - 1) / APART;
+    float squares[LANES] = {0};
+    int heard = 0;
+    for (Py_ssize_t point = from; point < to; point++) {
+        const float *value = envelope + VALUE * point;
+        EACH RE(squares) += IN_RE(value) * IN_RE(value) + IN_IM(value) * IN_IM(value);
+    }
+    for (int lane = 0; lane < LANES; lane++) {
+        const float rms = to > from ? sqrtf(0.5f * squares[lane] / (float)(to - from)) : 0.0f;
+        const float share = with->silent * rms, least = share > with->rounding ? share : with->rounding;
+        const int counts_for = rms > with->audible * least;
+        heard += counts_for;
+        below[lane] = counts_for ? least : 0.0f;
+    }
+    return heard;
+}
+
+/* Count by lane the lines that are silent at each place of a frame; return how many of them, over all frames, are heard.
+ * `taps` has for each of the APART places that follow a value what it and the next are multiplied by. */
+CLONES static Py_ssize_t count_silent(const float *envelope, const float *taps, const limits *with, int32_t *silent) {
     Py_ssize_t heard = 0;
     for (Py_ssize_t number = 0; number < with->frames; number++) {
-        const Py_ssize_t start = with->first + number * with->frame;
-        float squares[VALUE] = {0}, below[VALUE];
-        for (Py_ssize_t at = 0; at < with->frame; at++) {
-            const float *value = answer + AT(start + at);
-            EACH {
-                RE(squares) += IN_RE(value) * IN_RE(value);
-                IM(squares) += IN_IM(value) * IN_IM(value);
-            }
-        }
-        for (int line = 0; line < VALUE; line++) {
-            const float rms = sqrtf(squares[line] / (float)with->frame), share = with->silent * rms;
-            const float least = share > with->rounding ? share : with->rounding;
-            const int counts_for = rms > with->audible * least;
-            heard += counts_for;
-            below[line] = counts_for ? least : 0.0f;
-        }
-        for (Py_ssize_t at = 0; at < with->frame; at++) {
-            const float *value = answer + AT(start + at);
-            int32_t *to = silent + LANES * at;
-            EACH {
-                const counts re = BELOW(IN_RE(value), IN_RE(below)) & BELOW(-IN_RE(value), IN_RE(below));
-                const counts im = BELOW(IN_IM(value), IN_IM(below)) & BELOW(-IN_IM(value), IN_IM(below));
-                *(counts *)(to + l) -= re + im;
-            }
+        const Py_ssize_t start = with->first + number * with->frame, end = start + with->frame;
+        float below[LANES];
+        const int now = below_in_frame(envelope, with, start, below);
+        heard += now;
+        if (!now) continue;
+        for (Py_ssize_t place = start; place < end;) {
+            const Py_ssize_t point = place / APART, last = (point + 1) * APART < end ? (point + 1) * APART : end;
+            const float *one = envelope + VALUE * point, *next = envelope + VALUE * ((point + 1) % POINTS);
+            const float *tap = taps + 2 * VALUE * (place % APART);
+            int32_t *to = silent + LANES * (place - start);
+            for (; place < last; place++, tap += 2 * VALUE, to += LANES) EACH {
+                    const numbers value = IN_IM(one) * IN_RE(tap) - IN_RE(one) * IN_IM(tap) +
+                                          IN_IM(next) * IN_RE(tap + VALUE) - IN_RE(next) * IN_IM(tap + VALUE);
+                    const counts is_silent = BELOW(value, *(const numbers *)(below + l)) & BELOW(-value, *(const numbers *)(below + l));
+                    *(counts *)(to + l) -= is_silent;
+                }
         }
     }
     return heard;
 }
 
-/* spectrum (bins, 2), filters (groups, bins, 4, 8), turns (length, 2), all float32; first place, length and number of the
- * codec's frames; shares of RMS that are silent, level of rounding, times that is audible; and the counts to fill, int64 */
+/* spectrum (bins, 2), bands (groups, width, 2, 8), taps (groups, 8, 4, 8) and turns (points, 2), all float32; first bins
+ * (groups, 8), int32; first place, length and number of the codec's frames; shares of RMS that are silent, level of
+ * rounding, times that is audible; and the counts to fill, int64 */
 PyObject *silent_lines(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
-    enum { GROUP = BINS * 2 * VALUE * (int)sizeof(float) };
     holding held = {.count = 0};
     limits with;
     float *room = NULL;
     int64_t *out;
-    if (arguments("silent_lines", count, 10) < 0) return NULL;
+    if (arguments("silent_lines", count, 12) < 0) return NULL;
     const float *spectrum = take_row(&held, args[0], BINS, 2 * sizeof(float), 0);
-    const float *filters = spectrum ? take_row(&held, args[1], -1, GROUP, 0) : NULL;
-    const Py_ssize_t groups = filters ? held.views[held.count - 1].len / GROUP : 0;
-    const float *turns = filters ? take_row(&held, args[2], LENGTH, 2 * sizeof(float), 0) : NULL;
-    with.first = PyLong_AsSsize_t(args[3]), with.frame = PyLong_AsSsize_t(args[4]), with.frames = PyLong_AsSsize_t(args[5]);
-    with.silent = (float)PyFloat_AsDouble(args[6]), with.rounding = (float)PyFloat_AsDouble(args[7]);
-    with.audible = (float)PyFloat_AsDouble(args[8]);
+    const int32_t *firsts = spectrum ? take_row(&held, args[2], -1, LANES * sizeof(int32_t), 0) : NULL;
+    if (!firsts) goto refused;
+    const Py_ssize_t groups = held.views[held.count - 1].len / (LANES * (Py_ssize_t)sizeof(int32_t));
+    const float *bands = take_row(&held, args[1], -1, (groups ? groups : 1) * VALUE * (Py_ssize_t)sizeof(float), 0);
+    if (!bands) goto refused;
+    const Py_ssize_t width = groups ? held.views[held.count - 1].len / (groups * VALUE * (Py_ssize_t)sizeof(float)) : 0;
+    const float *taps = take_row(&held, args[3], groups * APART, 2 * VALUE * sizeof(float), 0);
+    const float *turns = taps ? take_row(&held, args[4], POINTS, 2 * sizeof(float), 0) : NULL;
+    if (!turns) goto refused;
+    with.first = PyLong_AsSsize_t(args[5]), with.frame = PyLong_AsSsize_t(args[6]), with.frames = PyLong_AsSsize_t(args[7]);
+    with.silent = (float)PyFloat_AsDouble(args[8]), with.rounding = (float)PyFloat_AsDouble(args[9]);
+    with.audible = (float)PyFloat_AsDouble(args[10]);
     if (PyErr_Occurred()) goto refused;
     if (with.first < 0 || with.frame < 1 || with.frame > LENGTH || with.frames < 0 ||
         with.first + with.frames * with.frame > LENGTH) {
         PyErr_SetString(PyExc_ValueError, "frames inside the sound are wanted");
         goto refused;
     }
-    if (!(out = take_row(&held, args[9], with.frame, sizeof(int64_t), 1))) goto refused;
-    const size_t grid = (size_t)VALUE * ROOMY * SIDE, places = (size_t)LANES * with.frame;
-    if (!(room = PyMem_Malloc((2 * grid + places + 2 * SIDE) * sizeof(float)))) {
+    for (Py_ssize_t line = 0; line < groups * LANES; line++)
+        if (width > POINTS || firsts[line] < 0 || firsts[line] + width > BINS) {
+            PyErr_SetString(PyExc_ValueError, "bands inside the spectrum, no wider than their points, are wanted");
+            goto refused;
+        }
+    if (!(out = take_row(&held, args[11], with.frame, sizeof(int64_t), 1))) goto refused;
+    const size_t grid = (size_t)VALUE * POINTS, places = (size_t)LANES * with.frame;
+    if (!(room = PyMem_Malloc((2 * grid + places) * sizeof(float)))) {
         PyErr_NoMemory();
         goto refused;
     }
     Py_ssize_t heard = 0;
     Py_BEGIN_ALLOW_THREADS
-    float *side_turns = room + 2 * grid + places;
     int32_t *silent = (int32_t *)(room + 2 * grid);
-    for (int j = 0; j < SIDE; j++) memcpy(side_turns + 2 * j, turns + 2 * SIDE * j, 2 * sizeof(float));
     memset(silent, 0, places * sizeof(int32_t));
     for (Py_ssize_t group = 0; group < groups; group++) {
-        weigh(spectrum, filters + group * (GROUP / (int)sizeof(float)), room);
-        correlate(room, turns, side_turns, room + grid);
-        heard += count_silent(room + grid, &with, silent);
+        weigh(spectrum, bands + group * width * VALUE, firsts + group * LANES, width, room);
+        transform(room, room + grid, turns);
+        heard += count_silent(room, taps + group * APART * 2 * VALUE, &with, silent);
     }
     for (Py_ssize_t at = 0; at < with.frame; at++) {
         out[at] = 0;

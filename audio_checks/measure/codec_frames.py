@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +21,8 @@ from audio_checks.measure.codec_lines import Lines, all_lines
 Floats = NDArray[np.float64]
 Singles = NDArray[np.float32]
 EXCERPT_FRAMES = 1 << 14  # a third of a second: 14 to 63 frames of a codec
-LINES_AT_ONCE = 16  # of the kernel
+LINES_AT_ONCE, PLACES_APART = 8, 8  # of the kernel
+BAND_BINS = 1_024  # of EXCERPT_FRAMES: beyond, a line has less than a millionth of its energy
 USUAL_RATES_HZ = (48_000, 44_100)
 SILENT = 0.03  # of a line's own RMS around: chance alone leaves one in forty below
 ROUNDING = 0.75  # of the depth's step: what rounding to it leaves in a line stays below, nearly always
@@ -133,18 +134,18 @@ def traces_of(samples: Floats, sample_rate_hz: int, step: float = 0.0) -> tuple[
     for rate_hz in rates_of(sample_rate_hz):
         excerpt = _at_rate(scale * samples, sample_rate_hz, rate_hz)[:EXCERPT_FRAMES]
         spectrum = _spectrum(excerpt)
-        for lines, filters in _filters():
+        for lines, bands in _filters():
             if lines.rate_hz in (None, rate_hz) and len(excerpt) >= lines.filters.shape[1] + 2 * lines.frame:
-                traces.append(_trace(lines, rate_hz, spectrum, filters, len(excerpt), dither))
+                traces.append(_trace(lines, rate_hz, spectrum, bands, len(excerpt), dither))
     return tuple(trace for trace in traces if trace is not None)
 
 
-def _trace(lines: Lines, rate_hz: int, spectrum: Singles, filters: Singles, frames: int, step: float) -> Trace | None:
+def _trace(lines: Lines, rate_hz: int, spectrum: Singles, bands: Bands, frames: int, step: float) -> Trace | None:
     first = lines.filters.shape[1] - 1  # before it a line does not lie inside the sound
     silent = np.empty(lines.frame, dtype=np.int64)
     compared = silent_lines(
         spectrum,
-        filters,
+        *bands,
         _turns(),
         first,
         lines.frame,
@@ -177,23 +178,49 @@ def _at_rate(samples: Floats, from_hz: int, to_hz: int) -> Floats:
     return resampled
 
 
+class Bands(NamedTuple):
+    """Some lines as the kernel takes them, in groups of eight, silent ones at the end."""
+
+    spectra: Singles  # shape (groups, bins, 2, 8): what a sound's spectrum is multiplied by
+    firsts: NDArray[np.int32]  # shape (groups, 8): the bin that each begins with
+    taps: Singles  # shape (groups, places, 4, 8): by which two values of the envelope give the places from the first on
+
+
 @cache
-def _filters() -> tuple[tuple[Lines, Singles], ...]:
-    """Return all lines, and the spectra that correlate a sound with each, as the kernel takes them."""
-    return tuple((lines, _in_groups(_spectrum(lines.filters[:, ::-1]) / EXCERPT_FRAMES)) for lines in all_lines())
+def _filters() -> tuple[tuple[Lines, Bands], ...]:
+    """Return all lines, and the bands that correlate a sound with each."""
+    return tuple((lines, bands_of(lines.filters)) for lines in all_lines())
 
 
-def _in_groups(spectra: Singles) -> Singles:
-    """Return spectra, shape (lines, bins, 2), in groups of 16, silent ones at the end: (groups, bins, 4, 8)."""
-    groups = -(-len(spectra) // LINES_AT_ONCE)
-    padded = np.pad(spectra, ((0, groups * LINES_AT_ONCE - len(spectra)), (0, 0), (0, 0)))
-    parts = padded.reshape(groups, 2, LINES_AT_ONCE // 2, -1, 2)  # which half, lane, bin, real or imaginary
-    return np.ascontiguousarray(parts.transpose(0, 3, 1, 4, 2)).reshape(groups, -1, 4, LINES_AT_ONCE // 2)
+def bands_of(filters: Floats) -> Bands:
+    """Return the part of the spectrum in which each filter, shape (filters, taps), has its energy."""
+    count = -(-len(filters) // LINES_AT_ONCE) * LINES_AT_ONCE
+    spectra = 2 / EXCERPT_FRAMES * np.fft.rfft(filters[:, ::-1], EXCERPT_FRAMES)
+    powers = np.square(np.abs(spectra))
+    centres = powers @ np.arange(powers.shape[1]) / powers.sum(axis=1)
+    firsts = np.clip(np.rint(centres).astype(np.int32) - BAND_BINS // 2, 0, powers.shape[1] - BAND_BINS)
+    bands = np.zeros((count, BAND_BINS), np.complex64)
+    for band, spectrum, first in zip(bands, spectra, firsts, strict=False):
+        band[:] = spectrum[first : first + BAND_BINS]
+    places = np.arange(PLACES_APART)
+    shares = np.stack((1 - places / PLACES_APART, places / PLACES_APART), axis=1)
+    turned = np.exp(2j * np.pi / EXCERPT_FRAMES * np.multiply.outer(centres, places[:, np.newaxis] - [0, PLACES_APART]))
+    taps = np.zeros((count, PLACES_APART, 2), np.complex64)
+    taps[: len(filters)] = shares * turned
+    padded = np.pad(firsts, (0, count - len(filters))).astype(np.int32)
+    return Bands(_in_lanes(bands), padded.reshape(-1, LINES_AT_ONCE), _in_lanes(taps.reshape(count, -1)))
+
+
+def _in_lanes(values: NDArray[np.complex64]) -> Singles:
+    """Return values of lines, shape (lines, values), as (groups, values, 2, 8): real and imaginary parts by lane."""
+    grouped = values.reshape(-1, LINES_AT_ONCE, values.shape[1]).transpose(0, 2, 1)
+    return np.ascontiguousarray(np.stack((grouped.real, grouped.imag), axis=2))
 
 
 @cache
 def _turns() -> Singles:
-    turns = np.exp(-2j * np.pi * np.arange(EXCERPT_FRAMES) / EXCERPT_FRAMES)
+    points = EXCERPT_FRAMES // PLACES_APART
+    turns = np.exp(-2j * np.pi * np.arange(points) / points)
     return turns.astype(np.complex64).view(np.float32)
 
 

@@ -99,9 +99,9 @@ def figures_of(kernel: ModuleType, samples: np.ndarray, rate: int) -> list[np.nd
     kernel.outstanding_amid(np.abs(samples[-1:]), np.zeros(1, np.int64), 1.5, 5, 1, 0.1, *beside, standing)
     burst, powers = np.full(frames, -1), np.zeros(frames)
     kernel.bursts(np.abs(samples[-1]), squares, squares, 2, 6, 4, 1.1, 0.1, 0.0, 30.0, 9.0, burst, powers)
-    lines = codec_frames._in_groups(codec_frames._spectrum(samples[:, :500]))
+    lines = codec_frames.bands_of(samples[:, :500])
     silent, spectrum = np.empty(1_000, np.int64), codec_frames._spectrum(samples[0, :16_384])
-    kernel.silent_lines(spectrum, lines, codec_frames._turns(), 499, 1_000, 15, 0.03, 1e-6, 5.0, silent)
+    kernel.silent_lines(spectrum, *lines, codec_frames._turns(), 499, 1_000, 15, 0.03, 1e-6, 5.0, silent)
     found_in_doubles = [silent, rows, sums, *surveyed, decoded, products, *cells, sums_of_cells, stereo, unforeseen]
     by_clicks = [untold, standing, bent, burst, powers]
     return [*found_in_doubles, *whole, sixteen, hops, energies, of_windows, again, *by_clicks]
