@@ -63,7 +63,7 @@ class Sandbox:
         The largest file that a call may write, and on POSIX about as much as all of them may have together: that is
         looked at ten times a second.
     result_bytes : int
-        The largest result, pickled.
+        The largest result, as it is sent.
     preload : sequence of str
         Modules that the server imports before it forks; missing ones are passed over. Modules of
         audio_checks that hold called functions are added as they come.
@@ -93,9 +93,9 @@ class Sandbox:
     def call(self, function: Callable[P, R], /, *args: P.args, **kwargs: P.kwargs) -> R:
         """Return what the function returns, from a child.
 
-        The function is one that can be imported by name; arguments and result can be pickled. A
-        result is made of plain values, numpy arrays and the data classes of audio_checks, and is of the type that the
-        function declares to return, down to its entries and the keys of a TypedDict. It reaches no
+        The function is one that can be imported by name; arguments can be pickled. A result is made of
+        plain values, numpy arrays, paths and the data classes of audio_checks that this process has loaded, and is of
+        the type that the function declares to return, down to its entries and the keys of a TypedDict. It reaches no
         file; `child` gives it some.
 
         Raises

@@ -23,6 +23,7 @@ from audio_checks.audio.sandbox.messages import (
     Access,
     Limits,
 )
+from audio_checks.audio.sandbox.plain import encode
 from audio_checks.errors import AudioChecksError
 
 libraries: list[str] = []  # what the server has found for all its children
@@ -52,7 +53,7 @@ def serve_once() -> None:
 
 
 def answer(request: bytes) -> tuple[bytes, bytes]:
-    """Run a request; return the kind of its answer, and the answer pickled."""
+    """Run a request; return the kind of its answer, and the answer as `plain` writes it."""
     limits: Limits | None = None
     try:
         limits, access, function, args, kwargs = pickle.loads(request)  # noqa: S301 - it comes from the caller
@@ -67,7 +68,7 @@ def answer(request: bytes) -> tuple[bytes, bytes]:
     except BaseException:
         return FAILED, traceback.format_exc()[-DETAIL_CHARACTERS:].encode("utf-8", "replace")
     try:
-        body = pickle.dumps(value, protocol=5)
+        body = encode(value)
     except MemoryError:
         return NO_MEMORY, b""
     except Exception:

@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-import enum
-import io
 import os
-import pickle
 import socket
 import struct
 import time
@@ -14,6 +11,7 @@ from collections.abc import Callable
 from typing import Any
 
 from audio_checks.audio.sandbox.answers import ensure_declared, ensure_expected
+from audio_checks.audio.sandbox.plain import decode
 from audio_checks.errors import AudioChecksError, SandboxCrashed, SandboxOutOfMemory
 
 CAN_FORK = hasattr(os, "fork") and hasattr(socket, "send_fds")
@@ -22,30 +20,6 @@ MEANWHILE_S = 0.1
 LENGTH = struct.Struct("<cQ")
 RETURNED, RAISED, NO_MEMORY, FAILED = b"r", b"e", b"m", b"f"
 DETAIL_CHARACTERS = 8_000
-
-# What may be made from a child's answer, besides classes that carry data: a child whose decoder was
-# taken over must not run code here.
-PLAIN = {("builtins", name) for name in ("set", "frozenset", "complex", "bytearray", "slice", "range")} | {
-    ("datetime", "datetime"),
-    ("datetime", "timedelta"),
-    ("datetime", "timezone"),
-    ("datetime", "date"),
-    ("collections", "OrderedDict"),
-    ("pathlib", "PosixPath"),
-    ("pathlib", "PurePosixPath"),
-    ("pathlib", "WindowsPath"),
-    ("pathlib", "PureWindowsPath"),
-    ("pathlib._local", "PosixPath"),
-    ("pathlib._local", "PurePosixPath"),
-    ("uuid", "UUID"),
-    ("decimal", "Decimal"),
-    ("numpy", "ndarray"),
-    ("numpy", "dtype"),
-    ("numpy._core.multiarray", "_reconstruct"),
-    ("numpy._core.multiarray", "scalar"),
-    ("numpy._core.numeric", "_frombuffer"),
-    ("_codecs", "encode"),
-}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -102,7 +76,7 @@ def resolved(answer: tuple[bytes, bytes], function: Callable[..., Any]) -> Any:
         detail = detail[-DETAIL_CHARACTERS:]
         raise SandboxCrashed(f"the call failed: {detail.strip().splitlines()[-1] if detail.strip() else '?'}", detail)
     try:
-        value = _Unpickler(io.BytesIO(body)).load()
+        value = decode(body)
         if kind == RAISED:
             ensure_expected([value.args, vars(value)])
         else:
@@ -113,18 +87,3 @@ def resolved(answer: tuple[bytes, bytes], function: Callable[..., Any]) -> Any:
     if kind == RAISED:
         raise value if isinstance(value, AudioChecksError) else SandboxCrashed("the child raised no error of ours")
     return value
-
-
-class _Unpickler(pickle.Unpickler):
-    """Makes plain values, numpy arrays, and data classes, enumerations and errors of audio_checks."""
-
-    def find_class(self, module: str, name: str) -> Any:
-        if (module, name) in PLAIN:
-            return super().find_class(module, name)
-        if module.partition(".")[0] == "audio_checks" and "." not in name:
-            found = super().find_class(module, name)
-            if isinstance(found, type) and (
-                dataclasses.is_dataclass(found) or issubclass(found, (AudioChecksError, enum.Enum))
-            ):
-                return found
-        raise pickle.UnpicklingError(f"{module}.{name} may not come out of a sandbox")

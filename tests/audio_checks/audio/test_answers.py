@@ -1,7 +1,6 @@
 """An answer that lies is refused in words before anything of it is used."""
 
 import math
-import pickle
 from typing import NotRequired, TypedDict
 
 import numpy as np
@@ -10,6 +9,7 @@ from numpy.typing import NDArray
 
 from audio_checks import FileReport, Finding, SandboxCrashed, Unreadable, check_file
 from audio_checks.audio.sandbox.messages import RAISED, RETURNED, resolved
+from audio_checks.audio.sandbox.plain import encode
 from tests.support.waves import sine, write_wav
 
 FINDING = Finding("true-peak:over", "found", "lower it", measured=-math.inf)
@@ -20,19 +20,7 @@ def anything():
 
 
 def answered(value, kind=RETURNED, function=anything):
-    return resolved((kind, pickle.dumps(value, protocol=5)), function)
-
-
-def with_field(value, name, lie):
-    object.__setattr__(value, name, lie)
-    return value
-
-
-def nested(depth):
-    value = []
-    for _ in range(depth):
-        value = [value]
-    return value
+    return resolved((kind, encode(value)), function)
 
 
 @pytest.mark.parametrize(
@@ -42,15 +30,12 @@ def nested(depth):
         (FileReport("a.wav", "approved"), "FileReport.verdict is not"),
         (FileReport("a.wav", "conforming", findings=[FINDING]), "FileReport.findings is not"),
         (FileReport("a.wav", "conforming", findings=("over",)), "FileReport.findings is not"),
-        (FileReport("a.wav", "conforming", findings=(FINDING,) * 1_000_000), "1,000,000 entries"),
+        (FileReport("a.wav", "conforming", findings=(FINDING,) * 60_000), "60,000 entries"),
         (FileReport("a.wav", "conforming", measurements=[1]), "FileReport.measurements is not"),
         (Finding("a:b", "found", "lower it", measured=math.nan), "Finding.measured is not"),
         (Finding("a:b", "found", "lower it", measured="loud"), "Finding.measured is not"),
         (Finding("a:b", "x" * (5 << 20), "lower it"), "5,242,880 characters"),
-        (with_field(Finding("a:b", "found", "lower it"), "to_dict", 1), "Finding has no to_dict"),
-        (nested(100), "deeper than 64"),
         ([[]] * 3_000_000, "more than 2,000,000 values"),
-        (np.array([{}], dtype=object), "an array of objects"),
         (np.zeros(200_000), "an array of 200,000 numbers; 100,000 are allowed"),
     ],
 )

@@ -275,12 +275,19 @@ def test_files_and_descriptors_are_limited(tmp_path):
         box.close()
 
 
+NAMES_A_PROGRAM = b'["enum","audio_checks.cli.__main__","x","y"]'
+
+
 def test_a_taken_over_child_cannot_run_code_here(hasty, tmp_path):
     trap = tmp_path / "trap"
-    evil = f"cos\nsystem\n(S'touch {trap}'\ntR.".encode()
-    code = f"import os\nos.write(3, b'r' + {len(evil).to_bytes(8, 'little')!r} + {evil!r})\nos._exit(0)"
-    with pytest.raises(SandboxCrashed, match=r"may not come out"):
-        hasty.call(exec, code)
+    for said, why in (
+        (f"cos\nsystem\n(S'touch {trap}'\ntR.".encode(), "Expecting value"),
+        (NAMES_A_PROGRAM, "may not come out"),
+    ):
+        evil = len(said).to_bytes(8, "little") + said
+        code = f"import os\nos.write(3, b'r' + {len(evil).to_bytes(8, 'little')!r} + {evil!r})\nos._exit(0)"
+        with pytest.raises(SandboxCrashed, match=why):
+            hasty.call(exec, code)
     assert not trap.exists()
 
 
