@@ -203,7 +203,7 @@ def toml_texts() -> Iterator[str]:
 def hostile_spec(target: Target) -> Iterator[int]:
     for text in toml_texts():
         yield sent(target.world.producer, "POST", f"{target.project}/spec/check-toml", json={"toml": text})
-        yield sent(target.world.producer, "PUT", f"{target.project}/spec", json={"toml": text})
+        yield sent(target.world.producer, "PUT", f"{target.project}/spec", json={"toml": text, "based_on_version": 1})
 
 
 @attack("TOML: a contract template with thousands of dots and brackets")

@@ -24,7 +24,7 @@ STARTS_WITHIN_S = 60.0
 
 
 @dataclass(frozen=True)
-class RequestCredentials:
+class Visit:
     """One request, on the clock that all processes share."""
 
     path: str
@@ -59,10 +59,10 @@ def honest_person(client: httpx.Client, pages: list[str], comments: str, notes: 
         process.stdin.close()
 
 
-def visits(notes: Path) -> list[RequestCredentials]:
+def visits(notes: Path) -> list[Visit]:
     """Return the visits that a person wrote down."""
     lines = notes.read_text().splitlines(keepends=True)
-    return [RequestCredentials(**json.loads(line)) for line in lines if line.endswith("\n")]
+    return [Visit(**json.loads(line)) for line in lines if line.endswith("\n")]
 
 
 def work(told: dict[str, Any]) -> None:
@@ -84,7 +84,7 @@ def work(told: dict[str, Any]) -> None:
                     problem = f"was answered with {answer.status_code}"
             except httpx.TransportError as error:
                 problem = f"was not answered: {type(error).__name__}"
-            visit = RequestCredentials(path, begun_s, time.monotonic() - begun_s, problem)
+            visit = Visit(path, begun_s, time.monotonic() - begun_s, problem)
             sys.stdout.write(json.dumps(asdict(visit)) + "\n")
             sys.stdout.flush()
             number += 1

@@ -123,15 +123,15 @@ def hostile_requests(seed: int, routes: Sequence[Operation], ids: Mapping[str, A
 
 class _Writer:
     def __init__(self, chance: random.Random, ids: Mapping[str, Any]) -> None:
-        self._fix_outlook = chance
+        self._chance = chance
         self._ids = ids
 
     def request(self, routes: Sequence[Operation]) -> HostileRequest:
-        if self._fix_outlook.random() < 0.04:
-            path = self._fix_outlook.choice(PAGES).format(path=self._quoted(self._fix_outlook.choice(TEXTS)))
-            method = self._fix_outlook.choice(("GET", "GET", "HEAD", "POST", "OPTIONS", "TRACE"))
+        if self._chance.random() < 0.04:
+            path = self._chance.choice(PAGES).format(path=self._quoted(self._chance.choice(TEXTS)))
+            method = self._chance.choice(("GET", "GET", "HEAD", "POST", "OPTIONS", "TRACE"))
             return HostileRequest("page", method, path, tuple(self._headers({})), b"")
-        route = self._fix_outlook.choice(routes)
+        route = self._chance.choice(routes)
         said = document()["paths"][route.path][route.method.lower()]
         path = "/".join(self._segment(part) for part in route.path.split("/"))
         query = self._query(said)
@@ -139,46 +139,42 @@ class _Writer:
         body = self._body(said, headers)
         if "uploads" in route.path:
             self._prepare_upload(headers)
-        method = (
-            route.method
-            if self._fix_outlook.random() < 0.98
-            else self._fix_outlook.choice(("PUT", "PATCH", "QUERY", "x"))
-        )
+        method = route.method if self._chance.random() < 0.98 else self._chance.choice(("PUT", "PATCH", "QUERY", "x"))
         return HostileRequest(route.name, method, path + query, tuple(self._headers(headers)), body)
 
     def _segment(self, part: str) -> str:
         if not part.startswith("{"):
             return part
         name = part[1:-1]
-        if name in self._ids and self._fix_outlook.random() < 0.9:
+        if name in self._ids and self._chance.random() < 0.9:
             return str(self._ids[name])
         return self._quoted(self._text() or "x").replace("/", "%2F")
 
     def _query(self, said: Mapping[str, Any]) -> str:
         pairs = []
         for parameter in said.get("parameters", ()):
-            if parameter["in"] != "query" or (not parameter.get("required") and self._fix_outlook.random() < 0.5):
+            if parameter["in"] != "query" or (not parameter.get("required") and self._chance.random() < 0.5):
                 continue
             name = parameter["name"]
-            for _ in range(self._fix_outlook.choice((1, 1, 1, 2, 40))):
-                value = self._ids.get(name) if self._fix_outlook.random() < 0.5 else None
+            for _ in range(self._chance.choice((1, 1, 1, 2, 40))):
+                value = self._ids.get(name) if self._chance.random() < 0.5 else None
                 pairs.append(f"{name}={self._quoted(str(value if value is not None else self._text()))}")
-        if self._fix_outlook.random() < 0.05:
+        if self._chance.random() < 0.05:
             pairs.append(f"{self._quoted(self._text())}={self._quoted(self._text())}")
         return "?" + "&".join(pairs) if pairs else ""
 
     def _body(self, said: Mapping[str, Any], headers: dict[str, str]) -> bytes:
         content = said.get("requestBody", {}).get("content", {})
         if not content:
-            return b"x" if self._fix_outlook.random() < 0.02 else b""
+            return b"x" if self._chance.random() < 0.02 else b""
         json_type = content.get("application/json")
         if json_type is None:
-            return self._fix_outlook.choice((b"", b"the bytes of a sound", b"\0" * 10_000))
+            return self._chance.choice((b"", b"the bytes of a sound", b"\0" * 10_000))
         headers["Content-Type"] = "application/json"
-        if self._fix_outlook.random() < 0.05:
-            return self._fix_outlook.choice(RAW_BODIES)
+        if self._chance.random() < 0.05:
+            return self._chance.choice(RAW_BODIES)
         value = self._value(json_type["schema"], "")
-        for _ in range(self._fix_outlook.choice((0, 1, 1, 1, 2, 3))):
+        for _ in range(self._chance.choice((0, 1, 1, 1, 2, 3))):
             value = self._spoilt(value)
         return json.dumps(value).encode("utf-8", "surrogatepass")
 
@@ -187,23 +183,23 @@ class _Writer:
         if "$ref" in schema:
             return self._value(document()["components"]["schemas"][schema["$ref"].rpartition("/")[2]], name, depth)
         if "anyOf" in schema:
-            return self._value(self._fix_outlook.choice(schema["anyOf"]), name, depth)
+            return self._value(self._chance.choice(schema["anyOf"]), name, depth)
         if "enum" in schema:
-            return self._fix_outlook.choice(schema["enum"])
+            return self._chance.choice(schema["enum"])
         match schema.get("type"):
             case "object" if "properties" in schema:
                 required = schema.get("required", ())
                 return {
                     key: self._value(one, key, depth + 1)
                     for key, one in schema["properties"].items()
-                    if key in required or self._fix_outlook.random() < 0.5
+                    if key in required or self._chance.random() < 0.5
                 }
             case "object" | None:
                 return {}
             case "null":
                 return None
             case "array":
-                count = max(schema.get("minItems", 0), self._fix_outlook.choice((0, 1, 2)) if depth < 4 else 0)
+                count = max(schema.get("minItems", 0), self._chance.choice((0, 1, 2)) if depth < 4 else 0)
                 return [self._value(schema["items"], name.removesuffix("s"), depth + 1) for _ in range(count)]
             case "string" if schema.get("format") in ("date", "date-time"):
                 return "2026-11-20" if schema["format"] == "date" else "2026-11-20T10:00:00Z"
@@ -215,43 +211,41 @@ class _Writer:
 
     def _spoilt(self, value: Any) -> Any:
         """Return the value with something hostile at one place in it."""
-        if isinstance(value, dict) and value and self._fix_outlook.random() < 0.95:
-            key = self._fix_outlook.choice(list(value))
-            if self._fix_outlook.random() < 0.05:
+        if isinstance(value, dict) and value and self._chance.random() < 0.95:
+            key = self._chance.choice(list(value))
+            if self._chance.random() < 0.05:
                 return {**value, self._text(): value[key]}
             return {**value, key: self._spoilt(value[key])}
-        if isinstance(value, list) and value and self._fix_outlook.random() < 0.7:
-            place = self._fix_outlook.randrange(len(value))
+        if isinstance(value, list) and value and self._chance.random() < 0.7:
+            place = self._chance.randrange(len(value))
             return [*value[:place], self._spoilt(value[place]), *value[place + 1 :]]
-        if self._fix_outlook.random() < 0.15:
-            return self._fix_outlook.choice(ODD_VALUES)
+        if self._chance.random() < 0.15:
+            return self._chance.choice(ODD_VALUES)
         likely = NUMBERS if isinstance(value, int | float) and not isinstance(value, bool) else TEXTS
-        return self._fix_outlook.choice(
-            likely if self._fix_outlook.random() < 0.8 else (TEXTS, NUMBERS)[likely is TEXTS]
-        )
+        return self._chance.choice(likely if self._chance.random() < 0.8 else (TEXTS, NUMBERS)[likely is TEXTS])
 
     def _prepare_upload(self, headers: dict[str, str]) -> None:
         name = self._text().encode("utf-8", "surrogatepass")
         values = {"delivery_id": str(self._ids.get("delivery_id", "")).encode(), "file_name": name}
-        if self._fix_outlook.random() < 0.3:
+        if self._chance.random() < 0.3:
             values["take_id"] = str(self._ids.get("take_id", "")).encode()
         pairs = ",".join(f"{key} {base64.b64encode(value).decode()}" for key, value in values.items())
         headers |= TUS | {
             "Upload-Metadata": pairs[:30_000],
-            "Upload-Length": self._fix_outlook.choice(("0", "20", "100")),
+            "Upload-Length": self._chance.choice(("0", "20", "100")),
         }
-        headers["Upload-Offset"] = self._fix_outlook.choice(("0", "20"))
+        headers["Upload-Offset"] = self._chance.choice(("0", "20"))
         headers["Content-Type"] = "application/offset+octet-stream"
 
     def _headers(self, headers: dict[str, str]) -> Iterator[tuple[bytes, bytes]]:
-        while self._fix_outlook.random() < 0.25:
-            name, values = self._fix_outlook.choice(HEADERS)
-            headers[name] = self._fix_outlook.choice(values)
+        while self._chance.random() < 0.25:
+            name, values = self._chance.choice(HEADERS)
+            headers[name] = self._chance.choice(values)
         for name, value in headers.items():
             yield name.encode(), value.encode()
 
     def _text(self) -> str:
-        return self._fix_outlook.choice(TEXTS)
+        return self._chance.choice(TEXTS)
 
     @staticmethod
     def _quoted(text: str) -> str:

@@ -14,7 +14,7 @@ from typing import cast
 import httpx
 
 from tests.attack.attacks import ATTACKS, NO_ANSWER, Target
-from tests.attack.honest import RequestCredentials, honest_person, visits
+from tests.attack.honest import Visit, honest_person, visits
 from tests.kill.processes import ProcessServer, Zygote
 from tests.support.server import RunningServer, World
 
@@ -69,7 +69,7 @@ class Siege:
     """What came of all of them."""
 
     results: dict[str, Result]
-    visits: list[RequestCredentials] = field(default_factory=list)  # of the honest person
+    visits: list[Visit] = field(default_factory=list)  # of the honest person
     runs: list[Run] = field(default_factory=list)
     begun_s: float = 0.0
     left_mib: float = 0.0  # more memory than before, after everything
@@ -99,7 +99,7 @@ class Siege:
         """The honest person's slowest answer before anything began."""
         return max((visit.took_s for visit in self.visits if visit.begun_s < self.begun_s), default=0.0)
 
-    def _during(self, visit: RequestCredentials) -> str:
+    def _during(self, visit: Visit) -> str:
         ended_s = visit.begun_s + visit.took_s
         names = {run.name for run in self.runs if run.begun_s < ended_s and run.ended_s > visit.begun_s}
         return f"during {', '.join(sorted(names)) or 'no attack'}"
