@@ -14,7 +14,7 @@ from app.dashboards import desk_queries, progress_queries, queries, schemas
 from app.dashboards.progress import counted, preview_url, status_of
 from app.dashboards.progress_queries import CueGroup, ListRow
 from app.dashboards.questions import asked_questions, brief
-from app.dashboards.rules import CueStatus, statuses_of
+from app.dashboards.rules import CAME_BACK, UNFINISHED, CueStatus, statuses_of
 from app.deliveries.models import Take
 from app.deliveries.queries import unmatched_count
 from app.deliveries.rules import TakeState
@@ -25,10 +25,6 @@ from app.projects.service import project_access
 from app.reviews.deemed_cues import last_days
 from app.sound_lists.models import Cue
 
-UNFINISHED = frozenset(
-    {CueStatus.TO_MAKE, CueStatus.PLACEHOLDER, CueStatus.QUESTION, CueStatus.PARTLY_ACCEPTED}
-)  # what a designer could begin now
-CAME_BACK = frozenset({CueStatus.RETURNED, CueStatus.CHANGE_REQUESTED, CueStatus.UNJUDGED})
 WAITING = frozenset({CueStatus.TO_REVIEW})
 BACK_CUES = 20  # of which takes that came back are answered at once, each with its findings
 CUES = 50

@@ -7,7 +7,7 @@ from fastapi import Query
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.dashboards import money, progress, schemas, service
+from app.dashboards import finding, money, next_steps, progress, schemas, service
 from app.dashboards.desk import Desk
 from app.kit.http import BadCursor, DbSession, Page, Route, Router, problems
 from app.money.errors import MilestoneNotFound
@@ -59,6 +59,12 @@ def read_recent_verdicts(
 def read_today(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> schemas.Today:
     """Return what waits for the team today, besides the review queue."""
     return service.today(session, actor, project_id)
+
+
+@router.get("/projects/{project_id}/next-steps", responses=problems(ProjectNotFound))
+def read_next_steps(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> schemas.NextSteps:
+    """Return what the caller is to do in a project, the first thing first, and for whom they wait."""
+    return next_steps.next_steps(session, actor, project_id)
 
 
 @router.get("/projects/{project_id}/desk", responses=problems(ProjectNotFound, DesignerNeeded))
@@ -125,5 +131,5 @@ def find(
     session: DbSession,
     actor: Actor = allows(Audience.PROJECT),
 ) -> schemas.FindResult:
-    """Return the cues, then what was said, that hold the typed words."""
-    return service.find(session, actor, project_id, q)
+    """Return what holds the typed words: cues first, then files, people, contracts, comments and questions."""
+    return finding.find(session, actor, project_id, q)

@@ -127,16 +127,6 @@ def sent_changes(session: Session, take_ids: Collection[UUID]) -> Sequence[Row[C
     ).all()
 
 
-def draft_changes(session: Session, project_id: UUID) -> int:
-    """Return how many change requests wait to be sent."""
-    return (
-        session.scalar(
-            select(func.count()).where(ChangeRequest.project_id == project_id, ChangeRequest.feedback_id.is_(None))
-        )
-        or 0
-    )
-
-
 def unsent_mails(session: Session, studio_id: UUID) -> int:
     """Return how many mails of the studio wait in the outbox."""
     return session.scalar(select(func.count()).where(Mail.studio_id == studio_id, Mail.sent_at.is_(None))) or 0
@@ -237,26 +227,104 @@ def find_cues(session: Session, project_id: UUID, words: Sequence[str]) -> Seque
     return session.scalars(found.order_by(Cue.number).limit(HITS)).all()
 
 
-def find_comments(session: Session, project_id: UUID, phrase: str) -> Sequence[Row[Comment, Cue]]:
-    """Return the newest comments that hold a phrase, with their cue."""
-    return session.execute(
+def conforming_takes_since(session: Session, project_id: UUID, designer_id: UUID) -> datetime | None:
+    """Return since when the oldest of a designer's takes waits for its verdict."""
+    return session.scalar(
+        select(func.min(Take.state_since)).where(
+            Take.project_id == project_id, Take.state == TakeState.CONFORMING, Take.designer_id == designer_id
+        )
+    )
+
+
+def back_since(session: Session, project_id: UUID, viewer_id: UUID) -> datetime | None:
+    """Return since when the oldest take lies with its designer again, in a viewer's sight."""
+    of_viewer = (CueSums.project_id == project_id, CueSums.viewer_id == viewer_id, CueSums.state != CueState.CUT)
+    return session.scalar(select(func.min(CueSums.back_since)).where(*of_viewer, CueSums.back_since.is_not(None)))
+
+
+def tray_since(session: Session, project_id: UUID, designer_id: UUID) -> tuple[int, datetime | None]:
+    """Return how many of a designer's files wait for a cue, and since when the oldest."""
+    count, since = session.execute(
+        select(func.count(), func.min(Take.state_since)).where(*in_tray(project_id, designer_id))
+    ).one()
+    return count, since
+
+
+def drafts_since(session: Session, project_id: UUID) -> tuple[int, datetime | None]:
+    """Return how many change requests wait to be sent, and since when the oldest."""
+    count, since = session.execute(
+        select(func.count(), func.min(ChangeRequest.created_at)).where(
+            ChangeRequest.project_id == project_id, ChangeRequest.feedback_id.is_(None)
+        )
+    ).one()
+    return count, since
+
+
+def questions_open_since(session: Session, project_id: UUID, *, asked_by: UUID | None) -> tuple[int, datetime | None]:
+    """Return how many questions wait for an answer, and since when the oldest; one person's where one is given."""
+    found = select(func.count(), func.min(Question.asked_at)).where(
+        Question.project_id == project_id, Question.answered_at.is_(None)
+    )
+    count, since = session.execute(found.where(Question.asked_by == asked_by) if asked_by else found).one()
+    return count, since
+
+
+def has_verdicts(session: Session, project_id: UUID) -> bool:
+    """Return whether anything in the project was decided."""
+    return session.scalar(select(Verdict.id).where(Verdict.project_id == project_id).limit(1)) is not None
+
+
+def find_files(
+    session: Session, project_id: UUID, designer_id: UUID | None, words: Sequence[str], *, limit: int
+) -> Sequence[Row[Take, Cue | None]]:
+    """Return the newest takes whose file name holds every word, with their cue; of one designer where one is given."""
+    found = (
+        select(Take, Cue)
+        .join(Cue, Cue.id == Take.cue_id, isouter=True)
+        .where(Take.project_id == project_id, Take.discarded_at.is_(None))
+        .where(*(icontains(Take.file_name, word) for word in words))
+    )
+    if designer_id is not None:
+        found = found.where(Take.designer_id == designer_id)
+    return session.execute(found.order_by(Take.id.desc()).limit(limit)).all()
+
+
+def find_people(session: Session, studio_id: UUID, project_id: UUID, phrase: str, *, limit: int) -> Sequence[Person]:
+    """Return members of the studio and designers of the project whose name or address holds a phrase."""
+    members = select(Membership.person_id).where(Membership.studio_id == studio_id)
+    designers = select(Engagement.designer_id).where(Engagement.project_id == project_id)
+    return session.scalars(
+        select(Person)
+        .where(or_(Person.id.in_(members), Person.id.in_(designers)))
+        .where(or_(icontains(Person.name, phrase), icontains(Person.email, phrase)))
+        .order_by(Person.name, Person.id)
+        .limit(limit)
+    ).all()
+
+
+def find_comments(
+    session: Session, project_id: UUID, designer_id: UUID | None, phrase: str, *, limit: int
+) -> Sequence[Row[Comment, Cue]]:
+    """Return the newest comments that hold a phrase, with their cue; on takes of one designer where one is given."""
+    found = (
         select(Comment, Cue)
         .join(Take, Take.id == Comment.take_id)
         .join(Cue, Cue.id == Take.cue_id)
         .where(Comment.project_id == project_id, icontains(Comment.text, phrase))
-        .order_by(Comment.id.desc())
-        .limit(HITS)
-    ).all()
+    )
+    if designer_id is not None:
+        found = found.where(Take.designer_id == designer_id)
+    return session.execute(found.order_by(Comment.id.desc()).limit(limit)).all()
 
 
-def find_questions(session: Session, project_id: UUID, phrase: str) -> Sequence[Row[Question, Cue]]:
+def find_questions(session: Session, project_id: UUID, phrase: str, *, limit: int) -> Sequence[Row[Question, Cue]]:
     """Return the newest questions that hold a phrase, with their cue."""
     return session.execute(
         select(Question, Cue)
         .join(Cue, Cue.id == Question.cue_id)
         .where(Question.project_id == project_id, icontains(Question.text, phrase))
         .order_by(Question.id.desc())
-        .limit(HITS)
+        .limit(limit)
     ).all()
 
 

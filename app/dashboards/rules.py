@@ -1,4 +1,4 @@
-"""The status of a cue, stated without a database."""
+"""The status of a cue, and the order of next steps, stated without a database."""
 
 from collections.abc import Sequence
 from enum import StrEnum
@@ -23,6 +23,51 @@ class CueStatus(StrEnum):
     ACCEPTED = "accepted"
     PLACEHOLDER = "placeholder"
     CUT = "cut"
+
+
+UNFINISHED = frozenset(
+    {CueStatus.TO_MAKE, CueStatus.PLACEHOLDER, CueStatus.QUESTION, CueStatus.PARTLY_ACCEPTED}
+)  # what a designer could begin now
+CAME_BACK = frozenset({CueStatus.RETURNED, CueStatus.CHANGE_REQUESTED, CueStatus.UNJUDGED})
+
+
+class NextStepKind(StrEnum):
+    """What a person is the one to do, in the order in which it is shown."""
+
+    ADD_CUES = "add_cues"
+    INVITE_DESIGNER = "invite_designer"
+    SEND_NDA = "send_nda"
+    SIGN_CONTRACT = "sign_contract"
+    CHANGE_CONTRACT = "change_contract"
+    PAY_INVOICE = "pay_invoice"
+    INVOICE_DEPOSIT = "invoice_deposit"
+    FIX = "fix"
+    MATCH = "match"
+    ANSWER_QUESTIONS = "answer_questions"
+    AGREE_DAYS = "agree_days"
+    AGREE_ROUND = "agree_round"
+    SEND_CHANGES = "send_changes"
+    REVIEW = "review"
+    SEND_CONTRACT = "send_contract"
+    INVOICE_DUE = "invoice_due"
+    NAME_APPROVER = "name_approver"
+    MAKE = "make"
+
+
+STEP_ORDER = {kind: place for place, kind in enumerate(NextStepKind)}
+
+
+class AwaitedKind(StrEnum):
+    """What another person is to do."""
+
+    JOIN = "join"
+    NDA = "nda"
+    SIGNATURE = "signature"
+    VERDICTS = "verdicts"
+    ANSWER = "answer"
+    FIXES = "fixes"
+    INVOICE = "invoice"
+    PAYMENT = "payment"
 
 
 STATUS_OF_TAKE = {

@@ -9,7 +9,7 @@ from pydantic import Field
 from app.accounts.rules import Role
 from app.accounts.schemas import PersonBrief
 from app.agreements.rules import ContractState, ReleaseClause
-from app.dashboards.rules import CueStatus
+from app.dashboards.rules import AwaitedKind, CueStatus, NextStepKind
 from app.deliveries.schemas import CueBrief
 from app.kit.http import Schema
 from app.money.schemas import (
@@ -274,10 +274,44 @@ class Overview(Schema):
 class Found(Schema):
     """One hit of the search."""
 
-    kind: Literal["cue", "comment", "question"]
-    cue: CueBrief
-    text: str
-    take_id: UUID | None
+    kind: Literal["cue", "file", "person", "contract", "comment", "question"]
+    title: str
+    text: str = Field(description="Its use, its state, an address, or the words in which the typed ones were found.")
+    cue: CueBrief | None = Field(default=None, description="Null for people, contracts and files without a cue.")
+    take_id: UUID | None = None
+    contract_id: UUID | None = None
+    start_s: float | None = None
+
+
+class NextStep(Schema):
+    """Something that the caller is the one to do, and what it is about."""
+
+    kind: NextStepKind
+    count: int = 1
+    subject: str = Field(default="", description="A contract's title, an invoice's number or a person's name.")
+    who: str = Field(default="", description="The other side, where the step is owed to somebody.")
+    since: datetime | None = None
+    contract_id: UUID | None = None
+    amount_minor: int | None = None
+    currency: str | None = None
+
+
+class Awaited(Schema):
+    """Something that another person is to do, for which the caller waits."""
+
+    kind: AwaitedKind
+    who: str
+    count: int = 1
+    subject: str = ""
+    since: datetime | None
+    contract_id: UUID | None = None
+
+
+class NextSteps(Schema):
+    """What the caller is to do in a project, the first thing first, and for whom they wait."""
+
+    steps: list[NextStep]
+    awaited: list[Awaited] = Field(description="The longest wait first.")
 
 
 class FindResult(Schema):

@@ -1,6 +1,5 @@
 """Joins what the rooms know into the screens that people start from."""
 
-from collections.abc import Sequence
 from datetime import datetime
 from typing import Any
 from uuid import UUID
@@ -20,7 +19,6 @@ from app.dashboards.questions import asked_questions, brief
 from app.dashboards.rules import CueStatus
 from app.deliveries.models import Take
 from app.deliveries.schemas import CueBrief
-from app.kit.http import number_in
 from app.projects.models import Project
 from app.projects.queries import approvers_of
 from app.projects.service import ProjectAccess, project_access
@@ -84,7 +82,7 @@ def today(session: Session, actor: Actor, project_id: UUID) -> schemas.Today:
         with_others=_with_others(session, project),
         builds=[_build(build) for build in queries.builds(session, project_id)],
         counts=counted(likes),
-        draft_changes=queries.draft_changes(session, project_id),
+        draft_changes=queries.drafts_since(session, project_id)[0],
         placeholders=sum(like.cues for like in likes if like.placeholder and like.state is not CueState.CUT),
         unsent_mails=queries.unsent_mails(session, project.studio_id) if access.is_producer else 0,
     )
@@ -182,37 +180,3 @@ def _build(build: Build) -> schemas.BuildBrief:
 
 def _files(count: int) -> str:
     return f"{count} {'file' if count == 1 else 'files'}"
-
-
-def find(session: Session, actor: Actor, project_id: UUID, typed: str) -> schemas.FindResult:
-    """Return the cues, then what was said, that hold the typed words."""
-    access = project_access(session, actor, project_id)
-    project = access.project
-    words = typed.split()
-    if not words:
-        return schemas.FindResult(hits=[])
-    number = typed.strip().upper().removeprefix(f"{project.cue_prefix.upper()}-")
-    hits = [
-        schemas.Found(kind="cue", cue=brief(project, cue), text=cue.use or cue.description, take_id=None)
-        for cue in _by_nearness(queries.find_cues(session, project_id, words), typed)
-    ]
-    cue_number = number_in(number)
-    if cue_number is not None and (cue := queries.cue_by_number(session, project_id, cue_number)):
-        hits.insert(0, schemas.Found(kind="cue", cue=brief(project, cue), text=cue.use, take_id=None))
-    if len(hits) >= queries.HITS:
-        return schemas.FindResult(hits=hits[: queries.HITS])
-    phrase = typed.strip()
-    if access.is_team:
-        hits += [
-            schemas.Found(kind="comment", cue=brief(project, cue), text=comment.text, take_id=comment.take_id)
-            for comment, cue in queries.find_comments(session, project_id, phrase)
-        ]
-    hits += [
-        schemas.Found(kind="question", cue=brief(project, cue), text=question.text, take_id=None)
-        for question, cue in queries.find_questions(session, project_id, phrase)
-    ]
-    return schemas.FindResult(hits=hits[: queries.HITS])
-
-
-def _by_nearness(cues: Sequence[Cue], typed: str) -> list[Cue]:
-    return sorted(cues, key=lambda cue: (not cue.name.lower().startswith(typed.strip().lower()), cue.number))

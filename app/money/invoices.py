@@ -15,6 +15,7 @@ from app.agreements.plan_queries import terms_of
 from app.agreements.queries import lock_contract
 from app.agreements.rules import ContractState, WorkState
 from app.kit import clock
+from app.kit.events import publish
 from app.kit.money import money, percent
 from app.money import queries, schemas
 from app.money.errors import InvoiceNotFound, NotAgreed, OtherPartyNeeded
@@ -101,6 +102,7 @@ def issue_invoice(
         "lines": [str(line_id) for line_id in texts],
     }
     record.append(session, contract.id, "invoiced", facts, by=actor.person)
+    publish(session, "invoice.issued", studio_id=contract.studio_id, invoice_id=invoice.id, total=str(facts["total"]))
     return invoice
 
 
@@ -157,6 +159,8 @@ def texts_of(session: Session, contract: Contract, lines: Iterable[Line]) -> dic
                 return f"{cue}, round {line.round_number} ({milestone})"
             case LineKind.WORKED_DAY:
                 return f"Work by the day ({milestone})"
+            case LineKind.EXTRA_WORK:
+                return f"Work by a change order ({milestone})"
         return f"Taken back: {cue or milestone}"
 
     return {line.id: text(line) for line in lines}

@@ -8,21 +8,26 @@ from uuid import UUID
 import aiosmtplib
 from sqlalchemy.orm import Session
 
+from app.accounts.models import Person
 from app.agreements.facts import in_words
 from app.agreements.models import Contract
+from app.agreements.rules import ContractState, Party
 from app.builds.models import Build
 from app.conformance.models import CheckRun
 from app.conformance.queries import mark_notified, projects_to_notify, runs_of
 from app.deliveries.rules import TakeState
 from app.kit import clock, mail
 from app.kit.db import new_id
+from app.kit.money import money
 from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
+from app.money.models import Invoice
 from app.notifications import links, queries, service
 from app.notifications.errors import MailBusy
 from app.notifications.models import Mail
 from app.notifications.rules import counted, finding_line, text_of
-from app.projects.models import Project
+from app.projects.models import Engagement, Project
+from app.projects.visibility import nda_is_pending
 from app.reviews.models import Feedback
 from app.sound_lists.models import Cue, Question
 from app.sound_lists.rules import label
@@ -230,21 +235,84 @@ def notify_contract(runtime: Runtime, payload: Payload) -> None:
                 "a change to a contract is requested",
                 f"{title}: {payload.get('text') or ''}",
             ),
-            "contract.agreed": (producers | {designer}, "a contract is signed", f"{title}: both sides have signed."),
-        }[payload["event"]]
-        notifier = Notifier(runtime, session, project, payload["event_id"])
-        for recipient in recipients:
-            notifier.notify(recipient, f"contract:{payload['event']}", subject, line, page=f"contracts/{contract.id}")
             "contract.notice_given": (
                 producers | {designer},
                 "notice was given on a contract",
                 f"{title}: notice was given. Its page Ending early says what each cue is owed.",
+            ),
+            "change_order.proposed": (
+                {designer} if payload.get("party") == "studio" else producers,
+                "a change order is proposed",
+                f"{title}: a change order is proposed. Read what it changes, then sign or refuse it.",
+            ),
+            "change_order.agreed": (
+                producers | {designer},
+                "a change order is in force",
+                f"{title}: both sides have signed a change order, and it is in force.",
             ),
             "contract.settled": (
                 producers | {designer},
                 "a contract has ended",
                 f"{title}: it is settled and has ended. What is owed is due.",
             ),
+            "contract.agreed": (producers | {designer}, "a contract is signed", f"{title}: both sides have signed."),
+        }[payload["event"]]
+        notifier = Notifier(runtime, session, project, payload["event_id"])
+        if payload["event"] == "contract.agreed" and (deposit := queries.deposit_of(session, contract.id)):
+            due = f"The deposit of {money(deposit, contract.currency)} is due: issue the invoice for it."
+            notifier.notify(designer, "deposit", "the deposit is due", due, page="money")
+        for recipient in recipients:
+            notifier.notify(recipient, f"contract:{payload['event']}", subject, line, page=f"contracts/{contract.id}")
+
+
+@job("notifications.notify_signature")
+def notify_signature(runtime: Runtime, payload: Payload) -> None:
+    """Notify the other party that a contract needs its signature too."""
+    with runtime.database.writing() as session:
+        contract = session.get_one(Contract, UUID(payload["contract_id"]))
+        if contract.state is not ContractState.SENT:
+            return  # signed by both, or recalled meanwhile
+        project = session.get_one(Project, contract.project_id)
+        recipients = {queries.address_of(session, contract.designer_id)}
+        if payload["party"] == Party.DESIGNER.value:
+            recipients = queries.producer_addresses(session, project.studio_id)
+        notifier = Notifier(runtime, session, project, payload["event_id"])
+        line = f"{contract.title} is signed by the other side and needs your signature."
+        for recipient in recipients:
+            notifier.notify(
+                recipient, "contract:signed", "a contract needs your signature", line, page=f"contracts/{contract.id}"
+            )
+
+
+@job("notifications.notify_invoice")
+def notify_invoice(runtime: Runtime, payload: Payload) -> None:
+    """Notify the producers of an invoice: its sum, and the day until which it is to be paid."""
+    with runtime.database.writing() as session:
+        invoice = session.get_one(Invoice, UUID(payload["invoice_id"]))
+        project = session.get_one(Project, invoice.project_id)
+        contract = session.get_one(Contract, invoice.contract_id)
+        notifier = Notifier(runtime, session, project, payload["event_id"])
+        line = (
+            f"Invoice {invoice.number} for {contract.title}: {payload['total']}, to be paid by "
+            f"{in_words(invoice.due_on)}. Record the payment once it is made."
+        )
+        for recipient in queries.producer_addresses(session, project.studio_id):
+            notifier.notify(recipient, "invoices", "an invoice to pay", line, page="money")
+
+
+@job("notifications.notify_joined")
+def notify_joined(runtime: Runtime, payload: Payload) -> None:
+    """Notify the producers that a designer joined, and of an NDA that is to be sent first."""
+    with runtime.database.writing() as session:
+        engagement = session.get_one(Engagement, UUID(payload["engagement_id"]))
+        project = session.get_one(Project, engagement.project_id)
+        name = session.get_one(Person, engagement.designer_id).name
+        is_closed = nda_is_pending(project, engagement)
+        next_step = f"Send {name} the NDA: the list stays closed until it is signed." if is_closed else ""
+        notifier = Notifier(runtime, session, project, payload["event_id"])
+        line = " ".join(filter(None, (f"{name} joined as sound designer.", next_step)))
+        for recipient in queries.producer_addresses(session, project.studio_id):
+            notifier.notify(recipient, "joined", "a designer joined", line, page="contracts" if is_closed else "people")
 
 
 @job("notifications.notify_reminder")

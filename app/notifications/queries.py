@@ -4,11 +4,12 @@ from collections.abc import Sequence
 from datetime import datetime, timedelta
 from uuid import UUID
 
-from sqlalchemy import or_, select
+from sqlalchemy import func, or_, select
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Membership, Person
 from app.accounts.rules import Role
+from app.agreements.models import Milestone
 from app.deliveries.models import Take
 from app.notifications.models import Mail
 from app.projects.models import Engagement, Liaison, Project
@@ -123,6 +124,13 @@ def producer_addresses(session: Session, studio_id: UUID) -> set[str]:
         .where(Membership.studio_id == studio_id)
     )
     return {email for email, roles in rows if Role.PRODUCER in roles}
+
+
+def deposit_of(session: Session, contract_id: UUID) -> int:
+    """Return the sum of a contract's deposits in whole minor units."""
+    of_contract = Milestone.contract_id == contract_id
+    total = session.scalar(select(func.sum(Milestone.amount_minor)).where(of_contract, Milestone.is_deposit))
+    return int(total or 0)
 
 
 def take_with_place(session: Session, take_id: UUID) -> tuple[Take, Project, Cue | None]:

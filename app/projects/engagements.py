@@ -109,6 +109,7 @@ def accept_invitation(
         else:
             engagement.kind, engagement.ended_at = invitation.kind, None
         session.flush()
+        publish(session, "designer.joined", studio_id=engagement.studio_id, engagement_id=engagement.id)
     return engagement
 
 

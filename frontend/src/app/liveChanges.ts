@@ -13,7 +13,7 @@ type Message = { kind: 'change'; hint: Hint } | { kind: 'all' } | { kind: 'beat'
 const SILENT_MS = 40_000 // the server sends something every 15 s
 const LOOK_MS = 5_000
 /** How often pages ask by themselves while nothing comes. */
-export const POLL_MS = 30_000
+const POLL_MS = 30_000
 const RETRY_MS = [2_000, 5_000, 15_000, 60_000]
 /** Between two rounds of asking: the first comes at once, those of a long burst further and further apart. */
 const GAP_MS = [1_000, 2_000, 4_000]
@@ -106,7 +106,10 @@ function listen(send: (message: Message) => void): () => void {
       failures = 0
     })
     const on = (name: string, run: (data: unknown) => void) =>
-      opened.addEventListener(name, (event) => run(JSON.parse((event as MessageEvent<string>).data)))
+      opened.addEventListener(name, (event) => {
+        // A connection that opens is an event named "open" too, without data.
+        if (event instanceof MessageEvent) run(JSON.parse(String(event.data)))
+      })
     on('open', (data) => {
       if (typeof data !== 'object' || data === null) return
       if (wasOpen && !('resumed' in data && data.resumed === true)) send({ kind: 'all' })

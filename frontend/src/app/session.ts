@@ -18,7 +18,7 @@ export interface ShellData {
   isParty: boolean
   projects: ShellProject[]
   /** What waits for this person, shown next to the tab where it is done. */
-  counts: { today?: number; desk?: number; review?: number | string }
+  counts: { today?: number; desk?: number; review?: number | string; contract?: number }
   /** Whether jobs and storage are this person's to see: a producer's, or an operator. */
   operates: boolean
   signOut: () => void

@@ -75,14 +75,23 @@ def test_the_project_at_one_glance(begun: World):
 def test_find_by_name_number_and_what_was_said(begun: World):
     def found(typed: str) -> list[tuple[str, str]]:
         answer = begun.producer.get(f"/v1/projects/{begun.project_id}/find", params={"q": typed})
-        return [(hit["kind"], hit["cue"]["name"]) for hit in answer.json()["hits"]]
+        return [(hit["kind"], hit["title"]) for hit in answer.json()["hits"]]
 
-    assert found("laser") == [("cue", "laser_fire")]
+    assert found("laser") == [("cue", "laser_fire"), ("file", "laser_fire_01.wav")]
+    assert found("who knows") == [("file", "who knows.wav")]
+    assert found("producer")[0][0] == "person"
     assert found("sw-005") == [("cue", "warp_in")]
     assert found("drop") == [("question", "coolant_splash")]
     assert found("100%") == []
-    assert found("_") == [("cue", name) for name in
+    assert [hit for hit in found("_") if hit[0] == "cue"] == [("cue", name) for name in
                           ("laser_fire", "airlock_cycle", "coolant_splash", "alarm_red_alert", "warp_in")]  # fmt: skip
+
+
+def test_a_search_shows_a_designer_no_people_and_no_work_of_others(begun: World):
+    found = begun.designer.get(f"/v1/projects/{begun.project_id}/find", params={"q": "laser"}).json()["hits"]
+    assert [hit["kind"] for hit in found] == ["cue", "file"]
+    people = begun.designer.get(f"/v1/projects/{begun.project_id}/find", params={"q": "producer"}).json()["hits"]
+    assert people == []
 
 
 def test_a_designer_sees_their_own_takes_only(begun: World):

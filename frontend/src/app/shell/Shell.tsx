@@ -11,9 +11,10 @@ import { AwayNote } from './AwayNote'
 import { KeysSheet } from './KeysSheet'
 import { isClosed, NdaFirst } from './NdaFirst'
 import { useScheme } from './scheme'
-import { screensOf } from './screens'
+import { placesOf, screensOf } from './screens'
 import classes from './Shell.module.css'
 import { TopBar } from './TopBar'
+import { useFinding } from './useFinding'
 
 /** The frame of every page for people who are signed in. */
 export function Shell({ session }: { session: Session }) {
@@ -26,6 +27,7 @@ export function Shell({ session }: { session: Session }) {
 
   const screens = screensOf(data)
   const go = (path: string) => void router.navigate({ href: path })
+  useFinding(data.project?.id, data.side === 'designer', go)
 
   useHotkeys([
     { keys: 'mod+k', label: 'Search or run a command', group: 'Everywhere', run: () => setFinding(true) },
@@ -43,6 +45,13 @@ export function Shell({ session }: { session: Session }) {
       label: `Go to ${label}`,
       icon,
       keys: `g ${letter}`,
+      run: () => go(path),
+    })),
+    ...placesOf(data).map(({ label, path, also }) => ({
+      id: `place-${path}`,
+      label,
+      icon: 'right' as const,
+      also,
       run: () => go(path),
     })),
     ...data.projects

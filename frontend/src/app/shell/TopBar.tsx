@@ -41,7 +41,7 @@ export function TopBar({ data, screens, findKeys, onFind, onKeys }: TopBarProps)
       )}
       <button type="button" className={classes.find} aria-keyshortcuts="Control+K Meta+K" onClick={onFind}>
         <Icon name="search" />
-        <span className={classes.findWords}>Search or run a command</span>
+        <span className={classes.findWords}>Search or do</span>
         <kbd className={classes.findKeys} aria-hidden="true">
           {findKeys}
         </kbd>

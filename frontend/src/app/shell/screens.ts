@@ -26,7 +26,15 @@ export function screensOf({ person, side, project, isParty, counts }: ShellData)
     : []
   const contractTab: Screen[] =
     project && isParty
-      ? [{ label: 'Contract', path: `/projects/${project.id}/contracts`, icon: 'file', letter: 'c' }]
+      ? [
+          {
+            label: 'Contract',
+            path: `/projects/${project.id}/contracts`,
+            icon: 'file',
+            letter: 'c',
+            count: counts.contract,
+          },
+        ]
       : []
   const projectTab: Screen = project
     ? { label: 'Project', path: `/projects/${project.id}`, icon: 'sliders', letter: 'p' }
@@ -63,5 +71,29 @@ export function screensOf({ person, side, project, isParty, counts }: ShellData)
     ...review,
     ...contractTab,
     projectTab,
+  ]
+}
+
+interface Place {
+  label: string
+  path: string
+  /** Other words it is found by. */
+  also: string[]
+}
+
+/** Pages without a tab, and what is done there, for the palette. */
+export function placesOf({ side, project, isParty }: ShellData): Place[] {
+  if (project === null) return []
+  const at = `/projects/${project.id}`
+  const money: Place[] = isParty
+    ? [{ label: 'Money, invoices and payments', path: `${at}/money`, also: ['invoice', 'pay', 'ledger', 'deposit'] }]
+    : []
+  if (side === 'designer') return money
+  return [
+    { label: 'Invite a designer or an approver', path: `${at}/people`, also: ['people', 'team', 'hire', 'members'] },
+    { label: 'Import or paste cues', path: `${at}/sound-list/import`, also: ['sheet', 'csv', 'excel', 'add'] },
+    { label: 'Delivery spec', path: `${at}/spec`, also: ['limits', 'loudness', 'naming', 'toml'] },
+    { label: 'Game files and packs', path: `${at}/game-files`, also: ['pack', 'download', 'export', 'targets'] },
+    ...money,
   ]
 }

@@ -7,6 +7,7 @@ import { cameBack, deskQuery } from '@/app/desk'
 import { forgetDrafts, openDraftsOf } from '@/app/drafts'
 import { followChanges } from '@/app/liveChanges'
 import { keepLastProject, lastProject } from '@/app/lastProject'
+import { badgesOf, nextStepsQuery } from '@/app/nextSteps'
 import { showToast } from '@/app/toast'
 import { NOBODY, type Session, type ShellData } from '@/app/session'
 import { countQuery, isParty } from '@/judging/api'
@@ -54,6 +55,8 @@ function useShell(): ShellData {
     ...deskQuery(project?.id ?? ''),
     enabled: project?.part === 'designer' && !project.nda_open,
   })
+  const { data: next } = useQuery({ ...nextStepsQuery(project?.id ?? ''), enabled: project !== undefined })
+  const badges = next && badgesOf(next)
 
   useEffect(() => {
     if (project && project.id === projectId) keepLastProject(project.id)
@@ -82,7 +85,12 @@ function useShell(): ShellData {
     ndaOpen: project?.nda_open ?? false,
     isParty: isParty(project),
     projects: me.projects.map(({ id, name }) => ({ id, name })),
-    counts: { review: review && counted(review), desk: desk && cameBack(desk) + desk.unmatched },
+    counts: {
+      review: review && counted(review),
+      desk: desk && cameBack(desk) + desk.unmatched,
+      today: badges?.today,
+      contract: badges?.contract,
+    },
     operates: me.is_operator || me.studios.some(({ roles }) => roles.includes('producer')),
     signOut: () => void signOut(client, () => router.navigate({ to: '/sign-in', search: {} })),
     signInAgain: isDemo ? undefined : <SignInAgain me={me} />,

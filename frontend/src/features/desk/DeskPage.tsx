@@ -1,8 +1,10 @@
-import { useQueryClient } from '@tanstack/react-query'
+import { useQuery, useQueryClient } from '@tanstack/react-query'
 import { useParams } from '@tanstack/react-router'
 import { useCallback, useEffect, useMemo, useRef, useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { AwaitedCard, NextCard } from '@/app/NextCard'
+import { nextStepsQuery, stepsToName } from '@/app/nextSteps'
 import { useTitle } from '@/app/title'
 import { usePlayer } from '@/audio'
 import { meQuery } from '@/judging/api'
@@ -84,6 +86,7 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
   const [player, playing] = usePlayer()
   const { data: unmatched = [] } = useUnmatched(projectId, desk.unmatched)
   const { data: cues } = useCues(projectId)
+  const { data: next } = useQuery(nextStepsQuery(projectId))
   const { uploads: sending } = useUploads(uploads.queue)
   const [problem, setProblem] = useState<unknown>(null)
   useLeaveWarning(sending)
@@ -126,6 +129,7 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
       {chooser.fields}
       <div className={`columns ${classes.columns}`}>
         <div className="stack">
+          {next && <NextCard steps={stepsToName(next)} projectId={projectId} />}
           <CameBackCard
             projectId={projectId}
             back={back}
@@ -162,6 +166,7 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
           />
           <WithApproverCard projectId={projectId} desk={desk} />
           <FixesCard projectId={projectId} />
+          <AwaitedCard awaited={next?.awaited ?? []} />
           <AskedCard
             projectId={projectId}
             questions={desk.questions}

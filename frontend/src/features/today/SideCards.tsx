@@ -1,6 +1,8 @@
 import { Link } from '@tanstack/react-router'
 
 import { Card, CardHead } from '@/ui/Card'
+import { AwaitedRows } from '@/app/NextCard'
+import type { Awaited } from '@/app/nextSteps'
 import { age, plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { Row, Rows } from '@/ui/Rows'
@@ -11,9 +13,16 @@ import classes from './Today.module.css'
 
 const SHOWN = 6
 
+interface WithOthersProps {
+  waiting: TodayAnswer['with_others']
+  awaited: readonly Awaited[]
+}
+
 /** What waits for another person. */
-export function WithOthersCard({ waiting }: { waiting: TodayAnswer['with_others'] }) {
+export function WithOthersCard({ waiting, awaited }: WithOthersProps) {
   const shown = waiting.slice(0, SHOWN)
+  // Sounds with designers stand line by line below, and cues with the approver in the list beside.
+  const others = awaited.filter(({ kind }) => kind !== 'fixes' && kind !== 'verdicts')
   return (
     <Card aria-labelledby="others">
       <CardHead
@@ -22,8 +31,9 @@ export function WithOthersCard({ waiting }: { waiting: TodayAnswer['with_others'
         count={waiting.length > SHOWN ? waiting.length : undefined}
         end="no action needed"
       />
-      {waiting.length === 0 && <p className={`${classes.quiet} mid`}>Nothing is with a designer.</p>}
+      {waiting.length + others.length === 0 && <p className={`${classes.quiet} mid`}>Nothing is with a designer.</p>}
       <Rows>
+        <AwaitedRows awaited={others} />
         {shown.map((one) => (
           <Row key={`${one.file_name} ${one.since}`}>
             <Whose name={one.cue?.name ?? one.file_name} who={one.who} since={one.since} />

@@ -30,14 +30,15 @@ interface ThenListProps {
 
 /** What waits after the first thing: cues to review and questions, the oldest first. */
 export function ThenList({ items, questions, projectId, title, beyond }: ThenListProps) {
+  const headId = useId()
   const lines = [
     ...items.map((item) => ({ at: item.waiting_since, item, question: undefined })),
     ...questions.map((question) => ({ at: question.asked_at, item: undefined, question })),
   ].sort((a, b) => a.at.localeCompare(b.at))
   return (
-    <Card aria-labelledby="then">
+    <Card aria-labelledby={headId}>
       <CardHead
-        id="then"
+        id={headId}
         title={title}
         count={beyond ? `${lines.length}+` : lines.length}
         end={<span className="wide-only">oldest first</span>}

@@ -309,6 +309,50 @@ describe('a question', () => {
   })
 })
 
+describe('the next step', () => {
+  const NEXT = `GET /v1/projects/${PROJECT}/next-steps`
+  const step = (kind: string, more: object = {}) => ({ kind, count: 1, subject: '', who: '', since: null, ...more })
+
+  test('is named first, with what else there is, and what others are to do', async () => {
+    server.on(NEXT, {
+      steps: [
+        step('sign_contract', { subject: 'Effects', who: 'Ada', contract_id: 'c1', since: '2026-11-20T11:00:00Z' }),
+        step('pay_invoice', { subject: '3', who: 'Ada', amount_minor: 69_750, currency: 'USD' }),
+        step('review', { count: 2 }),
+      ],
+      awaited: [{ kind: 'join', who: 'maker@tones.example', count: 1, subject: '', since: '2026-11-20T11:00:00Z' }],
+    })
+    await opened()
+    const next = await screen.findByRole('region', { name: 'Sign Effects' })
+    expect(within(next).getByRole('link', { name: 'Read and sign: Sign Effects' })).toHaveAttribute(
+      'href',
+      `/projects/${PROJECT}/contracts/c1`,
+    )
+    expect(within(next).getByRole('link', { name: /^Pay invoice 3: \$697\.50/ })).toBeVisible()
+    expect(screen.queryByText(/^Review 2 cues/)).toBeNull()
+    expect(screen.getByRole('region', { name: 'Waiting on others' })).toHaveTextContent('maker@tones.example to join')
+    const tabs = screen.getByRole('navigation', { name: 'Screens' })
+    expect(within(tabs).getByRole('link', { name: /^Contract\s*2/ })).toBeVisible()
+    expect(within(tabs).getByRole('link', { name: /^Today\s*2/ })).toBeVisible()
+  })
+
+  test('of a producer who does not judge is no sound', async () => {
+    const me = aMe()
+    server.on('GET /v1/me', {
+      ...me,
+      projects: me.projects.map((one) => ({ ...one, is_producer: true, is_approver: false })),
+    })
+    server.on(`GET ${TODAY}`, day({ questions: [question] }))
+    server.on(NEXT, { steps: [], awaited: [] })
+    open()
+    const asked = await screen.findByRole('region', { name: /^Questions for you/ })
+    const sounds = screen.getByRole('region', { name: /^With the approver/ })
+    expect(asked.compareDocumentPosition(sounds)).toBe(Node.DOCUMENT_POSITION_FOLLOWING)
+    expect(screen.queryByRole('heading', { name: /^Pick one of two/ })).toBeNull()
+    expect(screen.getByText('One question waits for you, two cues for the approver.')).toBeVisible()
+  })
+})
+
 test('the start leads to Today of the team’s project', async () => {
   const { at } = openApp('/')
   await screen.findByRole('heading', { name: 'Pick one of two for shield_hit' })
@@ -328,13 +372,27 @@ test('j and k step through what waits', async () => {
 const waits = (cues: number, is_all = true) => ({ cues, is_all })
 
 test.each([
-  [{ cues: waits(0), questions: 0, drafts: 0, mayApprove: true }, 'Nothing to do.'],
+  [{ cues: waits(0), questions: 0, drafts: 0, mayApprove: true, mayAnswer: true }, 'Nothing to do.'],
   [
-    { cues: waits(1), questions: 0, drafts: 1, mayApprove: true },
+    { cues: waits(1), questions: 0, drafts: 1, mayApprove: true, mayAnswer: true },
     'One cue waits for you. One change is drafted and not sent yet.',
   ],
-  [{ cues: waits(14), questions: 2, drafts: 0, mayApprove: false }, '14 cues and two questions wait for the approver.'],
-  [{ cues: waits(99, false), questions: 0, drafts: 0, mayApprove: true }, 'More than 99 cues wait for you.'],
+  [
+    { cues: waits(14), questions: 2, drafts: 0, mayApprove: false, mayAnswer: false },
+    '14 cues and two questions wait for the approver.',
+  ],
+  [
+    { cues: waits(14), questions: 2, drafts: 0, mayApprove: false, mayAnswer: true },
+    'Two questions wait for you, 14 cues for the approver.',
+  ],
+  [
+    { cues: waits(0), questions: 0, drafts: 0, mayApprove: false, mayAnswer: true, steps: 2 },
+    'Two steps are yours to take.',
+  ],
+  [
+    { cues: waits(99, false), questions: 0, drafts: 0, mayApprove: true, mayAnswer: true },
+    'More than 99 cues wait for you.',
+  ],
 ])('the headline of %o', (counts, words) => {
   expect(headline(counts)).toBe(words)
 })

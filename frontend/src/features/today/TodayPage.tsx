@@ -4,6 +4,8 @@ import { type ReactNode, useRef } from 'react'
 
 import { ApiProblem } from '@/api'
 import { useHotkeys } from '@/app/keys'
+import { NextCard } from '@/app/NextCard'
+import { nextStepsQuery, stepsToName } from '@/app/nextSteps'
 import { useTitle } from '@/app/title'
 import { usePlayer } from '@/audio'
 import { isParty, useMyProject } from '@/judging/api'
@@ -38,18 +40,21 @@ export function TodayPage(): ReactNode {
   const project = useMyProject(projectId)
   const queue = useQueue(projectId)
   const today = useQuery(todayQuery(projectId))
+  const next = useQuery(nextStepsQuery(projectId))
   const drafts = useDraftCount(projectId)
   const [player, playing] = usePlayer({ held: true })
   const judge = useJudge(projectId)
   const page = useRef<HTMLDivElement>(null)
   const client = useQueryClient()
 
-  const first = queue.open[0]
+  const mayApprove = project?.is_approver ?? false
+  // Who runs the project and does not judge it sees money, dates and questions first.
+  const isRunning = project?.is_producer === true && !mayApprove
+  const first = isRunning ? undefined : queue.open[0]
   const rest = queue.items.filter((item) => item !== first)
   const money = useQuery({ ...moneyQuery(projectId), enabled: isParty(project) })
   const ofFirst = useQuery({ ...cueMoneyQuery(first?.cue.id ?? ''), enabled: first !== undefined })
   const questions = today.data?.questions ?? []
-  const mayApprove = project?.is_approver ?? false
   useReady(player, first?.takes ?? [], rest[0], queue.isKnown)
 
   const step = (by: 1 | -1) => {
@@ -67,7 +72,20 @@ export function TodayPage(): ReactNode {
   const loaded = queue.isKnown && today.isSuccess
   const side = today.data
   // Drawn together: early parts would move when the rest appears above or next to them.
-  const settled = (queue.isKnown || queue.error !== null) && !today.isPending && !money.isLoading
+  const settled = (queue.isKnown || queue.error !== null) && !today.isPending && !next.isPending && !money.isLoading
+
+  const steps = next.data ? stepsToName(next.data).filter(({ kind }) => kind !== 'answer_questions') : []
+  const sums = money.data?.totals.map(({ currency, figures }) => (
+    <div key={currency} className={classes.money}>
+      <MoneyLine
+        currency={currency}
+        figures={figures}
+        side="team"
+        projectId={projectId}
+        wouldOweMinor={ofFirst.data?.currency === currency ? ofFirst.data.would_owe_minor : 0}
+      />
+    </div>
+  ))
 
   return (
     <div className="page" ref={page}>
@@ -75,7 +93,16 @@ export function TodayPage(): ReactNode {
         <div>
           <h1>{day(now)}</h1>
           <p className="mid">
-            {loaded ? headline({ cues: queue.waits, questions: questions.length, drafts, mayApprove }) : '\u00a0'}
+            {loaded
+              ? headline({
+                  cues: queue.waits,
+                  questions: questions.length,
+                  drafts,
+                  mayApprove,
+                  mayAnswer: mayApprove || project?.is_producer === true || project?.is_liaison === true,
+                  steps: steps.length,
+                })
+              : '\u00a0'}
           </p>
         </div>
         <div className="wide-only">
@@ -102,6 +129,8 @@ export function TodayPage(): ReactNode {
       {settled && (
         <div className={classes.today}>
           <div className={classes.main}>
+            <NextCard steps={steps} projectId={projectId} />
+            {isRunning && sums}
             {first && (
               <FirstCard
                 key={first.cue.id}
@@ -119,7 +148,7 @@ export function TodayPage(): ReactNode {
                 fix={judge.refusal.problem.fix}
               />
             )}
-            {loaded && !first && questions.length === 0 && (
+            {loaded && !first && rest.length === 0 && questions.length === 0 && steps.length === 0 && (
               <EmptyState
                 head="Nothing to do"
                 action={
@@ -131,12 +160,15 @@ export function TodayPage(): ReactNode {
                 {comesNext(today.data.counts)}
               </EmptyState>
             )}
-            {(rest.length > 0 || questions.length > 0) && (
+            {isRunning && questions.length > 0 && (
+              <ThenList items={[]} questions={questions} projectId={projectId} title="Questions for you" />
+            )}
+            {(rest.length > 0 || (!isRunning && questions.length > 0)) && (
               <ThenList
                 items={rest}
-                questions={questions}
+                questions={isRunning ? [] : questions}
                 projectId={projectId}
-                title={first ? 'Next up' : 'For you'}
+                title={isRunning ? 'With the approver' : first ? 'Next up' : 'For you'}
                 beyond={queue.hasMore ? queue : undefined}
               />
             )}
@@ -150,7 +182,7 @@ export function TodayPage(): ReactNode {
                 </Card>
               )}
               <MilestonesCard contracts={money.data?.contracts ?? []} side="team" projectId={projectId} />
-              <WithOthersCard waiting={side.with_others} />
+              <WithOthersCard waiting={side.with_others} awaited={next.data?.awaited ?? []} />
               <Builds builds={side.builds} />
               <Placeholders
                 count={side.placeholders}
@@ -159,17 +191,7 @@ export function TodayPage(): ReactNode {
               />
             </aside>
           )}
-          {money.data?.totals.map(({ currency, figures }) => (
-            <div key={currency} className={classes.money}>
-              <MoneyLine
-                currency={currency}
-                figures={figures}
-                side="team"
-                projectId={projectId}
-                wouldOweMinor={ofFirst.data?.currency === currency ? ofFirst.data.would_owe_minor : 0}
-              />
-            </div>
-          ))}
+          {!isRunning && sums}
         </div>
       )}
     </div>

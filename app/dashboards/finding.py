@@ -1,0 +1,103 @@
+"""Search in one project: cues, files, people, contracts, and what was said, as far as the caller sees them."""
+
+from collections.abc import Sequence
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.agreements.queries import contracts_in
+from app.dashboards import queries, schemas
+from app.dashboards.questions import brief
+from app.kit.http import number_in
+from app.projects.service import ProjectAccess, project_access
+from app.sound_lists.models import Cue
+
+OF_A_KIND = 6  # hits of each kind but cues, where several kinds have hits
+
+
+def find(session: Session, actor: Actor, project_id: UUID, typed: str) -> schemas.FindResult:
+    """Return what holds the typed words: cues first, then files, people, contracts and what was said."""
+    access = project_access(session, actor, project_id)
+    words = typed.split()
+    if not words:
+        return schemas.FindResult(hits=[])
+    phrase = typed.strip()
+    others = [
+        *_files(session, access, words),
+        *_people(session, access, phrase),
+        *_contracts(session, access, phrase),
+        *_said(session, access, phrase),
+    ]
+    cues = _cues(session, access, words, phrase)
+    return schemas.FindResult(hits=[*cues[: max(OF_A_KIND, queries.HITS - len(others))], *others][: queries.HITS])
+
+
+def _cues(session: Session, access: ProjectAccess, words: Sequence[str], phrase: str) -> list[schemas.Found]:
+    project = access.project
+    found = _by_nearness(queries.find_cues(session, project.id, words), phrase)
+    number = number_in(phrase.upper().removeprefix(f"{project.cue_prefix.upper()}-"))
+    if number is not None and (cue := queries.cue_by_number(session, project.id, number)):
+        found = [cue, *(other for other in found if other.id != cue.id)]
+    return [
+        schemas.Found(kind="cue", title=cue.name, cue=brief(project, cue), text=cue.use or cue.description)
+        for cue in found
+    ]
+
+
+def _by_nearness(cues: Sequence[Cue], phrase: str) -> list[Cue]:
+    return sorted(cues, key=lambda cue: (not cue.name.lower().startswith(phrase.lower()), cue.number))
+
+
+def _files(session: Session, access: ProjectAccess, words: Sequence[str]) -> list[schemas.Found]:
+    rows = queries.find_files(session, access.project.id, access.only_designer_id, words, limit=OF_A_KIND)
+    return [
+        schemas.Found(
+            kind="file",
+            title=take.file_name,
+            text=take.state.value,
+            cue=brief(access.project, cue) if cue else None,
+            take_id=take.id,
+        )
+        for take, cue in rows
+    ]
+
+
+def _people(session: Session, access: ProjectAccess, phrase: str) -> list[schemas.Found]:
+    if not access.is_team:
+        return []
+    project = access.project
+    rows = queries.find_people(session, project.studio_id, project.id, phrase, limit=OF_A_KIND)
+    return [schemas.Found(kind="person", title=person.name, text=person.email) for person in rows]
+
+
+def _contracts(session: Session, access: ProjectAccess, phrase: str) -> list[schemas.Found]:
+    sought = phrase.casefold()
+    return [
+        schemas.Found(kind="contract", title=one.title, text=one.designer.name, contract_id=one.id)
+        for one in contracts_in(session, access.actor, access.project.id)
+        if sought in one.title.casefold() or sought in one.designer.name.casefold()
+    ][:OF_A_KIND]
+
+
+def _said(session: Session, access: ProjectAccess, phrase: str) -> list[schemas.Found]:
+    project = access.project
+    comments = queries.find_comments(session, project.id, access.only_designer_id, phrase, limit=OF_A_KIND)
+    questions = queries.find_questions(session, project.id, phrase, limit=OF_A_KIND)
+    return [
+        *(
+            schemas.Found(
+                kind="comment",
+                title=cue.name,
+                text=comment.text,
+                cue=brief(project, cue),
+                take_id=comment.take_id,
+                start_s=comment.start_s,
+            )
+            for comment, cue in comments
+        ),
+        *(
+            schemas.Found(kind="question", title=cue.name, text=question.text, cue=brief(project, cue))
+            for question, cue in questions
+        ),
+    ]

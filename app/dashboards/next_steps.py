@@ -1,0 +1,270 @@
+"""The next step of each person in a project, and for whom they wait."""
+
+from collections.abc import Iterator
+from datetime import UTC, datetime, time
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.queries import people_by_id
+from app.accounts.rules import Actor
+from app.agreements import queries as agreements
+from app.agreements.access import party_of
+from app.agreements.models import Contract
+from app.agreements.rules import ContractKind, ContractState, Party
+from app.dashboards import progress_queries, queries
+from app.dashboards.progress import counted
+from app.dashboards.rules import CAME_BACK, STEP_ORDER, UNFINISHED, AwaitedKind, CueStatus, NextStepKind
+from app.dashboards.schemas import Awaited, NextStep, NextSteps
+from app.kit import clock
+from app.money import queries as money
+from app.money.invoices import invoice_read
+from app.money.ledger import load_ledger_book
+from app.money.rules import LineKind
+from app.projects.models import Engagement
+from app.projects.queries import approver_of, engagements_of, invitations
+from app.projects.service import ProjectAccess, project_access
+from app.projects.visibility import nda_is_pending
+from app.reviews import queue_queries
+from app.reviews.review_room import COUNTED_CUES
+
+
+def next_steps(session: Session, actor: Actor, project_id: UUID) -> NextSteps:
+    """Return what the caller is to do in a project, the first thing first, and for whom they wait."""
+    access = project_access(session, actor, project_id, before_nda=True)
+    found = _Steps(session, access)
+    if access.is_team:
+        found.of_team()
+    else:
+        found.of_designer()
+    return NextSteps(
+        steps=sorted(found.steps, key=lambda step: STEP_ORDER[step.kind]),
+        awaited=sorted(found.awaited, key=lambda one: one.since or clock.now()),
+    )
+
+
+class _Steps:
+    """Collects the steps of one caller."""
+
+    def __init__(self, session: Session, access: ProjectAccess) -> None:
+        self._session = session
+        self._access = access
+        self._project = access.project
+        self.steps: list[NextStep] = []
+        self.awaited: list[Awaited] = []
+
+    def of_team(self) -> None:
+        """Collect what a member of the studio is to do in their roles."""
+        session, access, project = self._session, self._access, self._project
+        counts = counted(progress_queries.cue_groups(session, project.id, project.studio_id))
+        if access.is_producer:
+            self._hires(has_cues=sum(counts.values()) > 0)
+        if access.is_producer or access.is_liaison or access.is_approver:
+            self._contracts()
+            self._counted(
+                NextStepKind.ANSWER_QUESTIONS, queries.questions_open_since(session, project.id, asked_by=None)
+            )
+        queue = queue_queries.waiting_cues(
+            session, queue_queries.in_project(project.id), after=None, limit=COUNTED_CUES
+        )
+        waiting = len(queue), queue[0].since if queue else None
+        if access.is_approver:
+            self._counted(NextStepKind.SEND_CHANGES, queries.drafts_since(session, project.id))
+            self._counted(NextStepKind.REVIEW, waiting)
+        else:
+            self._await(AwaitedKind.VERDICTS, self._approver(), waiting)
+        back_since = queries.back_since(session, project.id, project.studio_id)
+        self._await(AwaitedKind.FIXES, "", (sum(counts.get(status, 0) for status in CAME_BACK), back_since))
+
+    def of_designer(self) -> None:
+        """Collect what a designer is to do; before the NDA that is signing it."""
+        session, access, project = self._session, self._access, self._project
+        self._contracts()
+        engagement = access.engagement
+        if engagement is not None and nda_is_pending(project, engagement):
+            if not self.steps and not self.awaited:  # no NDA is with either side yet
+                self._await(AwaitedKind.NDA, project.name, (1, engagement.created_at))
+            return
+        designer_id = access.actor.person
+        counts = counted(progress_queries.cue_groups(session, project.id, designer_id))
+        back_since = queries.back_since(session, project.id, designer_id)
+        self._counted(NextStepKind.FIX, (sum(counts.get(status, 0) for status in CAME_BACK), back_since))
+        self._counted(NextStepKind.MATCH, queries.tray_since(session, project.id, designer_id))
+        self._counted(NextStepKind.MAKE, (sum(counts.get(status, 0) for status in UNFINISHED), None))
+        waiting = counts.get(CueStatus.TO_REVIEW, 0), queries.conforming_takes_since(session, project.id, designer_id)
+        self._await(AwaitedKind.VERDICTS, self._approver(), waiting)
+        asked = queries.questions_open_since(session, project.id, asked_by=designer_id)
+        self._await(AwaitedKind.ANSWER, project.name, asked)
+
+    def _counted(self, kind: NextStepKind, found: tuple[int, datetime | None]) -> None:
+        count, since = found
+        if count:
+            self.steps.append(NextStep(kind=kind, count=count, since=since))
+
+    def _await(self, kind: AwaitedKind, who: str, found: tuple[int, datetime | None]) -> None:
+        count, since = found
+        if count:
+            self.awaited.append(Awaited(kind=kind, who=who, count=count, since=since))
+
+    def _approver(self) -> str:
+        approver_id = approver_of(self._session, self._project)
+        return people_by_id(self._session, {approver_id})[approver_id].name
+
+    def _hires(self, *, has_cues: bool) -> None:
+        session, project, access = self._session, self._project, self._access
+        if not has_cues:
+            self.steps.append(NextStep(kind=NextStepKind.ADD_CUES, since=project.created_at))
+        engaged = [one for one in engagements_of(session, [project.id]) if one.ended_at is None]
+        invited = [one for one in invitations(session, project.id) if one.accepted_at is None]
+        pending = [one for one in invited if one.expires_at > clock.now()]
+        for invitation in pending:
+            self.awaited.append(Awaited(kind=AwaitedKind.JOIN, who=invitation.email, since=invitation.created_at))
+        if has_cues and not engaged and not pending:
+            self.steps.append(NextStep(kind=NextStepKind.INVITE_DESIGNER))
+        if (
+            access.is_approver
+            and project.created_by == access.actor.person
+            and not queries.has_verdicts(session, project.id)
+        ):
+            self.steps.append(NextStep(kind=NextStepKind.NAME_APPROVER))
+        self._ndas([one for one in engaged if nda_is_pending(project, one)])
+
+    def _ndas(self, pending: list[Engagement]) -> None:
+        if not pending:
+            return
+        sent = {
+            one.designer_id
+            for one in agreements.contracts_in(self._session, self._access.actor, self._project.id)
+            if one.kind is ContractKind.NDA and one.state is ContractState.SENT
+        }
+        self.steps += [
+            NextStep(kind=NextStepKind.SEND_NDA, who=one.designer.name, since=one.created_at)
+            for one in pending
+            if one.designer_id not in sent
+        ]
+
+    def _contracts(self) -> None:
+        session, actor = self._session, self._access.actor
+        found = agreements.contracts_in(session, actor, self._project.id)
+        accepted = agreements.parties_who_accepted(session, [one.id for one in found])
+        for contract in found:
+            party = party_of(actor, contract)
+            if party is None:
+                continue
+            match contract.state:
+                case ContractState.SENT:
+                    self._signature(contract, party, accepted[contract.id])
+                case ContractState.DRAFT if party is Party.STUDIO:
+                    self._draft(contract)
+                case ContractState.AGREED | ContractState.ENDED if contract.kind in (
+                    ContractKind.SINGLE,
+                    ContractKind.STATEMENT_OF_WORK,
+                ):
+                    self._money(contract, party)
+
+    def _signature(self, contract: Contract, party: Party, accepted: list[Party]) -> None:
+        event = agreements.newest_event(self._session, contract.id)
+        since = event.at if event else contract.created_at
+        if party not in accepted:
+            self.steps.append(
+                NextStep(
+                    kind=NextStepKind.SIGN_CONTRACT,
+                    subject=contract.title,
+                    who=_other_side(contract, party),
+                    since=since,
+                    contract_id=contract.id,
+                )
+            )
+        if len(accepted) < len(Party) - (party not in accepted):
+            self.awaited.append(
+                Awaited(
+                    kind=AwaitedKind.SIGNATURE,
+                    who=_other_side(contract, party),
+                    subject=contract.title,
+                    since=since,
+                    contract_id=contract.id,
+                )
+            )
+
+    def _draft(self, contract: Contract) -> None:
+        event = agreements.newest_event(self._session, contract.id)
+        is_returned = event is not None and event.kind == "change_requested"
+        self.steps.append(
+            NextStep(
+                kind=NextStepKind.CHANGE_CONTRACT if is_returned else NextStepKind.SEND_CONTRACT,
+                subject=contract.title,
+                who=contract.designer.name,
+                since=event.at if event and is_returned else contract.created_at,
+                contract_id=contract.id,
+            )
+        )
+
+    def _money(self, contract: Contract, party: Party) -> None:
+        session = self._session
+        book = load_ledger_book(session, contract)
+        of_contract = {"contract_id": contract.id, "currency": contract.currency, "who": _other_side(contract, party)}
+        for invoice in money.invoices_of(session, contract.id):
+            read = invoice_read(session, contract, book, invoice)
+            if read.open_minor <= 0:
+                continue
+            if party is Party.STUDIO:
+                self.steps.append(
+                    NextStep(
+                        kind=NextStepKind.PAY_INVOICE,
+                        subject=str(invoice.number),
+                        since=invoice.created_at,
+                        amount_minor=read.open_minor,
+                        **of_contract,
+                    )
+                )
+            else:
+                self.awaited.append(
+                    Awaited(
+                        kind=AwaitedKind.PAYMENT,
+                        who=_other_side(contract, party),
+                        subject=str(invoice.number),
+                        since=invoice.created_at,
+                        contract_id=contract.id,
+                    )
+                )
+        billable = book.billable
+        due_minor = sum(line.amount_minor for line in billable)
+        if due_minor > 0 and party is Party.DESIGNER:
+            is_deposit = all(line.kind is LineKind.DEPOSIT for line in billable)
+            self.steps.append(
+                NextStep(
+                    kind=NextStepKind.INVOICE_DEPOSIT if is_deposit else NextStepKind.INVOICE_DUE,
+                    subject=contract.title,
+                    since=contract.agreed_at if is_deposit else None,
+                    amount_minor=due_minor,
+                    **of_contract,
+                )
+            )
+        elif due_minor > 0:
+            self.awaited.append(
+                Awaited(
+                    kind=AwaitedKind.INVOICE,
+                    who=contract.designer.name,
+                    subject=contract.title,
+                    since=contract.agreed_at,
+                    contract_id=contract.id,
+                )
+            )
+        if party is Party.STUDIO:
+            self.steps += self._to_agree(contract)
+
+    def _to_agree(self, contract: Contract) -> Iterator[NextStep]:
+        of_contract = {"who": contract.designer.name, "contract_id": contract.id}
+        days = [one for one in money.worked_days_of(self._session, contract.id) if one.agreed_at is None]
+        if days:
+            since = datetime.combine(days[0].worked_on, time(), UTC)
+            yield NextStep(kind=NextStepKind.AGREE_DAYS, count=len(days), since=since, **of_contract)
+        for one in money.extra_rounds_of(self._session, contract.id):
+            if one.agreed_at is None and one.dropped_at is None:
+                yield NextStep(
+                    kind=NextStepKind.AGREE_ROUND, subject=one.cue.name, since=one.proposed_at, **of_contract
+                )
+
+
+def _other_side(contract: Contract, party: Party) -> str:
+    return contract.designer.name if party is Party.STUDIO else contract.project.studio.name

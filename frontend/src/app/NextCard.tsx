@@ -1,0 +1,83 @@
+import type { LinkProps } from '@tanstack/react-router'
+import { Link } from '@tanstack/react-router'
+
+import { ButtonLink } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { age } from '@/ui/format'
+import { NowDot } from '@/ui/NowDot'
+import { Row, Rows } from '@/ui/Rows'
+
+import classes from './NextCard.module.css'
+import { type Awaited, awaitedWords, type NextStep, wordsOf } from './nextSteps'
+
+/** What the current person is to do next, by name; the first thing is drawn first. */
+export function NextCard({ steps, projectId }: { steps: readonly NextStep[]; projectId: string }) {
+  const [first, ...others] = steps
+  if (first === undefined) return null
+  const { head, why, act, path } = wordsOf(first, projectId)
+  return (
+    <Card aria-labelledby="next-step">
+      <div className={classes.first}>
+        <div className="grow">
+          <p className="row small mid">
+            <NowDot />
+            Your next step{first.since ? `, waiting ${age(first.since)}` : ''}
+          </p>
+          <h2 id="next-step" className={classes.head}>
+            {head}
+          </h2>
+          <p className="mid">{why}</p>
+        </div>
+        <ButtonLink
+          component={Link}
+          to={path as LinkProps['to']}
+          variant="primary"
+          data-stop
+          aria-label={`${act}: ${head}`}
+        >
+          {act}
+        </ButtonLink>
+      </div>
+      {others.length > 0 && (
+        <Rows aria-label="Further steps" className={classes.others}>
+          {others.map((step) => {
+            const words = wordsOf(step, projectId)
+            return (
+              <Row key={`${step.kind} ${step.contract_id} ${step.subject} ${step.who}`}>
+                <Link to={words.path as LinkProps['to']} data-stop className={`grow ${classes.other}`}>
+                  <span className="strong">{words.head}</span> <span className="small mid">{words.why}</span>
+                </Link>
+                {step.since && <span className="dim num small nowrap">{age(step.since)}</span>}
+              </Row>
+            )
+          })}
+        </Rows>
+      )}
+    </Card>
+  )
+}
+
+/** Who else is to do something, and since when. */
+export function AwaitedRows({ awaited }: { awaited: readonly Awaited[] }) {
+  return awaited.map((one) => (
+    <Row key={`${one.kind} ${one.who} ${one.subject}`}>
+      <span className="grow">
+        <span className="strong">{one.who || 'Designers'}</span> <span className="mid">{awaitedWords(one)}</span>
+      </span>
+      {one.since && <span className="dim num small nowrap">{age(one.since)}</span>}
+    </Row>
+  ))
+}
+
+/** For whom the current person waits. */
+export function AwaitedCard({ awaited }: { awaited: readonly Awaited[] }) {
+  if (awaited.length === 0) return null
+  return (
+    <Card aria-labelledby="awaited">
+      <CardHead id="awaited" title="Waiting on others" end="since" />
+      <Rows>
+        <AwaitedRows awaited={awaited} />
+      </Rows>
+    </Card>
+  )
+}

@@ -1,0 +1,179 @@
+import { queryOptions } from '@tanstack/react-query'
+
+import { answered, api } from '@/api'
+import type { components } from '@/api/schema.gen'
+import { money } from '@/money/words'
+import { plural } from '@/ui/format'
+
+export type NextSteps = components['schemas']['NextSteps']
+export type NextStep = components['schemas']['NextStep']
+export type Awaited = components['schemas']['Awaited']
+
+/** What the current person is to do in a project, the first thing first, and for whom they wait. */
+export const nextStepsQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: ['next-steps', projectId],
+    queryFn: () =>
+      answered(api.GET('/v1/projects/{project_id}/next-steps', { params: { path: { project_id: projectId } } })),
+  })
+
+type Kind = NextStep['kind']
+
+/** Steps that stand under Contract. */
+const OF_CONTRACT: ReadonlySet<Kind> = new Set([
+  'send_nda',
+  'sign_contract',
+  'change_contract',
+  'send_contract',
+  'pay_invoice',
+  'invoice_deposit',
+  'invoice_due',
+  'agree_days',
+  'agree_round',
+])
+/** Steps that their page shows by itself, with the sounds that they are about. */
+const SHOWN_ELSEWHERE: ReadonlySet<Kind> = new Set(['review', 'send_changes', 'fix', 'match', 'make'])
+
+/** The steps that need a line of their own on Today and Desk. */
+export const stepsToName = ({ steps }: NextSteps): NextStep[] => steps.filter(({ kind }) => !SHOWN_ELSEWHERE.has(kind))
+
+/** How much waits under Contract, and what else stands as a line on Today. */
+export function badgesOf(next: NextSteps): { contract: number; today: number } {
+  const named = stepsToName(next)
+  return { contract: named.filter(({ kind }) => OF_CONTRACT.has(kind)).length, today: named.length }
+}
+
+const sum = ({ amount_minor: minor, currency }: NextStep): string =>
+  minor !== null && minor !== undefined && currency ? money(minor, currency) : ''
+
+interface Words {
+  /** What to do: "Sign Effects for Alpha". */
+  head: string
+  /** What it is for, or what follows. */
+  why: string
+  /** On the button. */
+  act: string
+  path: string
+}
+
+/** A step in words, and where it is done. */
+export function wordsOf(step: NextStep, projectId: string): Words {
+  const project = `/projects/${projectId}`
+  const contract = `${project}/contracts${step.contract_id ? `/${step.contract_id}` : ''}`
+  const { subject, who, count } = step
+  switch (step.kind) {
+    case 'add_cues':
+      return {
+        head: 'Add the sounds that the game needs',
+        why: 'Type them, paste rows, or import a sheet.',
+        act: 'Import or paste',
+        path: `${project}/sound-list/import`,
+      }
+    case 'invite_designer':
+      return {
+        head: 'Invite a sound designer',
+        why: 'The invitation shows the list and the spec right away. No contract is needed to start.',
+        act: 'Invite',
+        path: `${project}/people`,
+      }
+    case 'name_approver':
+      return {
+        head: 'Name an approver, if it is not you',
+        why: 'You approve every sound until somebody else is named.',
+        act: 'Name an approver',
+        path: `${project}/people`,
+      }
+    case 'send_nda':
+      return {
+        head: `Send ${who} the NDA`,
+        why: 'The project stays closed to them until both sides have signed it.',
+        act: 'Go to contracts',
+        path: `${project}/contracts`,
+      }
+    case 'sign_contract':
+      return { head: `Sign ${subject}`, why: `With ${who}.`, act: 'Read and sign', path: contract }
+    case 'change_contract':
+      return {
+        head: `${who} asks for a change in ${subject}`,
+        why: 'It is a draft again.',
+        act: 'Open',
+        path: contract,
+      }
+    case 'send_contract':
+      return { head: `Finish and send ${subject}`, why: `A draft, for ${who}.`, act: 'Open the draft', path: contract }
+    case 'pay_invoice':
+      return {
+        head: `Pay invoice ${subject}: ${sum(step)}`,
+        why: `From ${who}. Record the payment once it is made.`,
+        act: 'Go to money',
+        path: `${project}/money`,
+      }
+    case 'invoice_deposit':
+      return {
+        head: `Invoice the deposit: ${sum(step)}`,
+        why: `${subject} is signed.`,
+        act: 'Draft the invoice',
+        path: `${project}/money`,
+      }
+    case 'invoice_due':
+      return {
+        head: `Invoice what is due: ${sum(step)}`,
+        why: subject,
+        act: 'Draft the invoice',
+        path: `${project}/money`,
+      }
+    case 'agree_days':
+      return {
+        head: `Agree to ${plural(count, 'logged day')}`,
+        why: `Logged by ${who}.`,
+        act: 'Go to money',
+        path: `${project}/money`,
+      }
+    case 'agree_round':
+      return {
+        head: `Agree to another round for ${subject}, or not`,
+        why: `Beyond those that the contract with ${who} includes.`,
+        act: 'Go to money',
+        path: `${project}/money`,
+      }
+    case 'answer_questions':
+      return {
+        head: count === 1 ? 'Answer a question' : `Answer ${plural(count, 'question')}`,
+        why: 'The answer is added to the cue.',
+        act: 'Answer',
+        path: `${project}/today`,
+      }
+    case 'send_changes':
+      return { head: `Send ${plural(count, 'change')}`, why: '', act: 'Send', path: `${project}/today` }
+    case 'review':
+      return { head: `Review ${plural(count, 'cue')}`, why: '', act: 'Review', path: `${project}/review` }
+    case 'fix':
+      return { head: `Fix ${plural(count, 'sound')}`, why: '', act: 'Fix', path: `${project}/desk` }
+    case 'match':
+      return { head: `Choose cues for ${plural(count, 'file')}`, why: '', act: 'Choose', path: `${project}/desk` }
+    case 'make':
+      return { head: `Make ${plural(count, 'sound')}`, why: '', act: 'Deliver', path: `${project}/desk` }
+  }
+}
+
+/** What another person is to do: "sign NDA". */
+export function awaitedWords({ kind, subject, count }: Awaited): string {
+  switch (kind) {
+    case 'join':
+      return 'to join, invited'
+    case 'nda':
+      return 'to send the NDA'
+    case 'signature':
+      return `to sign ${subject}`
+    case 'verdicts':
+      return `to judge ${plural(count, 'cue')}`
+    case 'answer':
+      return `to answer ${plural(count, 'question')}`
+    case 'fixes':
+      return `to fix ${plural(count, 'cue')}`
+    case 'invoice':
+      return `to invoice ${subject}`
+    case 'payment':
+      return `to pay invoice ${subject}`
+  }
+}

@@ -1,0 +1,131 @@
+"""The next step of each role, from an empty list to the last payment; and the mails that say so."""
+
+from typing import Any
+
+import pytest
+from fastapi.testclient import TestClient
+
+from tests.app.agreements.conftest import Contracts
+from tests.app.money.agreed import Agreed, deposit, milestone
+from tests.support.deliver import add_cues, deliver
+from tests.support.links import secret_for
+from tests.support.server import World
+from tests.support.waves import noise, sine, wav_bytes
+
+GOOD = wav_bytes(noise(dbfs=-20, seconds=0.2))
+LOUD = wav_bytes(sine(hz=997, dbfs=0.0, seconds=0.2))
+
+
+def asked(by: TestClient, project_id: Any) -> dict[str, Any]:
+    answer = by.get(f"/v1/projects/{project_id}/next-steps")
+    assert answer.status_code == 200, answer.text
+    return dict(answer.json())
+
+
+def steps(world: World, by: str = "producer") -> list[tuple[str, int]]:
+    found = asked(getattr(world, by), world.project_id)["steps"]
+    return [(one["kind"], one["count"]) for one in found]
+
+
+def awaited(world: World, by: str = "producer") -> list[tuple[str, str]]:
+    return [(one["kind"], one["who"]) for one in asked(getattr(world, by), world.project_id)["awaited"]]
+
+
+def mails(world: World) -> list[tuple[str, str]]:
+    world.server.wait_for_jobs()
+    found = world.producer.get(f"/v1/studios/{world.studio_id}/outbox").json()["mails"]
+    return [(mail["recipient"], mail["subject"]) for mail in found]
+
+
+@pytest.fixture
+def contracts(world: World) -> Contracts:
+    return Contracts(world)
+
+
+def test_a_new_project_asks_for_cues_then_a_designer_then_an_approver(world: World) -> None:
+    body = {"studio_id": str(world.studio_id), "name": "Deep Field", "cue_prefix": "DF"}
+    project_id = world.producer.post("/v1/projects", json=body).json()["id"]
+
+    def kinds() -> list[str]:
+        return [one["kind"] for one in asked(world.producer, project_id)["steps"]]
+
+    assert kinds() == ["add_cues", "name_approver"]
+    world.producer.post(f"/v1/projects/{project_id}/cues", json={"cues": [{"name": "airlock"}]})
+    assert kinds() == ["invite_designer", "name_approver"]
+    invitation = {"email": "maker@example.test", "kind": "contract"}
+    world.producer.post(f"/v1/projects/{project_id}/invitations", json=invitation)
+    assert kinds() == ["name_approver"]
+    found = asked(world.producer, project_id)["awaited"]
+    assert [(one["kind"], one["who"]) for one in found] == [("join", "maker@example.test")]
+    world.producer.post(f"/v1/projects/{project_id}/approver-invitations", json={"email": "director@example.test"})
+    assert kinds() == ["name_approver"]  # until the invited one joins
+
+
+def test_an_nda_is_somebodys_next_step_until_it_is_signed(world: World, contracts: Contracts) -> None:
+    add_cues(world, {"name": "airlock"})
+    world.producer.patch(f"/v1/projects/{world.project_id}", json={"nda_needed": True})
+    assert ("send_nda", 1) in steps(world)
+    assert steps(world, "designer") == []
+    assert [kind for kind, _ in awaited(world, "designer")] == ["nda"]
+    sent = contracts.send(contracts.begin("nda", title="NDA"))
+    assert steps(world, "designer") == [("sign_contract", 1)]
+    assert ("sign_contract", 1) in steps(world)
+    assert ("send_nda", 1) not in steps(world)
+    contracts.accept(sent, world.designer, "N. Designer")
+    assert steps(world, "designer") == []
+    assert [kind for kind, _ in awaited(world, "designer")] == ["signature"]
+    assert ("sign_contract", 1) in steps(world)
+    signing = [recipient for recipient, subject in mails(world) if subject.endswith("a contract needs your signature")]
+    assert len(set(signing)) == 2  # the designer when it was sent, the producer when the designer had signed
+    contracts.accept(sent, world.producer, "P. Producer")
+    assert ("sign_contract", 1) not in steps(world)
+    assert steps(world, "designer") == [("make", 1)]
+
+
+def test_a_change_that_the_designer_wants_is_the_producers(world: World, contracts: Contracts) -> None:
+    sent = contracts.send(contracts.begin())
+    body = {"text": "Two rounds are too few."}
+    contracts.ask(world.designer, "POST", f"/contracts/{sent['id']}/ask-change", json=body)
+    assert ("change_contract", 1) in steps(world)
+    assert steps(world, "designer") == []
+
+
+def test_sounds_go_from_one_to_the_other(world: World) -> None:
+    add_cues(world, {"name": "laser_fire"}, {"name": "airlock"}, {"name": "splash"})
+    deliver(world, "laser_fire.wav", GOOD)
+    deliver(world, "airlock.wav", LOUD)
+    deliver(world, "who knows.wav", GOOD + b"another")
+    world.server.wait_for_jobs()
+    assert steps(world, "designer") == [("fix", 1), ("match", 1), ("make", 1)]
+    assert [kind for kind, _ in awaited(world, "designer")] == ["verdicts"]
+    assert ("review", 1) in steps(world, "approver")
+    assert "review" not in dict(steps(world))
+    assert {kind for kind, _ in awaited(world)} == {"verdicts", "fixes"}
+    assert "review" not in dict(steps(world, "reviewer"))
+
+
+def test_money_is_the_designers_then_the_producers_step(world: World) -> None:
+    agreed = Agreed(world, terms={})
+    cue = agreed.cue()
+    agreed.agree(deposit(30_000), milestone("Alpha", cue, amount_minor=70_000))
+    (first, *_) = asked(world.designer, world.project_id)["steps"]
+    assert (first["kind"], first["amount_minor"], first["currency"]) == ("invoice_deposit", 30_000, "USD")
+    assert "invoice" in dict(awaited(world))
+    agreed.invoice()
+    assert "invoice_deposit" not in dict(steps(world, "designer"))
+    assert "payment" in dict(awaited(world, "designer"))
+    (pay,) = [one for one in asked(world.producer, world.project_id)["steps"] if one["kind"] == "pay_invoice"]
+    assert pay["amount_minor"] == 30_000
+    assert any(subject.endswith("an invoice to pay") for _, subject in mails(world))
+    assert "pay_invoice" not in dict(steps(world, "reviewer"))
+
+
+def test_who_joins_is_announced(world: World) -> None:
+    assert not any(subject.endswith("a designer joined") for _, subject in mails(world))
+    world.producer.post(
+        f"/v1/projects/{world.project_id}/invitations", json={"email": "maker@example.test", "kind": "contract"}
+    )
+    secret = secret_for(world.server, "maker@example.test")
+    accepted = {"name": "New Maker", "password": "correct horse battery"}
+    assert world.nobody.post(f"/v1/invitations/{secret}/accept", json=accepted).is_success
+    assert any(subject.endswith("a designer joined") for _, subject in mails(world))
