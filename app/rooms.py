@@ -94,6 +94,8 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "cue.cut": ("notifications.notify_cut",),
     "contract.notice_given": ("notifications.notify_contract",),
     "contract.settled": ("notifications.notify_contract",),
+    "change_order.proposed": ("notifications.notify_contract",),
+    "change_order.agreed": ("notifications.notify_contract",),
     "contract.sent": ("notifications.notify_contract",),
     "contract.change_requested": ("notifications.notify_contract",),
     "contract.agreed": ("notifications.notify_contract", "reviews.add_accepted_cues"),

@@ -44,14 +44,14 @@ class KillFees:
 
 @dataclass(frozen=True)
 class MoneyTerms:
-    """What decides over amounts; the defaults are what a new template says."""
+    """What decides over amounts; where a text does not say it, nothing is owed by it."""
 
     price_mode: PriceMode = PriceMode.FLAT
     rounds_included: int = 2
-    extra_round_bp: int = 2_500  # of the cue's price
+    extra_round_bp: int = 0  # of the cue's price
     kill_fee_not_begun_bp: int = 0
-    kill_fee_in_work_bp: int = 5_000
-    kill_fee_delivered_bp: int = 7_500
+    kill_fee_in_work_bp: int = 0
+    kill_fee_delivered_bp: int = 0
     payment_days: int = 14
     tax_bp: int = 0
     reverse_charge: bool = False  # the studio owes the tax where it is; none is invoiced

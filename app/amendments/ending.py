@@ -15,14 +15,16 @@ from app.agreements.errors import NotYourContract
 from app.agreements.models import Contract
 from app.agreements.plan_queries import terms_of
 from app.agreements.queries import lock_contract
-from app.agreements.rules import ORDERS, ContractState, Party, WorkState
+from app.agreements.rules import ORDERS, ContractState, Party
 from app.agreements.terms import MoneyTerms, PriceMode
 from app.amendments import queries, schemas
+from app.amendments.change_orders import lapse_open
 from app.amendments.ending_text import statement_text, statement_title
 from app.amendments.errors import AlreadyEnded, NoNotice, NoticeGiven
 from app.amendments.models import Notice
 from app.amendments.rules import end_of_notice, is_over
 from app.amendments.signing import locked_for_party, sign
+from app.amendments.work import work_states
 from app.kit import clock
 from app.kit.events import publish
 from app.kit.money import money
@@ -33,7 +35,6 @@ from app.money.ledger import called, load_ledger_book
 from app.money.ledger_book import price_of_round
 from app.money.schemas import FiguresRead
 from app.money.settlement import end_statement, settle_end
-from app.reviews.rules import work_state
 
 
 def ending(session: Session, actor: Actor, contract_id: UUID) -> schemas.EndingRead:
@@ -143,6 +144,7 @@ def _settle(
         "to_pay": money(read.figures.due_minor, contract.currency),
     }
     record.append(session, contract.id, "settled", facts, by=by)
+    lapse_open(session, contract)
     states = work_states(session, contract)
     settle_end(session, contract, states, person_id=by or notice.given_by, is_by_server=by is None)
     if contract.state is ContractState.AGREED:
@@ -160,19 +162,6 @@ def statement_pdf(session: Session, actor: Actor, contract_id: UUID) -> TextPdf:
     read = _read(session, contract, actor)
     text = notice.statement or statement_text(read, contract.project.studio.name)
     return TextPdf.of(statement_title(read), text)
-
-
-def work_states(session: Session, contract: Contract) -> dict[UUID, WorkState]:
-    """Return how far its designer's work is on each cue of a contract that is not settled."""
-    covered = [
-        one for one in plan_queries.cues_of(session, contract.id) if one.accepted_at is None and one.cut_at is None
-    ]
-    states = queries.variation_states(session, [one.cue_id for one in covered], contract.designer_id)
-    found = {one.cue_id: work_state(one.cue.variations, states[one.cue_id]) for one in covered}
-    for cue_id, state in found.items():
-        if state is WorkState.ACCEPTED and plan_queries.is_accepted_elsewhere(session, contract.id, cue_id):
-            found[cue_id] = WorkState.NOT_BEGUN  # it was paid for there
-    return found
 
 
 def _ensure_unsettled(session: Session, contract: Contract) -> None:
@@ -240,6 +229,7 @@ def _read(session: Session, contract: Contract, actor: Actor | None) -> schemas.
         cues_minor=statement.cues_minor,
         deposit_minor=statement.deposit_minor,
         rounds_minor=statement.rounds_minor,
+        extra_minor=statement.extra_minor,
         days_minor=statement.days_minor,
         due_now_minor=overview.figures(session, contract, now).due_minor,
         figures=FiguresRead(**asdict(statement.figures)),

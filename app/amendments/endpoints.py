@@ -1,9 +1,9 @@
 """The endpoints of what changes an agreed contract."""
 
-from typing import Any
+from typing import Annotated, Any
 from uuid import UUID
 
-from fastapi import Request, Response
+from fastapi import Path, Request, Response
 
 from app.accounts.policies import allows, client_address
 from app.accounts.rules import Actor, Audience
@@ -18,13 +18,25 @@ from app.agreements.errors import (
 )
 from app.agreements.schemas import AcceptAdd
 from app.agreements.template_endpoints import attachment
-from app.amendments import ending, schemas
-from app.amendments.errors import AlreadyEnded, NoNotice, NoticeGiven, NoticeTooShort
+from app.amendments import change_orders, ending, schemas
+from app.amendments.errors import (
+    AlreadyEnded,
+    BadChangeOrder,
+    ChangeOrderClosed,
+    ChangeOrderNotFound,
+    ChangeOrderStale,
+    NoNotice,
+    NoticeGiven,
+    NoticeTooShort,
+    NotInForce,
+)
 from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
 from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
 
 router = Router(prefix="/v1", tags=["amendments"], route_class=Route)
 PDF_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {PDF: {}}, "description": "The text as PDF"}}
+OrderNumber = Annotated[int, Path(ge=1, le=2**31 - 1)]
+ORDER_REFUSALS = (ContractNotFound, NotYourContract, ChangeOrderNotFound, ChangeOrderClosed)
 SIGNING = (TextChanged, AlreadyAccepted, AddressNotProven, SamePersonOnBothSides)
 
 
@@ -92,3 +104,102 @@ def download_statement(contract_id: UUID, session: DbSession, actor: Actor = all
     """Return the statement as PDF; the same text is the same bytes."""
     pdf = ending.statement_pdf(session, actor, contract_id)
     return Response(pdf.content, media_type=PDF, headers=attachment("settlement.pdf"))
+
+
+@router.get("/contracts/{contract_id}/change-orders", responses=problems(ContractNotFound))
+def list_change_orders(
+    contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> schemas.ChangeOrdersRead:
+    """Return the change orders of a contract, the oldest first, and what one may name."""
+    return change_orders.change_orders(session, actor, contract_id)
+
+
+@router.post(
+    "/contracts/{contract_id}/change-orders",
+    status_code=201,
+    responses=problems(ContractNotFound, NotYourContract, NotInForce, BadChangeOrder),
+)
+def propose_change_order(
+    contract_id: UUID, body: schemas.ChangeOrderAdd, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> schemas.ChangeOrdersRead:
+    """Propose a change order for the caller's party."""
+    change_orders.propose(session, actor, contract_id, body)
+    return change_orders.change_orders(session, actor, contract_id)
+
+
+@router.post(
+    "/contracts/{contract_id}/change-order-preview", responses=problems(ContractNotFound, NotYourContract, NotInForce)
+)
+def preview_change_order(
+    contract_id: UUID, body: schemas.ChangesSet, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> schemas.ChangePreview:
+    """Return what changes would do to scope, price and dates; nothing is saved."""
+    return change_orders.preview(session, actor, contract_id, body.changes)
+
+
+@router.post(
+    "/contracts/{contract_id}/change-orders/{change_order_number}/accept",
+    responses=problems(*ORDER_REFUSALS, NotInForce, ChangeOrderStale, *SIGNING),
+)
+def accept_change_order(
+    contract_id: UUID,
+    change_order_number: OrderNumber,
+    body: AcceptAdd,
+    request: Request,
+    runtime: CurrentRuntime,
+    session: DbSession,
+    actor: Actor = allows(Audience.PROJECT),
+) -> schemas.ChangeOrdersRead:
+    """Say yes to a change order for the caller's party; with the second yes it is in force."""
+    change_orders.accept(
+        session,
+        actor,
+        contract_id,
+        change_order_number,
+        name=body.name,
+        text_sha256=body.text_sha256,
+        address=client_address(request),
+        proof_needed=bool(runtime.settings.smtp_url),
+    )
+    return change_orders.change_orders(session, actor, contract_id)
+
+
+@router.post("/contracts/{contract_id}/change-orders/{change_order_number}/refuse", responses=problems(*ORDER_REFUSALS))
+def refuse_change_order(
+    contract_id: UUID,
+    change_order_number: OrderNumber,
+    body: schemas.ReasonGiven,
+    session: DbSession,
+    actor: Actor = allows(Audience.PROJECT),
+) -> schemas.ChangeOrdersRead:
+    """Refuse a change order that the other party proposed."""
+    change_orders.refuse(session, actor, contract_id, change_order_number, reason=body.reason)
+    return change_orders.change_orders(session, actor, contract_id)
+
+
+@router.post(
+    "/contracts/{contract_id}/change-orders/{change_order_number}/withdraw", responses=problems(*ORDER_REFUSALS)
+)
+def withdraw_change_order(
+    contract_id: UUID,
+    change_order_number: OrderNumber,
+    body: schemas.ReasonGiven,
+    session: DbSession,
+    actor: Actor = allows(Audience.PROJECT),
+) -> schemas.ChangeOrdersRead:
+    """Take back a change order that the caller's party proposed."""
+    change_orders.withdraw(session, actor, contract_id, change_order_number, reason=body.reason)
+    return change_orders.change_orders(session, actor, contract_id)
+
+
+@router.get(
+    "/contracts/{contract_id}/change-orders/{change_order_number}/change-order.pdf",
+    response_class=Response,
+    responses=PDF_ANSWER | problems(ContractNotFound, ChangeOrderNotFound, DocumentTooLarge, TypesettingBusy),
+)
+def download_change_order(
+    contract_id: UUID, change_order_number: OrderNumber, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> Response:
+    """Return a change order as PDF; the same text is the same bytes."""
+    pdf = change_orders.change_order_pdf(session, actor, contract_id, change_order_number)
+    return Response(pdf.content, media_type=PDF, headers=attachment(f"change order {change_order_number}.pdf"))

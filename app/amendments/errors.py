@@ -1,6 +1,6 @@
 """What this room refuses, each named after the fact."""
 
-from app.kit.errors import Conflict, Invalid
+from app.kit.errors import Conflict, Invalid, NotFound
 
 
 class NoticeGiven(Conflict):
@@ -17,3 +17,23 @@ class NoticeTooShort(Invalid):
 
 class AlreadyEnded(Conflict):
     """The contract is not agreed any more, or is settled."""
+
+
+class BadChangeOrder(Invalid):
+    """A change order asks for what cannot be; its errors say what and why."""
+
+
+class ChangeOrderNotFound(NotFound):
+    """The contract has no change order of that number."""
+
+
+class ChangeOrderClosed(Conflict):
+    """The change order was agreed, refused or withdrawn."""
+
+
+class ChangeOrderStale(Conflict):
+    """What the change order would change has changed since it was proposed."""
+
+
+class NotInForce(Conflict):
+    """Only an agreed contract that orders work is changed by change orders."""

@@ -8,7 +8,7 @@ from uuid import UUID
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session, joinedload
 
-from app.amendments.models import AmendmentAcceptance, Notice
+from app.amendments.models import AmendmentAcceptance, ChangeOrder, Notice
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit.in_array import in_array
@@ -59,3 +59,28 @@ def variation_states(
         if cue_id is not None:
             states[cue_id][variation].add(state)
     return states
+
+
+def change_orders_of(session: Session, contract_id: UUID) -> Sequence[ChangeOrder]:
+    """Return the change orders of a contract, the oldest first, with who proposed them."""
+    return session.scalars(
+        select(ChangeOrder)
+        .where(ChangeOrder.contract_id == contract_id)
+        .options(joinedload(ChangeOrder.proposer))
+        .order_by(ChangeOrder.number)
+    ).all()
+
+
+def change_order_by_number(session: Session, contract_id: UUID, number: int) -> ChangeOrder | None:
+    """Return one change order of a contract as it stands now, with who proposed it."""
+    return session.scalar(
+        select(ChangeOrder)
+        .where(ChangeOrder.contract_id == contract_id, ChangeOrder.number == number)
+        .options(joinedload(ChangeOrder.proposer))
+        .execution_options(populate_existing=True)
+    )
+
+
+def next_change_order_number(session: Session, contract_id: UUID) -> int:
+    """Return the number of a contract's next change order."""
+    return (session.scalar(select(func.max(ChangeOrder.number)).where(ChangeOrder.contract_id == contract_id)) or 0) + 1

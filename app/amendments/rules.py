@@ -1,9 +1,15 @@
-"""When a contract may end early, stated without a database."""
+"""When a contract may end early, and what a change order does to a plan, stated without a database."""
 
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from datetime import date, timedelta
 from enum import StrEnum
+from uuid import UUID
 
+from app.agreements.deemed_acceptance import working_days
+from app.agreements.plan_check import Advice, PlannedPayment
 from app.amendments.errors import NoticeTooShort
+from app.kit.money import percent
 
 
 class ChangeOrderState(StrEnum):
@@ -41,3 +47,71 @@ def end_of_notice(today: date, notice_days: int | None, wanted: date | None) -> 
 def is_over(ends_on: date | None, today: date) -> bool:
     """Return whether the last day of a notice has passed, in UTC as every day of a contract."""
     return ends_on is not None and ends_on < today
+
+
+@dataclass(frozen=True)
+class Planned:
+    """A milestone as a plan has it, for a change order to change."""
+
+    milestone_id: UUID
+    name: str
+    amount_minor: int
+    due_on: date | None
+    cues: int
+    is_deposit: bool = False
+
+    @property
+    def payment(self) -> PlannedPayment:
+        """The milestone as the plan check reads it."""
+        return PlannedPayment(self.name, self.amount_minor, self.due_on, self.cues, is_deposit=self.is_deposit)
+
+
+@dataclass(frozen=True)
+class Difference:
+    """What one change does to a milestone."""
+
+    milestone_id: UUID
+    amount_minor: int = 0
+    cues: int = 0
+    due_on: date | None = None  # None: as it was
+
+
+def changed_plan(plan: Sequence[Planned], differences: Sequence[Difference]) -> list[Planned]:
+    """Return a plan with its changes."""
+    after = {one.milestone_id: one for one in plan}
+    for one in differences:
+        now = after[one.milestone_id]
+        after[one.milestone_id] = replace(
+            now,
+            amount_minor=now.amount_minor + one.amount_minor,
+            cues=now.cues + one.cues,
+            due_on=one.due_on or now.due_on,
+        )
+    return list(after.values())
+
+
+def warnings_of(
+    before: Sequence[Planned], after: Sequence[Planned], today: date, *, rush_days: int, rush_bp: int
+) -> list[Advice]:
+    """Return what a change order should not do unsaid: less time for more work, and work at a rush."""
+    said: list[Advice] = []
+    for old, new in zip(before, after, strict=True):
+        is_earlier = old.due_on is not None and new.due_on is not None and new.due_on < old.due_on
+        if is_earlier and (new.cues > old.cues or new.amount_minor > old.amount_minor):
+            said.append(
+                Advice(
+                    "earlier-and-more",
+                    f"{new.name} moves from {old.due_on} up to {new.due_on} while work is added to it.",
+                    "Less time for more work is how dates are missed; move the date back, or take a cue out.",
+                )
+            )
+        has_more = new.cues > old.cues or is_earlier
+        if has_more and rush_bp and new.due_on and working_days(today, new.due_on) < rush_days:
+            said.append(
+                Advice(
+                    "rush",
+                    f"{new.name} is due on {new.due_on}, in less than {rush_days} working days.",
+                    f"By the clause on rates such work costs {percent(rush_bp)} more; say so in its price.",
+                )
+            )
+    return said

@@ -1,17 +1,36 @@
 """What the endpoints of amendments take and answer; every amount is in whole minor units of the contract's currency."""
 
 from datetime import date, datetime
-from typing import Literal
+from typing import Annotated, Literal
 from uuid import UUID
 
-from pydantic import Field
+from pydantic import Field, StringConstraints
 
 from app.accounts.schemas import PersonBrief
 from app.agreements.rules import Party, WorkState
-from app.agreements.schemas import Reason
+from app.agreements.schemas import BlockRead, Reason
 from app.agreements.terms import DepositAtEnd
+from app.amendments.rules import ChangeOrderState
 from app.kit.http import Schema
-from app.money.schemas import ContractedCue, FiguresRead
+from app.money.schemas import LARGEST_MINOR, AdviceRead, ContractedCue, FiguresRead, Minor
+
+ShortProse = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=200)]
+
+
+class OrderMilestone(Schema):
+    """A milestone that a change order may name."""
+
+    id: UUID
+    name: str
+    due_on: date | None
+
+
+class OrderCue(Schema):
+    """A cue under the contract that a change order may name."""
+
+    cue: ContractedCue
+    price_minor: int
+    round_minor: int = Field(description="What a further round of it costs; 0: the contract names no price.")
 
 
 class NoticeAdd(Schema):
@@ -61,6 +80,156 @@ class SignedRead(Schema):
     accepted_at: datetime
 
 
+class AddCue(Schema):
+    """A cue that the contract covers from now on."""
+
+    kind: Literal["add_cue"]
+    cue_id: UUID
+    milestone_id: UUID
+    price_minor: Minor
+    estimate_min: Annotated[int, Field(ge=1, le=1_000_000)] | None = None
+
+
+class CutCue(Schema):
+    """A cue that the contract covers no more: it is owed by the state of its work when both have agreed."""
+
+    kind: Literal["cut_cue"]
+    cue_id: UUID
+
+
+class RepriceCue(Schema):
+    """Another price of a cue."""
+
+    kind: Literal["reprice_cue"]
+    cue_id: UUID
+    price_minor: Minor
+
+
+class AddRound(Schema):
+    """A round beyond those included, by the part of the cue's price that the contract names."""
+
+    kind: Literal["add_round"]
+    cue_id: UUID
+
+
+class MoveDate(Schema):
+    """Another date of a milestone."""
+
+    kind: Literal["move_date"]
+    milestone_id: UUID
+    due_on: date
+
+
+class AddWork(Schema):
+    """Work beside the cues at a price, due when both have agreed: rush, a voice session, a new target."""
+
+    kind: Literal["add_work"]
+    milestone_id: UUID
+    text: ShortProse
+    amount_minor: Annotated[int, Field(ge=1, le=LARGEST_MINOR)]
+
+
+Change = Annotated[AddCue | CutCue | RepriceCue | AddRound | MoveDate | AddWork, Field(discriminator="kind")]
+
+
+class ChangeOrderAdd(Schema):
+    """What a party proposes, and why."""
+
+    reason: Reason
+    begins_at_once: bool = Field(
+        default=False, description="Work begins before both have agreed, at the risk of the party that proposes."
+    )
+    changes: Annotated[list[Change], Field(min_length=1, max_length=200)]
+
+
+class ChangedMilestone(Schema):
+    """A milestone before and after."""
+
+    name: str
+    is_deposit: bool
+    amount_before_minor: int
+    amount_after_minor: int
+    due_before: date | None
+    due_after: date | None
+
+
+class ChangesSet(Schema):
+    """Changes to look at before one proposes them."""
+
+    changes: Annotated[list[Change], Field(min_length=1, max_length=200)]
+
+
+class DifferenceRead(Schema):
+    """What a change order does to scope, price and dates, and to the check of the plan."""
+
+    changes: list[str] = Field(description="Each change as a sentence.")
+    cues_before: int
+    cues_after: int
+    price_before_minor: int
+    price_after_minor: int
+    milestones: list[ChangedMilestone]
+    warnings: list[AdviceRead] = Field(description="What the change order itself makes harder.")
+    advice: list[AdviceRead] = Field(description="What is unwise about the plan as it will be.")
+    advice_gone: list[AdviceRead] = Field(description="What was unwise and will not be.")
+
+
+class ChangeOrderMay(Schema):
+    """What the caller may do with a change order now."""
+
+    agree: bool
+    refuse: bool
+    withdraw: bool
+
+
+class ChangeOrderRead(Schema):
+    """A change order."""
+
+    number: int
+    state: ChangeOrderState
+    party: Party
+    proposed_by: str
+    proposed_at: datetime
+    reason: str
+    begins_at_once: bool
+    closed_at: datetime | None
+    close_reason: str
+    text_sha256: str
+    blocks: list[BlockRead]
+    difference: DifferenceRead | None = Field(description="Null once it is closed: the text says what it was.")
+    problems: list[str] = Field(description="Why it could not be agreed to as it stands.")
+    signed: list[SignedRead]
+    may: ChangeOrderMay
+
+
+class ChangeOrdersRead(Schema):
+    """The change orders of a contract, and what one may name."""
+
+    project_id: UUID
+    contract_id: UUID
+    title: str
+    currency: str
+    my_party: Party | None
+    may_propose: bool
+    extra_round_bp: int
+    orders: list[ChangeOrderRead]
+    milestones: list[OrderMilestone] = Field(description="Open milestones, whose dates can move.")
+    cues: list[OrderCue] = Field(description="Cues under the contract that are not settled.")
+    cues_to_add: list[ContractedCue] = Field(description="Cues of the list that no running contract covers.")
+
+
+class ChangePreview(Schema):
+    """What a change order would do, and what is wrong with it; nothing is saved."""
+
+    difference: DifferenceRead | None
+    problems: list[str]
+
+
+class ReasonGiven(Schema):
+    """Why a change order is refused or withdrawn."""
+
+    reason: Reason
+
+
 class EndingMay(Schema):
     """What the caller may do about an early end now."""
 
@@ -87,6 +256,7 @@ class EndingRead(Schema):
     cues_minor: int
     deposit_minor: int
     rounds_minor: int
+    extra_minor: int
     days_minor: int
     due_now_minor: int = Field(description="What is due without the settlement.")
     figures: FiguresRead

@@ -36,6 +36,7 @@ class Statement:
     figures: Figures
     deposit_minor: int
     rounds_minor: int
+    extra_minor: int  # work by change orders
     days_minor: int
 
     @property
@@ -67,6 +68,7 @@ def statement_of(
         figures=figures_of(after, cut, beside_cues_minor, is_ended=True),
         deposit_minor=sum(line.amount_minor for line in after.standing(LineKind.DEPOSIT)),
         rounds_minor=sum(line.amount_minor for line in after.standing(LineKind.EXTRA_ROUND)),
+        extra_minor=sum(line.amount_minor for line in after.standing(LineKind.EXTRA_WORK)),
         days_minor=sum(line.amount_minor for line in after.standing(LineKind.WORKED_DAY)),
     )
 

@@ -6,12 +6,14 @@ from dataclasses import dataclass
 from app.money.ledger_book import LedgerBook, PricedCue
 from app.money.rules import LineKind
 
+EXTRAS = frozenset({LineKind.EXTRA_ROUND, LineKind.EXTRA_WORK})  # agreed since, and in no plan
+
 
 @dataclass(frozen=True)
 class Figures:
     """A contract's money without tax; `paid + due + open + saved` is `agreed`."""
 
-    agreed_minor: int  # the plan, and the extra rounds that were agreed to since
+    agreed_minor: int  # the plan, and the extra rounds and work that were agreed to since
     accepted_minor: int  # what became due by acceptance and cuts, deposit and extras included
     paid_minor: int
     due_minor: int  # owed and not paid; below zero: paid for what was taken back since
@@ -29,8 +31,8 @@ def figures_of(
     owed_lines = [line for line in book.owed if line.kind is not LineKind.TAX]
     owed_minor = sum(line.amount_minor for line in owed_lines)
     paid_minor = sum(book.paid_minor(line.id) for line in owed_lines)
-    rounds = {line.id for line in owed_lines if line.kind is LineKind.EXTRA_ROUND}
-    extras_minor = sum(line.amount_minor for line in owed_lines if line.id in rounds or line.about_id in rounds)
+    extras = {line.id for line in owed_lines if line.kind in EXTRAS}
+    extras_minor = sum(line.amount_minor for line in owed_lines if line.id in extras or line.about_id in extras)
     agreed_minor = beside_cues_minor + sum(cue.amount_minor for cue in cues) + extras_minor
     saved_minor = sum(cue.amount_minor - book.share_minor(cue.cue_id) for cue in cues if cue.cut_in is not None)
     if is_ended:

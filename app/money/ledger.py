@@ -29,6 +29,7 @@ EVENTS = {
     LineKind.CUT: "due",
     LineKind.EXTRA_ROUND: "due",
     LineKind.WORKED_DAY: "due",
+    LineKind.EXTRA_WORK: "due",
     LineKind.TAX: "due",
     LineKind.REVERSED: "taken_back",
     LineKind.PAID: "paid",

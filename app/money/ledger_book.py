@@ -23,6 +23,7 @@ CLAUSES = {
     LineKind.CUT: "kill_fee",
     LineKind.EXTRA_ROUND: "rates",
     LineKind.WORKED_DAY: "rates",
+    LineKind.EXTRA_WORK: "changes",
     LineKind.TAX: "payment",
     LineKind.PAID: "payment",
 }  # a line that takes another back names that one's clause

@@ -15,6 +15,7 @@ class LineKind(StrEnum):
     CUT = "cut"
     EXTRA_ROUND = "extra_round"
     WORKED_DAY = "worked_day"
+    EXTRA_WORK = "extra_work"  # beside the cues, by a change order: rush, a voice session
     TAX = "tax"
     REVERSED = "reversed"  # takes back a line of any kind above
     PAID = "paid"

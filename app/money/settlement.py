@@ -45,7 +45,7 @@ def accept_cue(
     covered.accepted_at, covered.accepted_by = clock.now(), by
     by_clause = by is AcceptedBy.SILENCE
     _record(session, covered, "accepted", None if by_clause else person_id, {"clause": SILENCE} if by_clause else {})
-    _settle(session, covered.contract_id, person_id, is_by_server=by_clause)
+    settle(session, covered.contract_id, person_id, is_by_server=by_clause)
 
 
 def add_accepted_cue(session: Session, contract_id: UUID, cue_id: UUID, *, person_id: UUID) -> None:
@@ -61,7 +61,7 @@ def add_accepted_cue(session: Session, contract_id: UUID, cue_id: UUID, *, perso
         return
     covered.accepted_at, covered.accepted_by = contract.agreed_at, AcceptedBy.ADOPTION
     _record(session, covered, "adopted", None, {"approved_by": session.get_one(Person, person_id).name})
-    _settle(session, contract_id, person_id, is_by_server=True)
+    settle(session, contract_id, person_id, is_by_server=True)
 
 
 def record_reminder(session: Session, contract_id: UUID, cue_id: UUID, *, to_id: UUID, last_day: date) -> None:
@@ -82,18 +82,26 @@ def reopen_cue(session: Session, cue_id: UUID, *, person_id: UUID) -> None:
         return
     covered.accepted_at = covered.accepted_by = None
     _record(session, covered, "reopened", person_id)
-    _settle(session, covered.contract_id, person_id)
+    settle(session, covered.contract_id, person_id)
 
 
 def settle_cut(session: Session, cue_id: UUID, *, state: WorkState, person_id: UUID) -> None:
     """Settle a cut cue by the kill fee of the state that the work was in."""
     covered = _locked(session, cue_id, None)
-    if covered is None or covered.cut_at is not None:
-        return
+    if covered is not None and covered.cut_at is None:
+        _cut(session, covered, state, person_id)
+        settle(session, covered.contract_id, person_id)
+
+
+def take_out(session: Session, covered: ContractCue, *, state: WorkState, person_id: UUID) -> None:
+    """Count a cue as cut under its contract alone; callers hold the contract's lock, and settle."""
+    _cut(session, covered, state, person_id)
+
+
+def _cut(session: Session, covered: ContractCue, state: WorkState, person_id: UUID) -> None:
     covered.cut_at = clock.now()
     covered.cut_in = WorkState.ACCEPTED if covered.accepted_at is not None else state
     _record(session, covered, "cut", person_id, {"state": covered.cut_in.value})
-    _settle(session, covered.contract_id, person_id)
 
 
 def end_statement(session: Session, contract: Contract, states: Mapping[UUID, WorkState]) -> Statement:
@@ -138,6 +146,8 @@ def price_round(session: Session, cue_id: UUID, *, number: int, person_id: UUID)
     terms = terms_of(session, contract)
     if number <= terms.rounds_included or not price_of_round(_priced(covered), terms.extra_round_bp):
         return None
+    if any(one.cue_id == cue_id and one.number == number for one in queries.extra_rounds_of(session, contract.id)):
+        return None  # a change order agreed to it beforehand
     proposed = ExtraRound(
         studio_id=contract.studio_id,
         project_id=contract.project_id,
@@ -159,7 +169,13 @@ def agree_extra_round(session: Session, actor: Actor, extra_round_id: UUID) -> E
         raise OtherPartyNeeded("only the studio agrees to the fee; you can waive it")
     if Role.PRODUCER not in actor.roles_in(contract.studio_id):
         raise ProducerNeeded("only a producer of the studio agrees to a price")
-    proposed.agreed_at, proposed.agreed_by = clock.now(), actor.person
+    charge_round(session, contract, proposed, person_id=actor.person)
+    return proposed
+
+
+def charge_round(session: Session, contract: Contract, proposed: ExtraRound, *, person_id: UUID) -> None:
+    """Make a round's price due, now that both have agreed to it; callers hold the contract's lock."""
+    proposed.agreed_at, proposed.agreed_by = clock.now(), person_id
     covered = next(cue for cue in plan_queries.cues_of(session, contract.id) if cue.cue_id == proposed.cue_id)
     entry = Entry(
         LineKind.EXTRA_ROUND,
@@ -169,8 +185,7 @@ def agree_extra_round(session: Session, actor: Actor, extra_round_id: UUID) -> E
         milestone_id=covered.milestone_id,
         round_number=proposed.number,
     )
-    write(session, contract, [entry], person_id=actor.person)
-    return proposed
+    write(session, contract, [entry], person_id=person_id)
 
 
 def drop_extra_round(session: Session, actor: Actor, extra_round_id: UUID) -> ExtraRound:
@@ -204,7 +219,8 @@ def _locked(session: Session, cue_id: UUID, designer_ids: Collection[UUID] | Non
     return covered
 
 
-def _settle(session: Session, contract_id: UUID, person_id: UUID, *, is_by_server: bool = False) -> None:
+def settle(session: Session, contract_id: UUID, person_id: UUID, *, is_by_server: bool = False) -> None:
+    """Bring a contract's ledger to what its cues and their states make due; callers hold its lock."""
     session.flush()
     contract = session.get_one(Contract, contract_id)
     rules = rules_of(contract, terms_of(session, contract))

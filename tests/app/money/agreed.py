@@ -17,6 +17,14 @@ from app.money.ledger import charge_deposits
 from app.projects.models import Engagement
 from tests.app.reviews.making import Stage
 
+# What the library's clauses say of rounds and cut cues.
+LIBRARY_TERMS = {
+    "rounds_included": 2,
+    "extra_round_bp": 2_500,
+    "kill_fee_not_begun_bp": 0,
+    "kill_fee_in_work_bp": 5_000,
+    "kill_fee_delivered_bp": 7_500,
+}
 TODAY = clock.now().date()
 
 
@@ -38,7 +46,7 @@ class Agreed(Stage):
         self.contract_id: UUID = self.world.server.in_database(self._draft)
 
     def _draft(self, session: Session) -> UUID:
-        world = self.world
+        world, terms = self.world, LIBRARY_TERMS | self.terms
         engagement = session.scalars(sa.select(Engagement).where(Engagement.designer_id == world.designer_id)).one()
         of = {"studio_id": world.studio_id, "project_id": world.project_id}
         contract = Contract(
@@ -58,8 +66,8 @@ class Agreed(Stage):
             **of,
             contract_id=contract.id,
             number=1,
-            clauses=[Clause("terms", "Terms", " ".join(f"{{{name}}}" for name in self.terms)).as_row()],
-            terms=self.terms,
+            clauses=[Clause("terms", "Terms", " ".join(f"{{{name}}}" for name in terms)).as_row()],
+            terms=terms,
             text="",
             text_sha256="",
             created_by=world.producer_id,

@@ -68,6 +68,11 @@ export function ContractPage() {
           <Said contract={contract} />
           <Versions contract={contract} projectId={projectId} />
           {contract.my_party === 'studio' && <KeepAsTemplate contract={contract} />}
+          {isOrder(contract) && contract.agreed_at !== null && (
+            <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contract.id}/ending`}>
+              {contract.state === 'ended' ? 'Settlement' : 'Ending early'}
+            </ButtonLink>
+          )}
           {contract.may.end && <End contract={contract} />}
         </div>
       </div>

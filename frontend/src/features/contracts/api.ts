@@ -18,6 +18,8 @@ export type Draft = Schemas['DraftChange']
 export type LibraryClause = Schemas['LibraryClauseRead']
 export type Compared = Schemas['ComparedRead']
 export type Entry = Schemas['RecordEntryRead']
+export type Ending = Schemas['EndingRead']
+export type StatedCue = Schemas['StatedCueRead']
 export type Template = Schemas['TemplateBrief']
 
 const of = (contractId: string) => ({ params: { path: { contract_id: contractId } } })
@@ -28,6 +30,7 @@ const keys = {
   contract: (contractId: string) => ['contract', contractId] as const,
   versions: (contractId: string) => ['contract', contractId, 'versions'] as const,
   record: (contractId: string) => ['contract', contractId, 'record'] as const,
+  ending: (contractId: string) => ['contract', contractId, 'ending'] as const,
   templates: (studioId: string) => ['contract-templates', studioId] as const,
 }
 
@@ -70,6 +73,12 @@ export const recordQuery = (contractId: string) =>
   queryOptions({
     queryKey: keys.record(contractId),
     queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/record', of(contractId))),
+  })
+
+export const endingQuery = (contractId: string) =>
+  queryOptions({
+    queryKey: keys.ending(contractId),
+    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/ending', of(contractId))),
   })
 
 export const libraryQuery = (kind: ContractKind) =>
@@ -155,6 +164,43 @@ export function useDeed(contractId: string) {
         client.invalidateQueries({ queryKey: ['project', contract.project_id] }),
         // An NDA that is agreed opens the project.
         client.invalidateQueries({ queryKey: meQuery.queryKey }),
+      ])
+    },
+  })
+}
+
+/** What a party does about an early end; each answers the ending as it is then. */
+export type EndingDeed =
+  | { does: 'give notice'; reason: string; endsOn: string | null }
+  | { does: 'withdraw' }
+  | { does: 'agree'; name: string; textSha256: string }
+
+function doneToEnd(contractId: string, deed: EndingDeed): Promise<Ending> {
+  const it = of(contractId)
+  switch (deed.does) {
+    case 'give notice': {
+      const body = { reason: deed.reason, ends_on: deed.endsOn }
+      return answered(api.POST('/v1/contracts/{contract_id}/ending/notice', { ...it, body }))
+    }
+    case 'withdraw':
+      return answered(api.POST('/v1/contracts/{contract_id}/ending/withdraw', it))
+    case 'agree': {
+      const body = { name: deed.name, text_sha256: deed.textSha256 }
+      return answered(api.POST('/v1/contracts/{contract_id}/ending/agree', { ...it, body }))
+    }
+  }
+}
+
+export function useEnding(contractId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (deed: EndingDeed) => doneToEnd(contractId, deed),
+    onSuccess: async (ending) => {
+      client.setQueryData(keys.ending(contractId), ending)
+      await Promise.all([
+        client.invalidateQueries({ queryKey: keys.contract(contractId) }),
+        client.invalidateQueries({ queryKey: keys.list(ending.project_id) }),
+        client.invalidateQueries({ queryKey: ['project', ending.project_id] }),
       ])
     },
   })

@@ -69,6 +69,10 @@ const EVENT_WORDS: Record<string, string> = {
   accepted_by: 'Accepted',
   agreed: 'Agreed',
   ended: 'Ended',
+  notice_given: 'Notice given',
+  notice_withdrawn: 'Notice withdrawn',
+  statement_accepted: 'Settlement statement accepted',
+  settled: 'Settled',
   planned: 'Plan agreed',
   adopted: 'Accepted earlier, added to the contract',
   reminded: 'Reminder to review',
@@ -89,7 +93,15 @@ const EVENT_WORDS: Record<string, string> = {
 /** An entry of the record as a sentence. */
 export const eventOf = ({ kind }: Entry): string => EVENT_WORDS[kind] ?? inWords(kind)
 
-const QUIET = new Set(['by', 'by_email', 'role', 'on_behalf_of', 'text_sha256', 'pdf_sha256'])
+const QUIET = new Set([
+  'by',
+  'by_email',
+  'role',
+  'on_behalf_of',
+  'text_sha256',
+  'text_sha256_of_amendment',
+  'pdf_sha256',
+])
 
 /** The author of an entry: name, role at that time, and on whose behalf. */
 export function authorOf({ payload: { by, role, on_behalf_of: behalf } }: Entry): string {

@@ -11,6 +11,7 @@ const KINDS = {
   cut: 'Cut',
   extra_round: 'Extra round',
   worked_day: 'Day worked',
+  extra_work: 'Extra work',
   tax: 'Tax',
   reversed: 'Reversed',
   paid: 'Paid',

@@ -1,0 +1,71 @@
+"""A change order as the text that both parties accept: what changes, and nothing of what stays."""
+
+from collections.abc import Sequence
+from datetime import date, datetime
+
+from app.agreements.facts import in_words
+from app.agreements.rules import Party
+from app.agreements.text import literal
+from app.amendments.schemas import ChangedMilestone
+from app.kit.money import money
+
+PARTY_WORDS = {Party.STUDIO: "the studio", Party.DESIGNER: "the designer"}
+
+
+def change_order_title(number: int, title: str) -> str:
+    """Return what a change order is called."""
+    return f"Change order {number} to {title}"
+
+
+def change_order_text(
+    *,
+    number: int,
+    title: str,
+    agreed_at: datetime | None,
+    contract_sha256: str,
+    studio: str,
+    designer: str,
+    party: Party,
+    proposed_by: str,
+    proposed_on: date,
+    reason: str,
+    begins_at_once: bool,
+    changes: Sequence[str],
+    milestones: Sequence[ChangedMilestone],
+    currency: str,
+) -> str:
+    """Return a change order in Markdown."""
+    agreed = f", agreed on {in_words(agreed_at.date())}" if agreed_at else ""
+    changed = [
+        one
+        for one in milestones
+        if (one.amount_before_minor, one.due_before) != (one.amount_after_minor, one.due_after)
+    ]
+    rows = [
+        f"| {literal(one.name)} | {_on(one.due_before)} | {_on(one.due_after)} "
+        f"| {money(one.amount_before_minor, currency)} | {money(one.amount_after_minor, currency)} |"
+        for one in changed
+    ]
+    heads = ["| Milestone | Date | New date | Amount | New amount |", "| --- | --- | --- | --- | --- |"]
+    begins = (
+        f"Work may begin before both have agreed, at the risk of {PARTY_WORDS[party]}."
+        if begins_at_once
+        else "Work on it begins when both have agreed."
+    )
+    paragraphs = [
+        f"# {literal(change_order_title(number, title))}",
+        f"Between **{literal(studio)}** (the studio) and **{literal(designer)}** (the designer), to the contract "
+        f"**{literal(title)}**{agreed}, whose text has the SHA-256 {contract_sha256}.",
+        f"{literal(proposed_by)} proposed it for {PARTY_WORDS[party]} on {in_words(proposed_on)}. "
+        f"Reason: {literal(reason)}",
+        "## What changes",
+        "\n".join(f"- {literal(sentence)}" for sentence in changes),
+        "\n".join([*heads, *rows]) if rows else "",
+        "## What stays",
+        f"Everything else stays as agreed. {begins} This holds when both parties have accepted the same text of it.",
+    ]
+    return "\n\n".join(paragraph for paragraph in paragraphs if paragraph) + "\n"
+
+
+def _on(day: date | None) -> str:
+    return in_words(day) if day else "none"

@@ -1,0 +1,361 @@
+import { TextInput } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+import { Link, useParams } from '@tanstack/react-router'
+import { type FormEvent, useState } from 'react'
+
+import { DraftNote, useDraft } from '@/app/drafts'
+import { useTitle } from '@/app/title'
+import { showToast } from '@/app/toast'
+import { amount, money, percent } from '@/money/words'
+import { Button, ButtonLink } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { clock, day, dueDay, plural } from '@/ui/format'
+import { Row, Rows } from '@/ui/Rows'
+import { State, type StateKind } from '@/ui/State'
+
+import { type Ending, endingQuery, type StatedCue, useEnding } from './api'
+import classes from './Contracts.module.css'
+import { Refusal } from './Refusal'
+
+/** What a contract comes to if it ends early: a forecast, then a statement that both see, then what was settled. */
+export function EndingPage() {
+  const { projectId, contractId } = useParams({ from: '/shell/projects/$projectId/contracts/$contractId/ending' })
+  const { data: ending, error } = useQuery(endingQuery(contractId))
+  useTitle('Ending early')
+  if (!ending) {
+    return (
+      <div className="page stack" aria-busy={error === null}>
+        <h1>Ending early</h1>
+        <Refusal error={error} />
+      </div>
+    )
+  }
+  return (
+    <div className="page stack">
+      <div className={classes.head}>
+        <div>
+          <h1>{ending.state === 'settled' ? 'Settlement' : 'Ending early'}</h1>
+          <p className="mid">{standing(ending)}</p>
+        </div>
+        <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contractId}`}>
+          {ending.title}
+        </ButtonLink>
+      </div>
+      <div className={`columns ${classes.columns}`}>
+        <Statement ending={ending} />
+        <div className="stack">
+          {ending.may.give_notice && <GiveNotice ending={ending} />}
+          {ending.notice && <Signing ending={ending} />}
+          <Before ending={ending} />
+        </div>
+      </div>
+    </div>
+  )
+}
+
+/** "The studio gave notice …", or that nobody has. */
+function standing({ notice, state, settled_at: settledAt, title, notice_days: days }: Ending): string {
+  if (notice === null) {
+    const how =
+      days === null
+        ? 'No clause lets one side end it alone; it ends when both agree to the statement.'
+        : `Either side may end it with ${plural(days, 'day')} of notice, and both at any time.`
+    return `Nobody has given notice of ${title}. ${how}`
+  }
+  const given = `The ${notice.party} gave notice on ${day(notice.given_at)}: ${notice.reason}`
+  if (state === 'settled' && settledAt !== null) return `${given} · Settled ${day(settledAt)}, ${clock(settledAt)}.`
+  if (notice.ends_on === null) return `${given} · It ends when both agree to the statement.`
+  return `${given} · It ends after ${dueDay(notice.ends_on)}; every cue counts by its state then.`
+}
+
+const STATES: Record<StatedCue['state'], { kind: StateKind; word: string }> = {
+  accepted: { kind: 'accepted', word: 'Accepted' },
+  delivered: { kind: 'to_review', word: 'Delivered, in review' },
+  in_work: { kind: 'checking', word: 'In work' },
+  not_begun: { kind: 'to_make', word: 'Not begun' },
+}
+
+interface Line {
+  cues: StatedCue[]
+  first: StatedCue
+}
+
+/** Cues of the same state, milestone, price and clause are one line. */
+function linesOf(cues: readonly StatedCue[]): Line[] {
+  const lines = new Map<string, Line>()
+  for (const cue of cues) {
+    const key = [cue.state, cue.was_cut, cue.milestone, cue.price_minor, cue.owed_minor, cue.clause].join('|')
+    const line = lines.get(key)
+    if (line) line.cues.push(cue)
+    else lines.set(key, { cues: [cue], first: cue })
+  }
+  return [...lines.values()]
+}
+
+function Statement({ ending }: { ending: Ending }) {
+  const { currency, cues, figures } = ending
+  const one = (minor: number) => amount(minor, currency)
+  return (
+    <Card aria-labelledby="statement">
+      <CardHead
+        id="statement"
+        title={ending.state === 'forecast' ? 'Forecast' : 'Settlement statement'}
+        note={`${ending.state === 'forecast' ? 'what ending today would come to' : ending.state === 'notice' ? 'as things stand now' : 'as settled'}, ${currency}`}
+        end={
+          ending.notice !== null && (
+            <ButtonLink
+              variant="quiet"
+              icon="download"
+              href={`/v1/contracts/${ending.contract_id}/ending/statement.pdf`}
+              aria-label="Statement as PDF"
+            >
+              PDF
+            </ButtonLink>
+          )
+        }
+      />
+      {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a region that scrolls is reached by keys */}
+      <div className={classes.statement} tabIndex={0} role="region" aria-label="Statement">
+        <table>
+          <thead className="small dim">
+            <tr>
+              <th scope="col">State</th>
+              <th scope="col">Cues</th>
+              <th scope="col" className={classes.number}>
+                Price each
+              </th>
+              <th scope="col" className={classes.number}>
+                Part
+              </th>
+              <th scope="col" className={classes.number}>
+                Owed
+              </th>
+            </tr>
+          </thead>
+          <tbody>
+            {linesOf(cues).map(({ cues: of, first }) => (
+              <tr key={first.cue.id}>
+                <td>
+                  <State kind={first.was_cut ? 'cut' : STATES[first.state].kind}>
+                    {`${first.was_cut ? `Cut, ${STATES[first.state].word.toLowerCase()}` : STATES[first.state].word}, ${first.milestone}`}
+                  </State>
+                </td>
+                <td className={classes.names}>{of.map(({ cue }) => cue.name).join(', ')}</td>
+                <td className={classes.number}>{one(first.price_minor)}</td>
+                <td className={classes.number}>{percent(first.part_bp)}</td>
+                <td className={classes.number}>{one(of.reduce((sum, each) => sum + each.owed_minor, 0))}</td>
+              </tr>
+            ))}
+            <Sum
+              head={plural(cues.length, 'cue')}
+              note="the price of each cue, by its state"
+              minor={ending.cues_minor}
+              one={one}
+              strong
+            />
+            <Sum
+              head="Deposit"
+              note={ending.deposit_at_end === 'stays' ? 'stays with the designer' : 'set off against the cues'}
+              minor={ending.deposit_minor}
+              one={one}
+            />
+            {ending.rounds_minor !== 0 && (
+              <Sum head="Rounds" note="beyond those included" minor={ending.rounds_minor} one={one} />
+            )}
+            {ending.days_minor !== 0 && (
+              <Sum head="Days" note="worked and agreed" minor={ending.days_minor} one={one} />
+            )}
+            <Sum head="Paid so far" note="" minor={-figures.paid_minor} one={one} />
+          </tbody>
+          <tfoot>
+            <tr>
+              <th scope="row">To pay</th>
+              <td colSpan={3} className="small mid">
+                {ending.state === 'settled'
+                  ? 'without tax; invoices say when'
+                  : `${one(ending.due_now_minor)} is due already; ${one(figures.due_minor - ending.due_now_minor)} by the settlement`}
+              </td>
+              <td className={`title ${classes.number}`}>{money(figures.due_minor, currency)}</td>
+            </tr>
+          </tfoot>
+        </table>
+      </div>
+      <p className={`small mid ${classes.foot}`}>
+        {`Agreed ${money(figures.agreed_minor, currency)} = paid ${one(figures.paid_minor)} + to pay ${one(figures.due_minor)} + not owed ${one(figures.saved_minor)}`}
+      </p>
+      {ending.statement_sha256 !== null && (
+        <p className={`mono dim ${classes.hash} ${classes.foot}`}>{`SHA-256 ${ending.statement_sha256}`}</p>
+      )}
+    </Card>
+  )
+}
+
+function Sum({
+  head,
+  note,
+  minor,
+  one,
+  strong = false,
+}: {
+  head: string
+  note: string
+  minor: number
+  one: (minor: number) => string
+  strong?: boolean
+}) {
+  return (
+    <tr>
+      <th scope="row" className={strong ? undefined : classes.plain}>
+        {head}
+      </th>
+      <td colSpan={3} className="small mid">
+        {note}
+      </td>
+      <td className={classes.number}>{strong ? <strong>{one(minor)}</strong> : one(minor)}</td>
+    </tr>
+  )
+}
+
+function GiveNotice({ ending }: { ending: Ending }) {
+  const give = useEnding(ending.contract_id)
+  const [reason, setReason, draft] = useDraft(`notice:${ending.contract_id}`, '')
+  const [endsOn, setEndsOn] = useState('')
+  const submit = (event: FormEvent) => {
+    event.preventDefault()
+    if (give.isPending || reason.trim() === '') return
+    give.mutate(
+      { does: 'give notice', reason: reason.trim(), endsOn: endsOn === '' ? null : endsOn },
+      { onSuccess: draft.discard },
+    )
+  }
+  const earliest = ending.earliest_ends_on
+  return (
+    <Card aria-labelledby="notice">
+      <CardHead id="notice" title="Give notice" />
+      <form onSubmit={submit} className={classes.form} aria-label="Give notice">
+        <p>
+          {earliest === null
+            ? 'It ends once both sides agree to the statement.'
+            : `It ends after the last day, ${dueDay(earliest)} at the earliest, or once both sides agree to the statement.`}
+        </p>
+        <TextInput
+          label="Reason"
+          description="The other side reads it, and it stays in the audit trail."
+          value={reason}
+          maxLength={2000}
+          onChange={({ currentTarget }) => setReason(currentTarget.value)}
+        />
+        <DraftNote draft={draft} />
+        {earliest !== null && (
+          <TextInput
+            label="Last day"
+            type="date"
+            min={earliest}
+            value={endsOn}
+            onChange={({ currentTarget }) => setEndsOn(currentTarget.value)}
+          />
+        )}
+        <Refusal error={give.error} />
+        <Button type="submit" disabled={reason.trim() === ''} aria-busy={give.isPending}>
+          Give notice
+        </Button>
+      </form>
+    </Card>
+  )
+}
+
+function Signing({ ending }: { ending: Ending }) {
+  const withdraw = useEnding(ending.contract_id)
+  return (
+    <Card aria-labelledby="signing">
+      <CardHead id="signing" title="Agreed to by" note={`${ending.signed.length} of 2`} />
+      <Rows aria-label="Agreed to by">
+        {ending.signed.map(({ party, name, accepted_at: at }) => (
+          <Row key={party} className={classes.row}>
+            <span className="grow">{`${name}, for the ${party}`}</span>
+            <span className="small dim">{`${day(at)}, ${clock(at)}`}</span>
+          </Row>
+        ))}
+      </Rows>
+      {(ending.may.agree || ending.may.withdraw) && (
+        <div className={classes.form}>
+          {ending.may.agree && <Agree ending={ending} />}
+          {ending.may.withdraw && (
+            <>
+              <Refusal error={withdraw.error} />
+              <Button aria-busy={withdraw.isPending} onClick={() => withdraw.mutate({ does: 'withdraw' })}>
+                Withdraw the notice
+              </Button>
+            </>
+          )}
+        </div>
+      )}
+    </Card>
+  )
+}
+
+function Agree({ ending }: { ending: Ending }) {
+  const agree = useEnding(ending.contract_id)
+  const [name, setName] = useState('')
+  const submit = (event: FormEvent) => {
+    event.preventDefault()
+    if (agree.isPending || name.trim() === '' || ending.statement_sha256 === null) return
+    agree.mutate(
+      { does: 'agree', name: name.trim(), textSha256: ending.statement_sha256 },
+      { onSuccess: ({ state }) => state === 'settled' && showToast('Settled. The contract has ended.') },
+    )
+  }
+  return (
+    <form onSubmit={submit} className={classes.inner} aria-label="Agree to the statement">
+      <p>
+        Your name, email, the time and your IP address are recorded with the statement. With the second yes the contract
+        ends at once.
+      </p>
+      <TextInput
+        label="Your full name"
+        autoComplete="name"
+        value={name}
+        maxLength={120}
+        onChange={({ currentTarget }) => setName(currentTarget.value)}
+      />
+      <Refusal error={agree.error} />
+      <Button type="submit" variant="primary" icon="tick" disabled={name.trim() === ''} aria-busy={agree.isPending}>
+        Agree to the statement
+      </Button>
+    </form>
+  )
+}
+
+/** What is worth knowing before one agrees. */
+function Before({ ending }: { ending: Ending }) {
+  const waiting = ending.cues.filter(({ state, was_cut: cut }) => state === 'delivered' && !cut)
+  if (ending.state === 'settled' || (waiting.length === 0 && ending.open_points.length === 0)) return null
+  const more = waiting.reduce((sum, cue) => sum + cue.price_minor - cue.owed_minor, 0)
+  const { project_id: projectId, currency } = ending
+  return (
+    <Card aria-labelledby="before">
+      <CardHead id="before" title="Before you sign" />
+      <Rows aria-label="Before you sign">
+        {waiting.length > 0 && (
+          <Row className={classes.row}>
+            <State kind="warning">
+              {`${plural(waiting.length, 'cue waits', 'cues wait')} for approval. Accepted, they owe ${amount(more, currency)} more.`}
+            </State>
+          </Row>
+        )}
+        {ending.open_points.map(({ kind, text, amount_minor: minor }) => (
+          <Row key={`${kind} ${text}`} className={classes.row}>
+            <State kind="warning">{`Not counted until the studio agrees: ${text}, ${amount(minor, currency)}`}</State>
+          </Row>
+        ))}
+      </Rows>
+      {ending.open_points.length > 0 && (
+        <div className={`${classes.form} ${classes.buttons}`}>
+          <ButtonLink component={Link} to={`/projects/${projectId}/money`}>
+            Agree to rounds and days
+          </ButtonLink>
+        </div>
+      )}
+    </Card>
+  )
+}
