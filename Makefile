@@ -14,7 +14,7 @@ export PYTHONPATH := $(CURDIR)
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup run dev hooks test test-all check fix unit unit-postgres frontend-test e2e kill attack large-zip false-alarms audit fuzz parity bench weights docs openapi constraints audit-dependencies pins clean
+.PHONY: help setup run dev hooks test test-all check coverage fix unit unit-postgres frontend-test e2e kill attack large-zip false-alarms audit audit-levels fuzz parity bench weights docs openapi constraints audit-dependencies pins clean
 
 help:  ## List these commands
 	@grep -hE '^[a-z0-9-]+:.*##' $(MAKEFILE_LIST) | awk -F':.*## ' '{printf "  make %-14s %s\n", $$1, $$2}'
@@ -44,16 +44,22 @@ beside-unit-postgres: beside-unit  # which records what PostgreSQL has to be sen
 parallel-%: setup .make/postgresql .make/browser .make/librosa
 	@.ci/part $* $(MAKE) --no-print-directory $*
 
-check: setup  ## Lint, types, import contracts, OpenAPI drift
+check: setup  ## Lint, types, import contracts, code that nobody calls, OpenAPI drift
 	$(BIN)/ruff check . && $(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-cache
+	@! $(BIN)/vulture | grep -E 'unused (class|function|import|method)|unreachable' || { echo "nobody calls these: remove them"; exit 1; }
 	$(BIN)/soundlist openapi .make/openapi.json && diff -u frontend/openapi.json .make/openapi.json >/dev/null || \
 	  { echo "frontend/openapi.json is not what the server says: run make openapi"; exit 1; }
 	cd frontend && npm run --silent gen -- --check && npm run --silent typecheck && npm run --silent lint
 
 unit: setup .make/postgresql .make/s3 .make/librosa  ## Python tests, on SQLite and a folder of sounds
 	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --record=.make/statements $(ARGS)
+
+coverage: setup .make/postgresql .make/s3 .make/librosa  ## Lines and branches that the tests of rooms and journeys run; 95 % in rules, services and queries
+	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --cov --cov-report= tests/app tests/journeys $(ARGS)
+	@$(BIN)/coverage report --include='app/*' --format=total | sed 's/^/app, percent: /'
+	@$(BIN)/coverage report --include='app/*/rules.py,app/*/*_rules.py,app/*/service.py,app/*/queries.py,app/*/*_queries.py' --fail-under=95
 
 unit-postgres: setup .make/postgresql .make/s3 .make/librosa  ## What differs on PostgreSQL and S3, and every statement there once
 	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres --store s3 --recorded=.make/statements tests/app tests/journeys $(ARGS)
@@ -78,6 +84,9 @@ false-alarms: setup  ## Count false alarms and injected faults; SOUNDS_DIR names
 
 audit: setup  ## Look for changed sounds among approved ones; SOUNDS_DIR names the folder of real sounds
 	$(BIN)/python -m benchmarks.audits
+
+audit-levels: setup  ## Plant gains in projects of every engine and look for them; MIDDLEWARE_DIR names a folder of real ones
+	$(BIN)/python -m benchmarks.audits.levels
 
 fuzz: setup  ## Feed the readers damaged sounds and projects, and everything 200,000 sounds of every shape (PROJECTS=, SOUNDS=, FIRST=)
 	$(BIN)/python -m tests.audio_checks.fuzz --mutants 1000000

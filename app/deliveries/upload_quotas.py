@@ -30,8 +30,3 @@ def _lately(kind: QuotaKind) -> Callable[[Session, UUID], int]:
         return known
 
     return counted
-
-
-def reset_counts() -> None:
-    """Count again at the next upload."""
-    _counted.clear()

@@ -110,11 +110,6 @@ class InParts:
 FAMILIES = {figure: family for family, figures in FIGURES.items() for figure in figures}
 
 
-def accumulators_of(layout: wav.WavLayout, families: Iterable[str]) -> list[Accumulator]:
-    """Return new accumulators for what a file has, one for each family but one for all faults."""
-    return [make() for _, make in _makers(layout, families)]
-
-
 def _makers(
     layout: wav.WavLayout, families: Iterable[str]
 ) -> Iterator[tuple[tuple[str, ...], Callable[[], Accumulator]]]:

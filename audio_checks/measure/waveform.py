@@ -95,14 +95,6 @@ class Waveform:
         )
 
 
-def waveform(samples: NDArray[np.float64], sample_rate_hz: int, points: int = SMALL_POINTS) -> WaveShape:
-    """Return the shape of `samples`, shape (frames, channels), at `points` points or one a frame."""
-    frames, channels = samples.shape
-    accumulator = Waveform(sample_rate_hz, channels, frames, points)
-    accumulator.add(samples)
-    return accumulator.result()
-
-
 def _plain(values: NDArray[np.float64], decimals: int) -> list[float]:
     plain: list[float] = (np.round(values, decimals) + 0.0).tolist()
     return plain

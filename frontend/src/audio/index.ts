@@ -1,6 +1,5 @@
 export type { Clock } from './clock'
 export type { Spectrogram, Surface, TimeRange } from './draw'
-export { Drawing } from './Drawing'
 export { FLOOR_DB, LevelPlot, LevelWell, LINES_DB, LINES_HZ } from './LevelPlot'
 export { finePeaks, type Peaks } from './peaks'
 export type { Player, PlayerState, Source } from './player'

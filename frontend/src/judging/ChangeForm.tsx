@@ -14,7 +14,7 @@ import classes from './ChangeForm.module.css'
 import type { ChangeSaid } from './useJudge'
 
 /** What approvers say most, each on its digit. */
-export const REASONS = [
+const REASONS = [
   'Too loud',
   'Too quiet',
   'Too long',

@@ -1,2 +1,2 @@
-export { type Loss, lossQuery } from './api'
+export { type Loss } from './api'
 export { LossPanel } from './LossPanel'

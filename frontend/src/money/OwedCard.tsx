@@ -31,7 +31,7 @@ interface Sum {
 }
 
 /** The amounts that a contract owes now: accepted cues together, each cut cue by itself. */
-export function sumsOf({ milestones, kill_fee_in_work_bp: inWorkBp }: ContractMoney): Sum[] {
+function sumsOf({ milestones, kill_fee_in_work_bp: inWorkBp }: ContractMoney): Sum[] {
   const cues = milestones.flatMap((milestone) => milestone.cues)
   const unpaid = cues.filter(({ owed_minor, paid_minor }) => owed_minor !== paid_minor)
   const accepted = unpaid.filter(({ cut_in }) => cut_in === null)

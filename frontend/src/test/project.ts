@@ -164,7 +164,7 @@ export const anOverview = (more: Record<string, unknown> = {}) => ({
   ...more,
 })
 
-export const aCue = (name: string, category: string) => ({
+const aCue = (name: string, category: string) => ({
   id: name,
   number: 1,
   label: 'SW-001',
@@ -174,7 +174,7 @@ export const aCue = (name: string, category: string) => ({
   stems: [name],
 })
 
-export const members = [
+const members = [
   { person: WHO.producer, email: 'producer@studio.example', roles: ['producer'], since: '2026-11-01T10:00:00Z' },
   { person: WHO.approver, email: 'director@studio.example', roles: ['liaison'], since: '2026-11-01T10:00:00Z' },
   { person: WHO.composer, email: 'composer@studio.example', roles: ['reviewer'], since: '2026-11-01T10:00:00Z' },

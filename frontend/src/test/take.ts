@@ -6,7 +6,7 @@ const AT = '2026-11-20T10:00:00Z'
 export const DESIGNER = { id: 'designer', name: 'Sound designer' }
 const SHAPE = { frames: 4, sample_rate_hz: 48_000, min: [-1, -0.5], max: [1, 0.5], rms: [0.4, 0.2] }
 
-export const LOUD = aFinding({
+const LOUD = aFinding({
   check: 'sample-peak',
   code: 'sample-peak:over',
   severity: 'error',

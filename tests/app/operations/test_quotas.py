@@ -21,7 +21,7 @@ SOUND = b"no sound, but bytes"
 def _counted_anew(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     monkeypatch.setattr(upload_quotas, "COUNTED_EVERY_S", -1.0)
     yield
-    upload_quotas.reset_counts()
+    upload_quotas._counted.clear()
 
 
 def limit(world: World, kind: QuotaKind, most: int | None) -> None:

@@ -1,6 +1,7 @@
 """What every accumulator keeps to: blocks of any length give the same, and none keeps hold of a block."""
 
 import math
+from collections.abc import Iterable
 from dataclasses import fields, is_dataclass, replace
 from itertools import pairwise
 from typing import Any
@@ -10,7 +11,7 @@ import pytest
 from numpy.typing import NDArray
 
 from audio_checks import wav
-from audio_checks.audio.figures import FIGURES, accumulators_of
+from audio_checks.audio.figures import FIGURES, Accumulator, _makers
 from audio_checks.measure import faults
 from audio_checks.measure.cells import cell_frames
 from audio_checks.measure.faults import Faults
@@ -30,6 +31,10 @@ SOUND = join(
 def layout(tmp_path_factory: pytest.TempPathFactory) -> wav.WavLayout:
     with wav.open_regular(write_wav(tmp_path_factory.mktemp("sound") / "sound.wav", SOUND)) as file:
         return wav.read_layout(file)
+
+
+def accumulators_of(layout: wav.WavLayout, families: Iterable[str]) -> list[Accumulator]:
+    return [make() for _, make in _makers(layout, families)]
 
 
 def figures_of(layout: wav.WavLayout, family: str, lengths: list[int]) -> dict[str, Any]:

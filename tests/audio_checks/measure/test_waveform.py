@@ -2,8 +2,16 @@
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
-from audio_checks.measure.waveform import LARGE_POINTS, Waveform, waveform
+from audio_checks.measure.waveform import LARGE_POINTS, SMALL_POINTS, Waveform, WaveShape
+
+
+def waveform(samples: NDArray[np.float64], sample_rate_hz: int, points: int = SMALL_POINTS) -> WaveShape:
+    frames, channels = samples.shape
+    accumulator = Waveform(sample_rate_hz, channels, frames, points)
+    accumulator.add(samples)
+    return accumulator.result()
 
 
 def test_points_hold_the_extremes_and_power_of_their_frames():

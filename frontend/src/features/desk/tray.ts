@@ -10,7 +10,7 @@ export interface FolderGroup {
 
 const FOLDER = /^(.*)[/\\][^/\\]*$/
 
-export const folderOf = ({ file_name }: Take): string => FOLDER.exec(file_name)?.[1] ?? ''
+const folderOf = ({ file_name }: Take): string => FOLDER.exec(file_name)?.[1] ?? ''
 export const baseOf = ({ file_name }: Take): string => file_name.split(/[/\\]/).at(-1) ?? file_name
 
 export function groupsOf(takes: readonly Take[]): FolderGroup[] {
