@@ -23,6 +23,8 @@ from app.projects.models import Project
 from app.projects.queries import current_spec
 from app.projects.service import project_access
 from app.reviews.deemed_cues import last_days
+from app.reviews.review_room import comment_read
+from app.reviews.schemas import CommentRead
 from app.sound_lists.models import Cue
 
 WAITING = frozenset({CueStatus.TO_REVIEW})
@@ -131,8 +133,13 @@ class Desk:
         changes: dict[UUID, list[dict[str, Any]]] = defaultdict(list)
         rounds: dict[UUID, int | None] = {}
         for change, number in queries.sent_changes(session, ids):
-            changes[change.take_id].append({"text": change.text, "start_s": change.start_s, "end_s": change.end_s})
+            changes[change.take_id].append(
+                {"id": str(change.id), "text": change.text, "start_s": change.start_s, "end_s": change.end_s}
+            )
             rounds[change.take_id] = number
+        said: dict[UUID, list[CommentRead]] = defaultdict(list)
+        for comment in queries.comments_of_takes(session, ids):
+            said[comment.take_id].append(comment_read(comment))
         spec = audio_checks.parse_spec(current_spec(session, project.id).toml)
         return [
             schemas.CameBack(
@@ -149,6 +156,7 @@ class Desk:
                 peaks_url=f"/v1/sounds/{picture.id}/peaks.json" if picture else None,
                 findings=runs[take.id].report.get("findings", []) if take.id in runs else [],
                 changes=changes[take.id],
+                comments=said[take.id],
                 round=rounds.get(take.id),
                 limit_dbfs=_peak_limit(spec, cue.category),
             )

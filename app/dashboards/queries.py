@@ -127,6 +127,16 @@ def sent_changes(session: Session, take_ids: Collection[UUID]) -> Sequence[Row[C
     ).all()
 
 
+def comments_of_takes(session: Session, take_ids: Collection[UUID]) -> Sequence[Comment]:
+    """Return what was said of takes, with its authors, the oldest first."""
+    return session.scalars(
+        select(Comment)
+        .where(in_array(Comment.take_id, take_ids))
+        .options(joinedload(Comment.author))
+        .order_by(Comment.id)
+    ).all()
+
+
 def unsent_mails(session: Session, studio_id: UUID) -> int:
     """Return how many mails of the studio wait in the outbox."""
     return session.scalar(select(func.count()).where(Mail.studio_id == studio_id, Mail.sent_at.is_(None))) or 0

@@ -23,6 +23,7 @@ from app.money.schemas import (
     MilestoneRead,
 )
 from app.projects.rules import EngagementKind
+from app.reviews.schemas import CommentRead
 
 
 class MyStudio(Schema):
@@ -186,6 +187,7 @@ class CameBack(Schema):
     peaks_url: str | None
     findings: list[dict[str, Any]]
     changes: list[dict[str, Any]]
+    comments: list[CommentRead] = Field(description="What the team said of it, and replies to that and to changes.")
     round: int | None
     limit_dbfs: float | None
 

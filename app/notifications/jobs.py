@@ -28,7 +28,7 @@ from app.notifications.models import Mail
 from app.notifications.rules import counted, finding_line, text_of
 from app.projects.models import Engagement, Project
 from app.projects.visibility import nda_is_pending
-from app.reviews.models import Feedback
+from app.reviews.models import Comment, Feedback
 from app.sound_lists.models import Cue, Question
 from app.sound_lists.rules import label
 
@@ -141,6 +141,22 @@ def notify_changes(runtime: Runtime, payload: Payload) -> None:
             subject = f"{counted(len(lines), 'change', 'changes')} requested"
             text = "\n\n".join([sending.note, *lines] if sending.note else lines)
             notifier.notify(queries.address_of(session, designer_id), f"changes:{sending.id}", subject, text)
+
+
+@job("notifications.notify_reply")
+def notify_reply(runtime: Runtime, payload: Payload) -> None:
+    """Notify who wrote a note that it was answered."""
+    with runtime.database.writing() as session:
+        comment = session.get_one(Comment, UUID(payload["comment_id"]))
+        take, project, cue = queries.take_with_place(session, comment.take_id)
+        author = session.get_one(Person, comment.written_by)
+        line = f"{_label(project, cue)}, version {take.number}: {author.name} replied: {comment.text}"
+        recipient = queries.address_of(session, UUID(payload["person_id"]))
+        is_designers = UUID(payload["person_id"]) == take.designer_id
+        page = None if is_designers or cue is None else f"review/{cue.id}"
+        Notifier(runtime, session, project, payload["event_id"]).notify(
+            recipient, "replies", "a reply to your note", line, page=page
+        )
 
 
 @job("notifications.notify_approval")

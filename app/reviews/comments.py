@@ -1,5 +1,6 @@
-"""Advice on takes."""
+"""Advice on takes, and replies to it and to change requests."""
 
+from typing import NamedTuple
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -7,12 +8,23 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor
 from app.deliveries.service import take_for
 from app.kit import clock
+from app.kit.events import publish
 from app.reviews import queries
-from app.reviews.errors import CommentNotFound
+from app.reviews.errors import ChangeRequestNotFound, CommentNotFound
 from app.reviews.models import Comment
 from app.reviews.review_room import comment_read
 from app.reviews.rules import ensure_range
 from app.reviews.schemas import CommentRead
+
+
+class Answered(NamedTuple):
+    """The note that a comment replies to: another comment, or a change request; neither for what stands alone."""
+
+    comment_id: UUID | None = None
+    change_request_id: UUID | None = None
+
+
+ALONE = Answered()
 
 
 def take_comments(session: Session, actor: Actor, take_id: UUID) -> list[CommentRead]:
@@ -22,15 +34,28 @@ def take_comments(session: Session, actor: Actor, take_id: UUID) -> list[Comment
 
 
 def add_comment(
-    session: Session, actor: Actor, take_id: UUID, *, text: str, start_s: float | None, end_s: float | None
+    session: Session,
+    actor: Actor,
+    take_id: UUID,
+    *,
+    text: str,
+    start_s: float | None,
+    end_s: float | None,
+    answers: Answered = ALONE,
 ) -> CommentRead:
-    """Write advice on a take, at a time in the sound or on the whole of it."""
+    """Write advice on a take, at a time in the sound or on the whole of it, or a reply to what was said of it.
+
+    A reply to a reply answers what that one answers, so that a conversation stands below one note.
+    """
     take, access = take_for(session, actor, take_id)
     ensure_range(start_s, end_s, queries.duration_of(session, take))
+    answers, asker_id = _note_answered(session, take.id, answers)
     comment = Comment(
         studio_id=take.studio_id,
         project_id=take.project_id,
         take_id=take.id,
+        reply_to_id=answers.comment_id,
+        change_request_id=answers.change_request_id,
         text=text,
         start_s=start_s,
         end_s=end_s,
@@ -40,7 +65,26 @@ def add_comment(
     session.add(comment)
     session.flush()
     session.refresh(comment, ["author"])
+    if asker_id is not None and asker_id != actor.person:
+        publish(session, "note.answered", studio_id=take.studio_id, comment_id=comment.id, person_id=asker_id)
     return comment_read(comment)
+
+
+def _note_answered(session: Session, take_id: UUID, answers: Answered) -> tuple[Answered, UUID | None]:
+    """Return the first note of the conversation, and who wrote what is answered."""
+    if answers.comment_id is not None:
+        answered = queries.comment_by_id(session, answers.comment_id)
+        if answered is None or answered.take_id != take_id:
+            raise CommentNotFound(f"no comment {answers.comment_id} on this version")
+        if answered.reply_to_id or answered.change_request_id:
+            return Answered(answered.reply_to_id, answered.change_request_id), answered.written_by
+        return Answered(answered.id), answered.written_by
+    if answers.change_request_id is not None:
+        request = queries.change_request_by_id(session, answers.change_request_id)
+        if request is None or request.take_id != take_id or request.feedback_id is None:
+            raise ChangeRequestNotFound(f"no change request {answers.change_request_id} was sent for this version")
+        return Answered(change_request_id=request.id), request.written_by
+    return answers, None
 
 
 def resolve_comment(session: Session, actor: Actor, comment_id: UUID) -> CommentRead:

@@ -173,13 +173,21 @@ def list_comments(take_id: UUID, session: DbSession, actor: Actor = allows(Audie
     "/takes/{take_id}/comments",
     status_code=201,
     response_model=CommentRead,
-    responses=problems(TakeNotFound, RangeInvalid),
+    responses=problems(TakeNotFound, RangeInvalid, CommentNotFound, ChangeRequestNotFound),
 )
 def add_comment(
     take_id: UUID, body: CommentAdd, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> CommentRead:
-    """Write advice on a take, at a time in the sound or on the whole of it."""
-    return comments.add_comment(session, actor, take_id, text=body.text, start_s=body.start_s, end_s=body.end_s)
+    """Write advice on a take, at a time in the sound or on the whole of it, or a reply to what was said of it."""
+    return comments.add_comment(
+        session,
+        actor,
+        take_id,
+        text=body.text,
+        start_s=body.start_s,
+        end_s=body.end_s,
+        answers=comments.Answered(body.reply_to_id, body.change_request_id),
+    )
 
 
 @router.post(

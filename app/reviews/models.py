@@ -138,6 +138,8 @@ class Comment(Base):
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
+    reply_to_id: Mapped[UUID | None] = mapped_column(ForeignKey("reviews_comments.id"), index=True)  # no reply itself
+    change_request_id: Mapped[UUID | None] = mapped_column(ForeignKey("reviews_change_requests.id"), index=True)
     text: Mapped[str]
     start_s: Mapped[float | None]
     end_s: Mapped[float | None]

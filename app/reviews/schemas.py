@@ -227,6 +227,8 @@ class CommentAdd(Schema):
     text: Said
     start_s: Seconds | None = None
     end_s: Seconds | None = None
+    reply_to_id: UUID | None = Field(default=None, description="The comment on the same take that it answers.")
+    change_request_id: UUID | None = Field(default=None, description="The sent change request that it answers.")
 
 
 class CommentRead(Schema):
@@ -234,6 +236,8 @@ class CommentRead(Schema):
 
     id: UUID
     take_id: UUID
+    reply_to_id: UUID | None
+    change_request_id: UUID | None
     text: str
     start_s: float | None
     end_s: float | None
