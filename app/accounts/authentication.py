@@ -49,6 +49,19 @@ class AuthResult:
     unrecorded_sign_in_id: UUID | None = None  # of the sign-in whose use is to be noted
 
 
+def caller_key(credentials: RequestCredentials) -> str:
+    """Return a key for a caller who is not authenticated yet: a hash of the secret sent, or the address without one."""
+    scheme, secret = _authorization(credentials)
+    if not scheme:
+        secret = credentials.cookies.get(SESSION_COOKIE, "")
+    return sha256_of(secret) if secret else credentials.client_host
+
+
+def _authorization(credentials: RequestCredentials) -> tuple[str, str]:
+    scheme, _, secret = credentials.headers.get("authorization", "").partition(" ")
+    return scheme.lower(), secret.strip()
+
+
 def new_secret() -> str:
     """Return a secret of 256 bits for a cookie or a link."""
     return secrets.token_urlsafe(32)
@@ -105,9 +118,9 @@ def ensure_same_origin(settings: Settings, credentials: RequestCredentials) -> N
 
 def authenticate_request(database: Database, settings: Settings, credentials: RequestCredentials) -> AuthResult:
     """Return who comes in, or raise NotSignedIn; CsrfMismatch where a cookie's write is not our page's."""
-    scheme, _, bearer = credentials.headers.get("authorization", "").partition(" ")
+    scheme, bearer = _authorization(credentials)
     if scheme:
-        actor = queries.actor_for_token(database, sha256_of(bearer.strip())) if scheme.lower() == "bearer" else None
+        actor = queries.actor_for_token(database, sha256_of(bearer)) if scheme == "bearer" else None
         if actor is None:
             raise NotSignedIn("this token is unknown or was revoked; ask the producer for a new one")
         return AuthResult(actor)

@@ -25,6 +25,7 @@ from app.kit.db import Database
 from app.kit.http import (
     database_of,
     runtime_of,
+    set_caller,
     set_reach,
 )
 from app.kit.single_thread_route import Authentication, LazyAuthentication
@@ -52,7 +53,8 @@ class Allowed(Authentication):
         self.policy = policy
 
     async def __call__(self, request: Request, background: BackgroundTasks) -> LazyAuthentication:
-        """Return what tells who asks, once the endpoint has a thread for it."""
+        """Return what authenticates the caller, once the endpoint has a thread for it."""
+        set_caller(request, authentication.caller_key(_credentials(request)))
         return LazyAuthentication(request, partial(self._who, request, background))
 
     def authenticate(self, request: Request) -> Actor:

@@ -190,7 +190,7 @@ def operators(session: Session) -> Sequence[Operator]:
 
 
 def is_operator(session: Session, person_id: UUID) -> bool:
-    """Whether a person runs the server."""
+    """Return whether a person is an operator."""
     return session.scalar(select(Operator.person_id).where(Operator.person_id == person_id)) is not None
 
 

@@ -15,13 +15,13 @@ from app.accounts.errors import (
 )
 from app.accounts.policies import client_address
 from app.accounts.rules import Actor
-from app.kit.concurrency import limiter
 from app.kit.db import bypass_row_policies
 from app.kit.http import (
     PROBLEM_TYPE,
     Problem,
     Route,
     database_of,
+    person_slot,
     runtime_of,
     transaction,
 )
@@ -32,7 +32,7 @@ Handler = Callable[[Request], Coroutine[Any, Any, Response]]
 
 async def _deferred_session(request: Request) -> LazySession:
     opener: Any = nullcontext(partial(transaction, request))
-    return LazySession(partial(limiter().for_person, reads=False), lambda: opener)
+    return LazySession(partial(person_slot, request, reads=False), lambda: opener)
 
 
 # What opens the request's transaction, for endpoints that first write what stays although the request is refused.

@@ -41,6 +41,7 @@ from app.builds.schemas import (
 )
 from app.builds.zip_stream import Entry, zip_bytes, zip_length
 from app.kit.bodies import REPORT_BODY_BYTES
+from app.kit.fair_share import FairShare, TooManyAtOnce
 from app.kit.http import CurrentRuntime, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
 from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
 from app.projects.errors import ProjectNotFound, TeamNeeded
@@ -50,6 +51,7 @@ router = Router(prefix="/v1", tags=["builds"], route_class=Route)
 PAGE = 50
 XLSX = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet"
 Target = Annotated[str | None, Query(description="A target of the spec; its first when left out.")]
+PDFS = FairShare(1, "PDF")  # of the two that a process has in hand
 BINARY = {"schema": {"type": "string", "format": "binary"}}
 
 
@@ -163,7 +165,7 @@ def get_documentation_key_xlsx(
     "/projects/{project_id}/documentation-key.pdf",
     response_class=Response,
     responses={
-        **problems(ProjectNotFound, TeamNeeded, TargetUnknown, DocumentTooLarge, TypesettingBusy),
+        **problems(ProjectNotFound, TeamNeeded, TargetUnknown, DocumentTooLarge, TypesettingBusy, TooManyAtOnce),
         200: {"content": {"application/pdf": BINARY}},
     },
 )
@@ -176,7 +178,8 @@ def get_documentation_key_pdf(
     """Return what each file of the pack is and what it is for, to read and to print."""
     pack = packs.visible_pack(session, actor, project_id, target)
     headers = {"Content-Disposition": f'attachment; filename="{packs.KEY_PDF}"'}
-    content = key_pdf(packs.key_rows(pack, masters=False), title=packs.title_of(pack))
+    with PDFS.of(actor.token_id or actor.person):
+        content = key_pdf(packs.key_rows(pack, masters=False), title=packs.title_of(pack))
     return Response(content, media_type="application/pdf", headers=headers)
 
 

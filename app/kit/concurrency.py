@@ -5,12 +5,16 @@ they take a thread or a connection. More slots would not answer sooner: one requ
 wait for the database. There must be more connections (30, or 40 on SQLite) and threads (40) than slots, because each
 running request needs one of each.
 
+People take turns: the first waiting request of one caller goes before the second of another, and no caller has all
+slots. So a caller who sends a hundred slow requests waits for them alone.
+
 Uploads come from machines that send the next file when one is done, and would use all of a processor. They have
 low-priority queues: the first upload in line lets people go first, for at most `YIELD_TO_PEOPLE_S`.
 """
 
 import asyncio
 import contextlib
+from collections import Counter, deque
 from collections.abc import AsyncIterator, Iterator
 
 import anyio
@@ -19,6 +23,7 @@ from anyio.lowlevel import RunVar
 from app.kit.errors import Refused
 
 MAX_CONCURRENT = 4  # readers, and as many writers
+MAX_CONCURRENT_OF_CALLER = 3  # of these, so that one is left for others
 MAX_CONCURRENT_UPLOADS = 2  # uploads that begin, continue or become takes
 MAX_CONCURRENT_FINISHES = 2  # uploads being synced, hashed and stored; bounded so that they delay no request
 YIELD_TO_PEOPLE_S = 0.03  # so the upload queue moves 30 times a second, however many people use the server
@@ -67,11 +72,75 @@ class _LowPriorityQueue:
             slot.release()
 
 
+class _FairQueue:
+    """Slots that callers take in turns, each caller's requests in their order."""
+
+    def __init__(self, slots: int, most_of_caller: int) -> None:
+        self._free = slots
+        self._most_of_caller = most_of_caller
+        self._running: Counter[str] = Counter()
+        self._waiting: dict[str, deque[asyncio.Future[None]]] = {}  # the caller whose turn is next comes first
+
+    @contextlib.asynccontextmanager
+    async def slot(self, caller: str) -> AsyncIterator[None]:
+        if caller in self._waiting or not self._may_run(caller):
+            with _within(MAX_WAIT_S):
+                await self._wait(caller)
+        else:
+            self._take(caller)
+        try:
+            yield
+        finally:
+            self._release(caller)
+
+    def _may_run(self, caller: str) -> bool:
+        return self._free > 0 and self._running[caller] < self._most_of_caller
+
+    def _take(self, caller: str) -> None:
+        self._free -= 1
+        self._running[caller] += 1
+
+    async def _wait(self, caller: str) -> None:
+        turn = asyncio.get_running_loop().create_future()
+        self._waiting.setdefault(caller, deque()).append(turn)
+        try:
+            await turn
+        except asyncio.CancelledError:
+            if turn.done() and not turn.cancelled():
+                self._release(caller)  # its turn came as it went away
+            else:
+                self._leave(caller, turn)
+            raise
+
+    def _leave(self, caller: str, turn: asyncio.Future[None]) -> None:
+        turns = self._waiting.get(caller, deque())
+        with contextlib.suppress(ValueError):  # passed over when it was its turn
+            turns.remove(turn)
+        if not turns:
+            self._waiting.pop(caller, None)
+
+    def _release(self, caller: str) -> None:
+        self._free += 1
+        self._running[caller] -= 1
+        if not self._running[caller]:
+            del self._running[caller]
+        for each in list(self._waiting):
+            if self._may_run(each):
+                turns = self._waiting.pop(each)
+                while turns and (turn := turns.popleft()).cancelled():
+                    continue
+                if not turn.cancelled():
+                    self._take(each)
+                    turn.set_result(None)
+                if turns:
+                    self._waiting[each] = turns  # behind all others
+
+
 class ConcurrencyLimiter:
     """The concurrency limits of one event loop."""
 
     def __init__(self) -> None:
-        self._readers, self._writers = anyio.Semaphore(MAX_CONCURRENT), anyio.Semaphore(MAX_CONCURRENT)
+        self._readers, self._writers = (_FairQueue(MAX_CONCURRENT, MAX_CONCURRENT_OF_CALLER) for _ in range(2))
         self._people_active = 0  # running or waiting
         self._no_person_active = asyncio.Event()
         self._no_person_active.set()
@@ -81,17 +150,13 @@ class ConcurrencyLimiter:
         )
 
     @contextlib.asynccontextmanager
-    async def for_person(self, *, reads: bool) -> AsyncIterator[None]:
-        """Run a person's request; raise Overloaded if it cannot begin in time."""
-        slots = self._readers if reads else self._writers
+    async def for_person(self, caller: str, *, reads: bool) -> AsyncIterator[None]:
+        """Run a request of a caller, who is known by any text; raise Overloaded if it cannot begin in time."""
         self._people_active += 1
         self._no_person_active.clear()
         try:
-            await _acquire(slots)
-            try:
+            async with (self._readers if reads else self._writers).slot(caller):
                 yield
-            finally:
-                slots.release()
         finally:
             self._people_active -= 1
             if not self._people_active:
@@ -120,14 +185,6 @@ def limiter() -> ConcurrencyLimiter:
     except LookupError:
         _LIMITER.set(made := ConcurrencyLimiter())
         return made
-
-
-async def _acquire(slots: anyio.Semaphore) -> None:
-    with contextlib.suppress(anyio.WouldBlock):
-        slots.acquire_nowait()  # without a timer when one is free
-        return
-    with _within(MAX_WAIT_S):
-        await slots.acquire()
 
 
 @contextlib.contextmanager

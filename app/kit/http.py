@@ -4,7 +4,7 @@ import itertools
 import re
 import time
 from collections.abc import AsyncIterator, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractAsyncContextManager, contextmanager
 from datetime import UTC, datetime
 from functools import cached_property, partial
 from typing import Annotated, Any, Generic, TypeVar
@@ -108,9 +108,19 @@ async def _upload_slot() -> AsyncIterator[Slot]:
 UploadSlot = Annotated[Slot, Depends(_upload_slot, scope="function")]
 
 
+def set_caller(request: Request, caller: str) -> None:
+    """Name the caller by whose turn the request runs, before it is authenticated."""
+    request.state.caller = caller
+
+
+def person_slot(request: Request, *, reads: bool) -> AbstractAsyncContextManager[None]:
+    """Return the slot of a person's request."""
+    return limiter().for_person(getattr(request.state, "caller", ""), reads=reads)
+
+
 async def _session(request: Request) -> LazySession:
     return LazySession(
-        partial(limiter().for_person, reads=request.method in SAFE_METHODS), partial(transaction, request)
+        partial(person_slot, request, reads=request.method in SAFE_METHODS), partial(transaction, request)
     )
 
 

@@ -1,7 +1,8 @@
 """PDFs by Typst, in a child process under limits: what people wrote decides what a document costs."""
 
 import threading
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from functools import cache
 
 import structlog
@@ -13,11 +14,13 @@ TIMEOUT_S = 60.0  # the PDF of 10,000 cues takes 8 s of a processor, and 1.3 GiB
 MEMORY_BYTES = 3 << 29
 PDF_BYTES = 64 << 20
 AT_ONCE = 1  # children of one process
+MAX_IN_HAND = 2  # being made, or waiting: who waits keeps one of the four slots of requests that read
 MAX_WAIT_S = 20.0
 FIX = "shorten the document, or split it into several"
 
 log = structlog.get_logger(__name__)
 _free = threading.BoundedSemaphore(AT_ONCE)
+_in_hand = threading.BoundedSemaphore(MAX_IN_HAND)
 
 
 class DocumentTooLarge(Refused):
@@ -38,8 +41,30 @@ def typeset(source: str, inputs: Mapping[str, str] | None = None) -> bytes:
 
     Raises DocumentTooLarge where it takes too much time or memory, and TypesettingBusy where others wait already.
     """
-    if not _free.acquire(timeout=MAX_WAIT_S):
-        raise TypesettingBusy("the server is making other PDFs; nothing was done", fix="try again in a few seconds")
+    with _turn():
+        return _typeset(source, inputs)
+
+
+@contextmanager
+def _turn() -> Iterator[None]:
+    if not _in_hand.acquire(blocking=False):
+        raise _busy()
+    try:
+        if not _free.acquire(timeout=MAX_WAIT_S):
+            raise _busy()
+        try:
+            yield
+        finally:
+            _free.release()
+    finally:
+        _in_hand.release()
+
+
+def _busy() -> TypesettingBusy:
+    return TypesettingBusy("the server is making other PDFs; nothing was done", fix="try again in a few seconds")
+
+
+def _typeset(source: str, inputs: Mapping[str, str] | None) -> bytes:
     try:
         return _sandbox().call(compile_pdf, source, dict(inputs or {}))
     except SandboxTimedOut:
@@ -48,8 +73,6 @@ def typeset(source: str, inputs: Mapping[str, str] | None = None) -> bytes:
         log.warning("a PDF could not be made", error=str(error))
         message = f"the PDF takes more than {MEMORY_BYTES >> 20:,} MiB of memory to make"
         raise DocumentTooLarge(message, fix=FIX) from None
-    finally:
-        _free.release()
 
 
 def compile_pdf(source: str, inputs: dict[str, str]) -> bytes:

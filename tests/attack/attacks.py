@@ -367,6 +367,15 @@ def comparisons(target: Target) -> Iterator[int]:
         yield from (one.result() for one in asked)
 
 
+@attack("floods: forty PDFs and a hundred lists at once by one person")
+def floods(target: Target) -> Iterator[int]:
+    for page, count in (("documentation-key.pdf", 40), ("sound-list", 100)):
+        with ThreadPoolExecutor(count) as pool:
+            path = f"{target.project}/{page}"
+            asked = [pool.submit(sent, target.world.producer, "GET", path) for _ in range(count)]
+            yield from (one.result() for one in asked)
+
+
 @attack("routes: every route with values that break parsers, databases and arithmetic")
 def every_route(target: Target) -> Iterator[int]:
     world = target.world

@@ -7,7 +7,14 @@ import pytest
 from fastapi.testclient import TestClient
 
 from app.accounts import rate_limits
-from app.accounts.authentication import DEVICE_COOKIE, device_cookie, device_for
+from app.accounts.authentication import (
+    DEVICE_COOKIE,
+    SESSION_COOKIE,
+    RequestCredentials,
+    caller_key,
+    device_cookie,
+    device_for,
+)
 from app.accounts.errors import TooManyAttempts
 from app.accounts.rate_limits import Limit, network_of
 from app.kit.db import Database
@@ -148,3 +155,27 @@ def test_evidence_of_a_sign_in_names_the_visitor_and_not_the_proxy(server: Runni
     sign_in(browser, account)
     (current,) = [each for each in browser.get("/v1/me/sign-ins").json() if each["is_current"]]
     assert current["place"] == "198.51.100.30"
+
+
+@pytest.mark.parametrize(
+    ("headers", "cookies", "same"),
+    [
+        ({}, {SESSION_COOKIE: "secret"}, True),
+        ({}, {SESSION_COOKIE: "secret", "other": "1"}, True),
+        ({"cookie": "other=1"}, {SESSION_COOKIE: "secret"}, True),
+        ({"authorization": "Bearer secret"}, {}, True),
+        ({"authorization": "bEARER   secret "}, {SESSION_COOKIE: "other"}, True),
+        ({}, {SESSION_COOKIE: "other"}, False),
+        ({}, {}, False),
+    ],
+)
+def test_a_caller_has_one_turn_however_the_request_is_spelt(
+    headers: dict[str, str], cookies: dict[str, str], same: bool
+) -> None:
+    key = caller_key(RequestCredentials("GET", {}, {SESSION_COOKIE: "secret"}, "192.0.2.1"))
+    assert (caller_key(RequestCredentials("GET", headers, cookies, "192.0.2.2")) == key) is same
+
+
+def test_strangers_are_told_apart_by_their_address() -> None:
+    keys = {caller_key(RequestCredentials("GET", {}, {}, place)) for place in ("192.0.2.1", "192.0.2.1", "192.0.2.2")}
+    assert keys == {"192.0.2.1", "192.0.2.2"}

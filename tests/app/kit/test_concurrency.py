@@ -20,8 +20,8 @@ async def upload(limiter: ConcurrencyLimiter, came: list[str], name: str) -> Non
 
 async def enter(limiter: ConcurrencyLimiter, inside: AsyncExitStack, count: int) -> None:
     """Let people in who read, and stay."""
-    for _ in range(count):
-        await inside.enter_async_context(limiter.for_person(reads=True))
+    for number in range(count):
+        await inside.enter_async_context(limiter.for_person(f"person {number}", reads=True))
 
 
 def test_an_upload_waits_while_a_person_is_served(monkeypatch: pytest.MonkeyPatch):
@@ -131,3 +131,80 @@ def test_whoever_goes_away_holds_nobody_up(monkeypatch: pytest.MonkeyPatch):
         return came
 
     assert asyncio.run(line()) == ["there"]
+
+
+async def read(limiter: ConcurrencyLimiter, came: list[str], caller: str) -> None:
+    async with limiter.for_person(caller, reads=True):
+        came.append(caller)
+        await asyncio.sleep(0.01)
+
+
+def test_callers_take_turns_however_many_requests_one_sends():
+    async def crowd() -> list[str]:
+        limiter, came = ConcurrencyLimiter(), list[str]()
+        flood = [asyncio.create_task(read(limiter, came, "flood")) for _ in range(100)]
+        await asyncio.sleep(0)
+        others = [asyncio.create_task(read(limiter, came, name)) for name in ("one", "one", "two", "two")]
+        await asyncio.wait_for(asyncio.gather(*flood, *others), SOON_S)
+        return came
+
+    came = asyncio.run(crowd())
+    assert came.count("flood") == 100
+    assert {*came[: rules.MAX_CONCURRENT]} == {"flood", "one"}  # a slot was left for others at once
+    assert [came.count(name) for name in ("one", "two")] == [2, 2]
+    assert max(place for place, name in enumerate(came) if name != "flood") < 16
+
+
+def test_one_caller_has_never_all_slots():
+    async def alone() -> None:
+        limiter = ConcurrencyLimiter()
+        async with AsyncExitStack() as inside:
+            for _ in range(rules.MAX_CONCURRENT_OF_CALLER):
+                await inside.enter_async_context(limiter.for_person("flood", reads=True))
+            waits = asyncio.create_task(read(limiter, [], "flood"))
+            await asyncio.sleep(0.02)
+            assert not waits.done()
+            await asyncio.wait_for(read(limiter, [], "other"), SOON_S)
+            await asyncio.wait_for(enter(limiter, inside, 1), SOON_S)
+        await asyncio.wait_for(waits, SOON_S)
+
+    asyncio.run(alone())
+
+
+def test_whoever_gives_up_while_waiting_leaves_the_slots_whole(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(rules, "MAX_WAIT_S", 0.05)
+
+    async def crowd() -> int:
+        limiter, came = ConcurrencyLimiter(), list[str]()
+        async with AsyncExitStack() as inside:
+            await enter(limiter, inside, rules.MAX_CONCURRENT)
+            cancelled = [asyncio.create_task(read(limiter, came, f"gone {number % 2}")) for number in range(6)]
+            await asyncio.sleep(0)
+            for task in cancelled[::2]:
+                task.cancel()  # looked at only when the slots are left
+            late = await asyncio.gather(*cancelled, return_exceptions=True)
+            assert {type(error) for error in late} == {Overloaded, asyncio.CancelledError}
+            waits = [asyncio.create_task(read(limiter, came, "person 0")) for _ in range(4)]
+            await asyncio.sleep(0)
+            waits[0].cancel()
+        await asyncio.gather(*waits, return_exceptions=True)
+        return len([await asyncio.wait_for(read(limiter, came, str(number)), SOON_S) for number in range(8)])
+
+    assert asyncio.run(crowd()) == 8
+
+
+def test_a_turn_that_comes_as_its_caller_goes_away_is_the_next_ones():
+    async def both() -> list[str]:
+        limiter, came = ConcurrencyLimiter(), list[str]()
+        inside = AsyncExitStack()
+        await enter(limiter, inside, rules.MAX_CONCURRENT)
+        gone, there = (asyncio.create_task(read(limiter, came, name)) for name in ("gone", "there"))
+        await asyncio.sleep(0.01)
+        await inside.aclose()  # gives both their turn, before either runs
+        gone.cancel()
+        await asyncio.gather(gone, there, return_exceptions=True)
+        waits = [read(limiter, came, f"later {number}") for number in range(rules.MAX_CONCURRENT)]
+        await asyncio.wait_for(asyncio.gather(*waits), SOON_S)
+        return came
+
+    assert asyncio.run(both())[:1] == ["there"]

@@ -55,3 +55,12 @@ def test_more_documents_than_children_wait_and_are_refused(monkeypatch: pytest.M
         typeset("Text")
     assert (busy.value.status, busy.value.retry_after_s) == (503, 5)
     assert typeset("Text").startswith(b"%PDF-")
+
+
+def test_a_third_document_is_refused_at_once(monkeypatch: pytest.MonkeyPatch):
+    """A document that waits keeps a slot of the four that read, which everybody else needs."""
+    monkeypatch.setattr(typesetting, "_in_hand", threading.BoundedSemaphore(2))
+    monkeypatch.setattr(typesetting, "MAX_WAIT_S", 60.0)
+    with typesetting._in_hand, typesetting._in_hand, pytest.raises(TypesettingBusy):
+        typeset("Text")
+    assert typeset("Text").startswith(b"%PDF-")
