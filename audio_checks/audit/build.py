@@ -48,7 +48,9 @@ def fingerprint_files(
     return fingerprinted
 
 
-def audit_build(approved: Sequence[FingerprintedFile], built: Sequence[FingerprintedFile]) -> Audit:
+def audit_build(
+    approved: Sequence[FingerprintedFile], built: Sequence[FingerprintedFile], *, by_ends: bool = False
+) -> Audit:
     """Return how each file of a build compares with its approved sound, and which approved ones are missing.
 
     Parameters
@@ -57,6 +59,9 @@ def audit_build(approved: Sequence[FingerprintedFile], built: Sequence[Fingerpri
         Of a manifest, or of the approved files themselves.
     built : sequence of FingerprintedFile
         Of the build's files; see `fingerprint_files`.
+    by_ends : bool
+        A file also stands at the path of an approved sound if its path ends in it, and that of no other file does:
+        projects of middleware keep sounds in folders of their own.
 
     Returns
     -------
@@ -69,13 +74,16 @@ def audit_build(approved: Sequence[FingerprintedFile], built: Sequence[Fingerpri
     most like it. The first file that holds a sound from elsewhere counts as its file, if its own path is empty;
     all others are duplicates.
     """
-    alike = _all_alike(approved, built)
     places = _places(approved)
+    place_of = [places.get(one.path, places.get(_stem(one.path))) for one in built]
+    if by_ends:
+        place_of = _with_ends(place_of, places, built)
+    alike = _all_alike(approved, built, place_of)
     taken: set[int] = set()  # approved sounds whose place has a file
     held: dict[int, str] = {}  # and the first file that holds their sound
     entries: list[Entry | None] = [None] * len(built)
     for at, one in enumerate(built):  # first what stands at an approved path
-        place = places.get(one.path, places.get(_stem(one.path)))
+        place = place_of[at]
         if place is not None and place not in taken:
             taken.add(place)
             entries[at] = entry = _in_place(one, approved[place], alike[at].get(place), _matches(approved, alike[at]))
@@ -116,13 +124,34 @@ def _places(approved: Sequence[FingerprintedFile]) -> dict[str, int]:
     return {**stems, **{one.path: place for place, one in enumerate(approved)}}
 
 
-def _all_alike(approved: Sequence[FingerprintedFile], built: Sequence[FingerprintedFile]) -> list[dict[int, Likeness]]:
+def _with_ends(
+    place_of: list[int | None], places: Mapping[str, int], built: Sequence[FingerprintedFile]
+) -> list[int | None]:
+    """Return the places of files, with those that only the end of a path names."""
+    claims: dict[int, list[int]] = defaultdict(list)
+    for at, one in enumerate(built):
+        if place_of[at] is None:
+            names = PurePosixPath(_stem(one.path)).parts
+            ends = ("/".join(names[begin:]) for begin in range(1, len(names)))
+            place = next((places[end] for end in ends if end in places), None)
+            if place is not None:
+                claims[place].append(at)
+    taken = set(place_of)
+    found = list(place_of)
+    for place, claimants in claims.items():
+        if len(claimants) == 1 and place not in taken:
+            found[claimants[0]] = place
+    return found
+
+
+def _all_alike(
+    approved: Sequence[FingerprintedFile], built: Sequence[FingerprintedFile], place_of: Sequence[int | None]
+) -> list[dict[int, Likeness]]:
     """Return for each file of a build its likeness to approved sounds, by their places: the candidates only."""
     by_sound: dict[str, list[int]] = defaultdict(list)
     for place, one in enumerate(approved):
         if one.pcm_sha256 is not None and one.frames:
             by_sound[one.pcm_sha256].append(place)
-    places = _places(approved)
     alike: list[dict[int, Likeness]] = [
         {place: EXACT for place in by_sound.get(one.pcm_sha256 or "", ()) if _has_format_of(one, approved[place])}
         for one in built
@@ -135,7 +164,7 @@ def _all_alike(approved: Sequence[FingerprintedFile], built: Sequence[Fingerprin
     search = Search([cells_of(waves.of(approved[place]).wave) for place in known])
     found = search.found([cells_of(waves.of(built[at]).wave) for at in asked])
     for at, candidates in zip(asked, found, strict=True):
-        own = places.get(built[at].path, places.get(_stem(built[at].path)))
+        own = place_of[at]
         wanted = {known[candidate] for candidate in candidates} | ({own} if own in known else set())
         mine = Waves(built[at].fingerprint or b"")
         for place in sorted(wanted - set(alike[at])):

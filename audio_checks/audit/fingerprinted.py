@@ -13,6 +13,7 @@ from audio_checks import wav
 from audio_checks.audio.audio_file import AudioFile
 from audio_checks.audio.sandbox import Sandbox, is_inside
 from audio_checks.audit.fingerprint import FINGERPRINTED_S, fingerprint
+from audio_checks.audit.plays import ApprovedPlay
 from audio_checks.errors import SandboxFailed, Unreadable
 from audio_checks.metadata.mark import cue_marked
 
@@ -47,6 +48,8 @@ class FingerprintedFile:
         Why it could not be read; empty where it could.
     cue, take : str or None
         Of an approved sound, where its manifest says so.
+    plays : tuple of ApprovedPlay or None
+        How the game played it when it was approved, where its manifest says so.
     """
 
     path: str
@@ -63,6 +66,7 @@ class FingerprintedFile:
     trouble: str = ""
     cue: str | None = None
     take: str | None = None
+    plays: tuple[ApprovedPlay, ...] | None = None
 
     @property
     def duration_s(self) -> float:

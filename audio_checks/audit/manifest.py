@@ -5,6 +5,11 @@
                 "channels": 1, "frames": 4800, "sample_peak_dbfs": -3.0, "rms_dbfs": -18.2,
                 "fingerprint": "…", "cue": "12", "take": null}]}
 
+An entry may say how the game played the sound when it was approved:
+
+    "plays": [{"object": "event:/steps/deck", "gain_db": -6.0,
+               "parts": [{"object": "bus:/foley", "property": "volume", "gain_db": -6.0}]}]
+
 It comes from a server or out of a repository, and is read as a stranger's: what is not just so is refused.
 """
 
@@ -18,6 +23,7 @@ from typing import Any
 
 from audio_checks.audit.fingerprint import FINGERPRINT_VERSION, PIECE_BYTES, as_text, from_text, pieces_of
 from audio_checks.audit.fingerprinted import FingerprintedFile
+from audio_checks.audit.plays import ApprovedPlay
 from audio_checks.errors import SpecError
 from audio_checks.system.atomic_write import write_atomically
 from audio_checks.system.text_files import read_text
@@ -28,6 +34,8 @@ MOST_BYTES = 2 << 30
 MOST_FILES = 200_000
 LONGEST_TEXT = 1_024
 MOST_FRAMES = 1 << 40
+MOST_PLAYS, MOST_PARTS = 10_000, 256  # of one sound
+LONGEST_OBJECT_PATH = 8_192
 
 
 def write_manifest(path: str | Path, fingerprinted: Iterable[FingerprintedFile]) -> None:
@@ -58,6 +66,7 @@ def manifest_of(entries: Iterable[dict[str, Any]]) -> dict[str, Any]:
 
 def manifest_entry(one: FingerprintedFile) -> dict[str, Any]:
     """Return what a manifest says of one approved sound, in plain values; None for levels of silence."""
+    plays = {} if one.plays is None else {"plays": [_play_entry(play) for play in one.plays]}
     return {
         "path": one.path,
         "pcm_sha256": one.pcm_sha256,
@@ -70,6 +79,18 @@ def manifest_entry(one: FingerprintedFile) -> dict[str, Any]:
         "fingerprint": None if one.fingerprint is None else as_text(one.fingerprint),
         "cue": one.cue,
         "take": one.take,
+        **plays,
+    }
+
+
+def _play_entry(play: ApprovedPlay) -> dict[str, Any]:
+    return {
+        "object": play.object_path,
+        "gain_db": None if play.gain_db is None else round(play.gain_db, 3) + 0.0,
+        "parts": [
+            {"object": object_path, "property": name, "gain_db": round(gain_db, 3) + 0.0}
+            for object_path, name, gain_db in play.parts
+        ],
     }
 
 
@@ -132,7 +153,7 @@ def schema() -> dict[str, Any]:
                 "items": {
                     "type": "object",
                     "required": list(entry),
-                    "properties": {**entry, "cue": text, "take": text},
+                    "properties": {**entry, "cue": text, "take": text, "plays": _plays_schema()},
                     "additionalProperties": False,
                 },
             },
@@ -143,7 +164,7 @@ def schema() -> dict[str, Any]:
 def _read(entry: object, where: str) -> FingerprintedFile:
     if not isinstance(entry, dict):
         raise SpecError("wanted an object", where=where)
-    if unknown := sorted(set(entry) - set(_KINDS)):
+    if unknown := sorted(set(entry) - set(_KINDS) - {"plays"}):
         raise SpecError(f'no such key: "{unknown[0]}"', where=where)
     for key, (is_so, wanted) in _KINDS.items():
         if key not in entry and key not in ("cue", "take"):
@@ -159,7 +180,58 @@ def _read(entry: object, where: str) -> FingerprintedFile:
         if len(packed) != pieces_of(entry["frames"], entry["sample_rate_hz"]) * PIECE_BYTES:
             raise SpecError("fingerprint is not as long as the sound", where=where)
     levels = {key: None if entry[key] is None else float(entry[key]) for key in ("sample_peak_dbfs", "rms_dbfs")}
-    return FingerprintedFile(**{**entry, **levels, "fingerprint": packed})
+    plays = _read_plays(entry.get("plays"), where)
+    return FingerprintedFile(**{**entry, **levels, "fingerprint": packed, "plays": plays})
+
+
+def _plays_schema() -> dict[str, Any]:
+    text = {"type": "string", "maxLength": LONGEST_OBJECT_PATH}
+    level = {"type": ["number", "null"]}
+    part = {"object": text, "property": text, "gain_db": {"type": "number"}}
+    one_part = {"type": "object", "required": list(part), "properties": part, "additionalProperties": False}
+    play = {
+        "object": text,
+        "gain_db": level,
+        "parts": {"type": "array", "maxItems": MOST_PARTS, "items": one_part},
+    }
+    return {
+        "type": "array",
+        "maxItems": MOST_PLAYS,
+        "items": {"type": "object", "required": list(play), "properties": play, "additionalProperties": False},
+    }
+
+
+def _read_plays(plays: object, where: str) -> tuple[ApprovedPlay, ...] | None:
+    if plays is None:
+        return None
+    if not isinstance(plays, list) or len(plays) > MOST_PLAYS:
+        raise SpecError(f"plays must be a list of at most {MOST_PLAYS:,}", where=where)
+    return tuple(_read_play(play, f"{where}.plays[{place}]") for place, play in enumerate(plays))
+
+
+def _read_play(play: object, where: str) -> ApprovedPlay:
+    wanted = 'wanted {"object": text, "gain_db": number or null, "parts": [...]}'
+    if not isinstance(play, dict) or set(play) != {"object", "gain_db", "parts"}:
+        raise SpecError(wanted, where=where)
+    parts = play["parts"]
+    if not (_is_object_path(play["object"]) and _is_level(play["gain_db"]) and isinstance(parts, list)):
+        raise SpecError(wanted, where=where)
+    if len(parts) > MOST_PARTS:
+        raise SpecError(f"has more than {MOST_PARTS} parts", where=where)
+    return ApprovedPlay(play["object"], play["gain_db"], tuple(_read_part(part, where) for part in parts))
+
+
+def _read_part(part: object, where: str) -> tuple[str, str, float]:
+    if not isinstance(part, dict) or set(part) != {"object", "property", "gain_db"}:
+        raise SpecError('wanted parts {"object": text, "property": text, "gain_db": number}', where=where)
+    object_path, name, gain_db = part["object"], part["property"], part["gain_db"]
+    if not (_is_object_path(object_path) and _is_object_path(name) and gain_db is not None and _is_level(gain_db)):
+        raise SpecError('wanted parts {"object": text, "property": text, "gain_db": number}', where=where)
+    return object_path, name, float(gain_db)
+
+
+def _is_object_path(value: object) -> bool:
+    return isinstance(value, str) and len(value) <= LONGEST_OBJECT_PATH
 
 
 def _is_whole(least: int, most: int) -> Callable[[object], bool]:

@@ -6,7 +6,9 @@ from collections import Counter
 from dataclasses import dataclass
 from typing import Any
 
-from audio_checks.audit.statuses import STATUSES, Status
+from audio_checks.audit.plays import Play
+from audio_checks.audit.statuses import NO_DRIFT, STATUSES, Status
+from audio_checks.middleware.values import Project
 from audio_checks.version import TOOL_VERSION
 
 SCHEMA_VERSION = 1
@@ -36,6 +38,15 @@ class Entry:
         Every approved sound that it holds, the likeliest first: libraries hold duplicates.
     approved : str or None
         The path of the approved sound that it was held to.
+    plays : tuple of Play
+        How the game plays it; empty without a project.
+    played_status : str
+        What became of the level at which the game plays it, apart from the file: gain, converted, unused, depends or
+        same.
+    played_message : str
+        The same in words.
+    accepted : str
+        Why this drift was accepted, where a baseline says so.
     """
 
     path: str
@@ -45,10 +56,14 @@ class Entry:
     matches: tuple[Match, ...] = ()
     message: str = ""
     approved: str | None = None
+    plays: tuple[Play, ...] = ()
+    played_status: Status = "same"
+    played_message: str = ""
+    accepted: str = ""
 
     def to_dict(self) -> dict[str, Any]:
         """Return the entry as JSON has it."""
-        return {
+        entry: dict[str, Any] = {
             "path": self.path,
             "status": self.status,
             "gain_db": None if self.gain_db is None else round(self.gain_db, 2) + 0.0,
@@ -60,13 +75,26 @@ class Entry:
                 for match in self.matches
             ],
         }
+        if self.plays or self.played_message:
+            entry["played_status"] = self.played_status
+            entry["played_message"] = self.played_message
+            entry["plays"] = [play.to_dict() for play in self.plays]
+        if self.accepted:
+            entry["accepted"] = self.accepted
+        return entry
+
+    def has_drifted(self, allowed: tuple[str, ...] = ()) -> bool:
+        """Whether file or level are neither as approved, nor of a status that is allowed, nor accepted."""
+        fine = (*NO_DRIFT, *allowed)
+        return not self.accepted and (self.status not in fine or self.played_status not in fine)
 
 
 @dataclass(frozen=True)
 class Audit:
-    """What an audit found."""
+    """What an audit found; `project` is None where the files alone were compared."""
 
     entries: tuple[Entry, ...]
+    project: Project | None = None
 
     @property
     def summary(self) -> dict[str, int]:
@@ -76,16 +104,23 @@ class Audit:
 
     def drifted(self, allowed: tuple[str, ...] = ()) -> tuple[Entry, ...]:
         """Return what is neither the same nor of a status that is allowed."""
-        return tuple(entry for entry in self.entries if entry.status not in ("same", *allowed))
+        return tuple(entry for entry in self.entries if entry.has_drifted(allowed))
 
     def to_dict(self) -> dict[str, Any]:
         """Return the report as JSON has it."""
-        return {
+        document: dict[str, Any] = {
             "schema_version": SCHEMA_VERSION,
             "tool": {"name": "audio-checks", "version": TOOL_VERSION},
             "files": [entry.to_dict() for entry in self.entries],
             "summary": self.summary,
         }
+        if self.project is not None:
+            document["project"] = {
+                "engine": self.project.engine,
+                "version": self.project.version,
+                "unread": [one.to_dict() for one in self.project.unread],
+            }
+        return document
 
 
 def schema() -> dict[str, Any]:
@@ -113,6 +148,10 @@ def schema() -> dict[str, Any]:
             "approved": text,
             "message": {"type": "string"},
             "matches": {"type": "array", "items": match},
+            "played_status": {"enum": ["same", "depends", "gain", "converted", "unused"]},
+            "played_message": {"type": "string"},
+            "plays": {"type": "array", "items": _play_schema()},
+            "accepted": {"type": "string"},
         },
     }
     counts = ["files", *STATUSES]
@@ -125,10 +164,64 @@ def schema() -> dict[str, Any]:
             "schema_version": {"const": SCHEMA_VERSION},
             "tool": {"type": "object", "required": ["name", "version"]},
             "files": {"type": "array", "items": entry},
+            "project": {
+                "type": "object",
+                "required": ["engine", "version", "unread"],
+                "properties": {
+                    "engine": {"enum": ["wwise", "fmod", "unity", "unreal", "godot"]},
+                    "version": {"type": "string"},
+                    "unread": {
+                        "type": "array",
+                        "items": {"type": "object", "required": ["file", "line", "message"]},
+                    },
+                },
+            },
             "summary": {
                 "type": "object",
                 "required": counts,
                 "properties": {name: {"type": "integer", "minimum": 0} for name in counts},
+            },
+        },
+    }
+
+
+def _play_schema() -> dict[str, Any]:
+    text, figure = {"type": "string"}, {"type": "number"}
+    flag = {"type": ["boolean", "null"]}
+    part = {"object": text, "property": text, "file": text, "gain_db": figure}
+    moved = {
+        **part,
+        "approved_db": figure,
+        "changelist": {"type": ["object", "null"], "required": ["id", "on", "subject"]},
+    }
+    depends = {
+        "object": text,
+        "property": text,
+        "on": {"enum": ["state", "random", "distance", "effect", "loudness", "script"]},
+        "what": text,
+    }
+    lists: dict[str, dict[str, Any]] = {
+        "parts": part,
+        "moved": moved,
+        "depends": depends,
+        "conversions": {"setting": text, "harm": text, "file": text},
+    }
+    return {
+        "type": "object",
+        "required": ["file", "object", "gain_db", "approved_db", "drift_db", "events", "used", *lists],
+        "properties": {
+            "file": text,
+            "object": text,
+            "gain_db": {"type": ["number", "null"]},
+            "approved_db": {"type": ["number", "null"]},
+            "drift_db": {"type": ["number", "null"]},
+            "events": {"type": "array", "items": text},
+            "used": flag,
+            "looped": flag,
+            "streamed": flag,
+            **{
+                name: {"type": "array", "items": {"type": "object", "required": list(keys), "properties": keys}}
+                for name, keys in lists.items()
             },
         },
     }

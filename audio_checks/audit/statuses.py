@@ -19,8 +19,13 @@ Status = Literal[
     "unknown",
     "placeholder",
     "duplicate",
+    "converted",
+    "unapproved",
+    "unused",
+    "depends",
 ]
 STATUSES: tuple[Status, ...] = get_args(Status)
+NO_DRIFT: tuple[Status, ...] = ("same", "depends")
 
 LEAST_GAIN_DB = 0.1  # at the same rate and depth
 LEAST_GAIN_RECODED_DB = 0.5  # where another rate, depth or codec makes the figure less sure

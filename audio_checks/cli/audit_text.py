@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 from audio_checks.audit.report import Audit, Entry
-from audio_checks.audit.statuses import STATUSES
+from audio_checks.audit.statuses import NO_DRIFT, STATUSES
 from audio_checks.cli.terminal import BOLD, GREEN, RED, YELLOW, Ink
+from audio_checks.middleware.values import Unread
 from audio_checks.report.findings import FileReport, Finding, Report, printable
 from audio_checks.version import TOOL_VERSION
 
@@ -20,7 +21,12 @@ FIXES = {
     "unknown": "have it approved, or take it out of the build",
     "placeholder": "put the real sound in its place",
     "duplicate": "let the game play one file for both, or take this one out",
+    "converted": "turn the import setting off, or allow it where the engine needs it: --allow converted",
+    "unapproved": "have it approved, or let the game play an approved sound",
+    "unused": "let an event play it, or allow it while the game is not ready: --allow unused",
+    "unread": "save the file again from its editor, as text; or leave it out: --allow unread",
 }
+LEVEL_FIX = "set the property back, or accept the level with its reason: --baseline, --add-baseline --reason"
 COLOURS = {"same": GREEN, "resampled": YELLOW, "re-encoded": YELLOW, "duplicate": YELLOW}
 
 
@@ -32,28 +38,51 @@ def in_words(audit: Audit, *, allowed: tuple[str, ...] = (), colour: bool = Fals
         f"{_figures(entry)}: {printable(entry.message)}{_also(entry)}"
         for entry in audit.drifted(allowed)
     ]
+    if audit.project is not None and "unread" not in allowed:
+        lines += [
+            f"{ink(printable(_place(one)), BOLD)}  {ink('unread', RED)}: {printable(one.message)}"
+            for one in audit.project.unread
+        ]
     counts = audit.summary
     counted = ", ".join(f"{counts[status]} {status}" for status in STATUSES if counts[status])
-    allowed_note = f" ({', '.join(allowed)} allowed)" if allowed else ""
+    accepted = sum(bool(entry.accepted) for entry in audit.entries)
+    notes = [*([f"{', '.join(allowed)} allowed"] if allowed else []), *([f"{accepted} accepted"] if accepted else [])]
+    allowed_note = f" ({'; '.join(notes)})" if notes else ""
     return "\n".join([*lines, f"{counts['files']} sounds: {counted or 'nothing to compare'}{allowed_note}"]) + "\n"
 
 
 def as_findings(audit: Audit, allowed: tuple[str, ...] = ()) -> Report:
     """Return the audit as a report: each file that differs is rejected, by a finding such as `audit:gain`."""
-    drifted = set(audit.drifted(allowed))
+    drifted = {id(entry) for entry in audit.drifted(allowed)}
     files = tuple(
-        FileReport(entry.path, "rejected" if entry in drifted else "conforming", findings=_findings(entry, drifted))
+        FileReport(entry.path, "rejected" if id(entry) in drifted else "conforming", findings=_findings(entry, drifted))
         for entry in audit.entries
     )
+    if audit.project is not None and "unread" not in allowed:
+        files += tuple(
+            FileReport(
+                _place(one),
+                "rejected",
+                findings=(Finding("audit:unread", one.message, FIXES["unread"], severity="error"),),
+            )
+            for one in audit.project.unread
+        )
     return Report(files=files, specs=(), not_run=(), tool_version=TOOL_VERSION)
 
 
-def _findings(entry: Entry, drifted: set[Entry]) -> tuple[Finding, ...]:
-    if entry not in drifted:
+def _findings(entry: Entry, drifted: set[int]) -> tuple[Finding, ...]:
+    if id(entry) not in drifted and not entry.accepted:
         return ()
-    finding = Finding(f"audit:{entry.status}", entry.message, FIXES[entry.status], severity="error")
-    louder = entry.status == "gain"
+    status = entry.status if entry.status not in NO_DRIFT else entry.played_status
+    fix = LEVEL_FIX if status == "gain" and entry.played_status == "gain" else FIXES[status]
+    message = f"{entry.message}; accepted: {entry.accepted}" if entry.accepted else entry.message
+    finding = Finding(f"audit:{status}", message, fix, severity="error", waived=bool(entry.accepted))
+    louder = status == "gain"
     return (replace(finding, measured=entry.gain_db, limit=0.0, unit="dB") if louder else finding,)
+
+
+def _place(one: Unread) -> str:
+    return f"{one.file}:{one.line}" if one.line else one.file
 
 
 def _figures(entry: Entry) -> str:

@@ -229,11 +229,11 @@ class _Reading:
         return self._buses[id_]
 
     def _own(self, one: _Object, place: str) -> Found:
-        parts = gain(place, "volume", number(one.properties.get("volume")), one.file, one.id)
+        parts = gain(place, "volume", number(one.properties.get("volume")), one.file, _anchor(one))
         depends = [Dependency(place, "volume", by.on, by.what) for by in self._moved.get(one.id, ())]
         for vca in self._strips.get(one.id, ()):
             vca_place = f"vca:/{vca.properties.get('name', '')}"
-            parts += gain(vca_place, "volume", number(vca.properties.get("volume")), vca.file, vca.id)
+            parts += gain(vca_place, "volume", number(vca.properties.get("volume")), vca.file, _anchor(vca))
         depends += self._automated(one, "volume", place)
         chain = self._objects.get(one.first("effectChain"))
         for effect in (self._objects.get(id_) for id_ in (chain.relations.get("effects", ()) if chain else ())):
@@ -241,7 +241,7 @@ class _Reading:
                 continue
             if effect.kind == "GainEffect":
                 name = f"{place}: gain effect"
-                parts += gain(name, "gain", number(effect.properties.get("gain")), effect.file, effect.id)
+                parts += gain(name, "gain", number(effect.properties.get("gain")), effect.file, _anchor(effect))
                 depends += self._automated(effect, "gain", name)
             elif effect.kind in DISTANCE:
                 depends.append(Dependency(place, "effect", "distance", "spatialiser"))
@@ -251,10 +251,7 @@ class _Reading:
 
     def _automated(self, one: _Object, name: str, place: str) -> list[Dependency]:
         found = []
-        for kind, key in (
-            ("automators", "nameOfPropertyBeingAutomated"),
-            ("modulators", "nameOfPropertyBeingModulated"),
-        ):
+        for kind, key in AUTOMATED:
             for id_ in one.relations.get(kind, ()):
                 by = self._objects.get(id_)
                 if by is not None and by.properties.get(key) == name:
@@ -273,3 +270,7 @@ class _Reading:
                 name = (preset or parameter).properties.get("name", "")
                 return f'parameter "{name}"' if name else "the timeline"
         return "automation"
+
+
+def _anchor(one: _Object) -> str:
+    return f'id="{one.id}"'

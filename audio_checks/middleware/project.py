@@ -52,6 +52,13 @@ def read_project(path: str | Path) -> Project:
     raise ProjectRefused(f"{place}: is no project that is known; {WANTED}")
 
 
+def sound_folder(project: Project) -> Path:
+    """Return the folder below which a project's sound files are kept."""
+    root = Path(project.root)
+    inner = {"wwise": "Originals", "fmod": "Assets", "unity": "Assets"}.get(project.engine, "")
+    return root / inner if inner and (root / inner).is_dir() else root
+
+
 def _project_in(folder: Path) -> Path:
     """Return the project that stands in a folder; a Unity project is its folder."""
     if (folder / "Assets").is_dir() and (folder / "ProjectSettings").is_dir():

@@ -121,7 +121,7 @@ class _Reading:
         file = "ProjectSettings/AudioManager.asset"
         for _, text in self._files.texts([file] if file in self._files.files else []):
             volume = number(value(text, "m_Volume"))
-            return gain("AudioManager", "m_Volume", None if volume is None else decibels(volume), file, "AudioManager:")
+            return gain("AudioManager", "m_Volume", None if volume is None else decibels(volume), file, "AudioManager")
         return ()
 
     def _read_holder(self, guid: str, file: str, text: str) -> None:

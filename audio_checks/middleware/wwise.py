@@ -30,7 +30,7 @@ BUS_GAINS = ("BusVolume", "Volume", "OutputBusVolume")
 GAINS = frozenset({*OBJECT_GAINS, *BUS_GAINS, "VolumeOffset"})
 BUSES = ("Bus", "AuxBus")
 PLAY = "1"  # the type of an action that plays; also the default
-PLAYS_AN_EVENT = 8  # events within one another
+MOST_EVENTS_DEEP = 8  # that play one another
 MASTER = ("Master Audio Bus", "{1514A4D8-1DA6-412A-A17E-75CA0C2149F3}")  # of every project
 
 
@@ -87,7 +87,7 @@ class _Reading:
         self._objects: dict[str, _Object] = {}
         self._references: dict[str, str] = {}  # the parents of units, where only a place-holder names them
         self._targets: dict[str, list[str]] = {}  # what events play, with the events' names
-        self._events_played: dict[str, list[str]] = {}  # events that other events play
+        self._events: dict[str, tuple[str, list[str]]] = {}  # names and what they play, which may be another event
         self._set_by: dict[str, list[Dependency]] = {}  # objects whose level an action changes
         self._conversions: dict[str, tuple[Conversion, ...]] = {}
         self._originals = "Originals"
@@ -164,6 +164,7 @@ class _Reading:
 
     def _event(self, event: ET.Element) -> None:
         name = event.get("Name", "")
+        _, plays = self._events.setdefault(event.get("ID", ""), (name, []))
         for action in event.iterfind("ChildrenList/Action"):
             properties = dict(_properties(action))
             kind = _value(properties["ActionType"]) if "ActionType" in properties else PLAY
@@ -172,15 +173,26 @@ class _Reading:
                 continue
             id_ = target.get("ID", "")
             if kind == PLAY:
-                self._targets.setdefault(id_, []).append(name)
-                self._events_played.setdefault(event.get("ID", ""), []).append(id_)
+                plays.append(id_)
             elif any("Volume" in one for one in properties):
                 self._set_by.setdefault(id_, []).append(
                     Dependency("", "Volume", "state", f'an action of event "{name}"')
                 )
 
+    def _link_events(self) -> None:
+        for name, plays in self._events.values():
+            ids = dict.fromkeys(plays)
+            for _ in range(MOST_EVENTS_DEEP):
+                more = [one for id_ in ids if id_ in self._events for one in self._events[id_][1] if one not in ids]
+                if not more:
+                    break
+                ids.update(dict.fromkeys(more))
+            for id_ in ids:
+                self._targets.setdefault(id_, []).append(name)
+
     def played(self) -> Iterator[PlayedSound]:
         """Yield a sound for each file that an object plays."""
+        self._link_events()
         for one in self._objects.values():
             for source in _active(one):
                 yield self._sound(one, source)
@@ -188,7 +200,7 @@ class _Reading:
     def _sound(self, one: _Object, source: _Source) -> PlayedSound:
         path = self._path(one.id)
         parts, depends = self._chain(one)
-        offset = gain(f"{path}\\{source.name}", "VolumeOffset", source.offset_db, one.file, source.id)
+        offset = gain(f"{path}\\{source.name}", "VolumeOffset", source.offset_db, one.file, f'ID="{source.id}"')
         events: dict[str, None] = {}
         looped, streamed = None, None
         conversion: tuple[Conversion, ...] = ()
@@ -270,7 +282,10 @@ class _Reading:
             return (), ()
         path = self._path(one.id)
         parts = tuple(
-            part for name in names if name in one.gains for part in gain(path, name, one.gains[name], one.file, one.id)
+            part
+            for name in names
+            if name in one.gains
+            for part in gain(path, name, one.gains[name], one.file, f'ID="{one.id}"')
         )
         set_by = [Dependency(path, by.property, by.on, by.what) for by in self._set_by.get(one.id, ())]
         return parts, (*(Dependency(path, by.property, by.on, by.what) for by in one.depends), *set_by)

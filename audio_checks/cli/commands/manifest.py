@@ -8,8 +8,10 @@ from pathlib import Path
 from audio_checks.audit.build import fingerprint_files
 from audio_checks.audit.fingerprinted import FingerprintedFile
 from audio_checks.audit.manifest import manifest_text, write_manifest
+from audio_checks.audit.played import with_plays
 from audio_checks.cli.arguments import FOUND, OK, add_paths, add_run, found_files, progress_over
 from audio_checks.cli.terminal import say
+from audio_checks.middleware.project import read_project
 from audio_checks.report.findings import printable
 from audio_checks.run.workload import process_count
 from audio_checks.spec.sound_list import SoundList, read_sound_list
@@ -20,6 +22,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_paths(parser)
     parser.add_argument("--out", metavar="FILE", required=True, help="where the manifest goes; - is stdout")
     parser.add_argument("--list", metavar="CSV", dest="sound_list", help="sound list, to name the cue of each file")
+    parser.add_argument(
+        "--project", metavar="PATH", help="the game's project: keep the level at which it plays each sound now"
+    )
     add_run(parser)
 
 
@@ -31,6 +36,8 @@ def run(options: argparse.Namespace) -> int:
         if one.trouble:
             say(f"{one.path}: left out: {one.trouble}")
     kept = [_with_cue(one, sound_list) for one in heard if not one.trouble]
+    if options.project is not None:
+        kept = with_plays(kept, read_project(options.project))
     if options.out == "-":
         sys.stdout.write(manifest_text(kept))
         return FOUND if len(kept) < len(heard) else OK

@@ -141,6 +141,18 @@ def test_only_an_action_that_plays_uses_a_sound(wwise):
     assert only(wwise(events=stop)).is_used is False
 
 
+def test_an_event_may_play_another(wwise):
+    def event(name, id_, target):
+        return (
+            f'<Event Name="{name}" ID="{id_}"><ChildrenList><Action Name="" ID="{{C{name}}}"><ReferenceList><Reference '
+            f'Name="Target"><ObjectRef Name="x" ID="{target}"/>'
+            "</Reference></ReferenceList></Action></ChildrenList></Event>"
+        )
+
+    one = only(wwise(events=event("inner", "{I}", SOUND) + event("outer", "{O}", "{I}") + event("self", "{Z}", "{Z}")))
+    assert one.events == ("inner", "outer")
+
+
 def test_an_object_below_another_routes_through_its_parent_unless_it_overrides(put):
     inner = (
         '<Sound Name="deck" ID="{A1}"><PropertyList>%s</PropertyList>'
