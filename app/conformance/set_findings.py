@@ -19,7 +19,8 @@ from app.sound_lists.service import cue_facts
 
 Findings = tuple[dict[str, object], ...]
 Judged = tuple[str, audio_checks.CueFacts, str]  # spec, cue, takes: nothing else is looked at
-OVER_A_CUE = ("variation-set", "duplicate")  # takes go by their cue's name here, so no two of them are twins
+# Takes go by their cue's name here, so no two of them are twins.
+OVER_A_CUE = ("variation-set", "duplicate", "reverb-set")
 
 
 @dataclass(frozen=True)

@@ -26,6 +26,7 @@ ALONE = """
 [checks]
 duplicate = "off"      # over several files together: the server says so of a delivery, not of a take
 variation-set = "off"
+reverb-set = "off"
 """
 SPECS = {
     "44k1": audio_checks.new_spec("44k1").replace("[checks]", ALONE.strip()),

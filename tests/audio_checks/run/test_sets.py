@@ -75,7 +75,7 @@ def test_severity_is_each_files_own(tmp_path):
     ]
 
 
-@pytest.mark.parametrize("check", ["duplicate", "variation-set"])
+@pytest.mark.parametrize("check", ["duplicate", "variation-set", "reverb-set"])
 @pytest.mark.parametrize("table", ["checks", "categories.vo.checks"])
 def test_what_is_found_over_files_together_returns_none_of_them(check, table):
     with pytest.raises(SpecError, match="found over files together") as refusal:

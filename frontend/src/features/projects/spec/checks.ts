@@ -36,6 +36,7 @@ export const FAULT_CHECKS: readonly CheckName[] = [
   { name: 'metadata', word: 'Metadata', usual: 'warning' },
   { name: 'duplicate', word: 'Duplicate audio', usual: 'warning', overFiles: true },
   { name: 'variation-set', word: 'Inconsistent variation', usual: 'warning', overFiles: true },
+  { name: 'reverb-set', word: 'Reverb across a set', usual: 'warning', overFiles: true },
 ]
 
 export interface LimitName {
