@@ -1896,7 +1896,7 @@ export interface paths {
         put?: never;
         /**
          * End Contract
-         * @description End a contract, or give up a draft.
+         * @description End a contract that orders no work, or give up a draft.
          */
         post: operations["end_contract"];
         delete?: never;
@@ -2017,6 +2017,230 @@ export interface paths {
          * @description Return the record as the file that a party keeps, and that `soundlist verify` reads.
          */
         get: operations["download_contract_record"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/ending": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Ending
+         * @description Return what a contract comes to if it ends early: a forecast, the statement of a notice, or what was settled.
+         */
+        get: operations["read_ending"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/ending/notice": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Give Notice
+         * @description Give notice for the caller's party.
+         */
+        post: operations["give_notice"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/ending/withdraw": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Withdraw Notice
+         * @description Take a notice back, as the party that gave it.
+         */
+        post: operations["withdraw_notice"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/ending/agree": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Agree To Statement
+         * @description Say yes to the statement for the caller's party; with the second yes the contract is settled and ends.
+         */
+        post: operations["agree_to_statement"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/ending/statement.pdf": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Download Statement
+         * @description Return the statement as PDF; the same text is the same bytes.
+         */
+        get: operations["download_statement"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/change-orders": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Change Orders
+         * @description Return the change orders of a contract, the oldest first, and what one may name.
+         */
+        get: operations["list_change_orders"];
+        put?: never;
+        /**
+         * Propose Change Order
+         * @description Propose a change order for the caller's party.
+         */
+        post: operations["propose_change_order"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/change-order-preview": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Preview Change Order
+         * @description Return what changes would do to scope, price and dates; nothing is saved.
+         */
+        post: operations["preview_change_order"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/change-orders/{change_order_number}/accept": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Accept Change Order
+         * @description Say yes to a change order for the caller's party; with the second yes it is in force.
+         */
+        post: operations["accept_change_order"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/change-orders/{change_order_number}/refuse": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Refuse Change Order
+         * @description Refuse a change order that the other party proposed.
+         */
+        post: operations["refuse_change_order"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/change-orders/{change_order_number}/withdraw": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Withdraw Change Order
+         * @description Take back a change order that the caller's party proposed.
+         */
+        post: operations["withdraw_change_order"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/change-orders/{change_order_number}/change-order.pdf": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Download Change Order
+         * @description Return a change order as PDF; the same text is the same bytes.
+         */
+        get: operations["download_change_order"];
         put?: never;
         post?: never;
         delete?: never;
@@ -3084,7 +3308,7 @@ export interface paths {
         put?: never;
         /**
          * Add Comment
-         * @description Write advice on a take, at a time in the sound or on the whole of it.
+         * @description Write advice on a take, at a time in the sound or on the whole of it, or a reply to what was said of it.
          */
         post: operations["add_comment"];
         delete?: never;
@@ -3629,6 +3853,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/next-steps": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Next Steps
+         * @description Return what the caller is to do in a project, the first thing first, and for whom they wait.
+         */
+        get: operations["read_next_steps"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/desk": {
         parameters: {
             query?: never;
@@ -3778,7 +4022,7 @@ export interface paths {
         };
         /**
          * Find
-         * @description Return the cues, then what was said, that hold the typed words.
+         * @description Return what holds the typed words: cues first, then files, people, contracts, comments and questions.
          */
         get: operations["find"];
         put?: never;
@@ -4121,6 +4365,67 @@ export interface components {
             text: string;
         };
         /**
+         * AddCue
+         * @description A cue that the contract covers from now on.
+         */
+        AddCue: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_cue";
+            /**
+             * Cue Id
+             * Format: uuid
+             */
+            cue_id: string;
+            /**
+             * Milestone Id
+             * Format: uuid
+             */
+            milestone_id: string;
+            /** Price Minor */
+            price_minor: number;
+            /** Estimate Min */
+            estimate_min?: number | null;
+        };
+        /**
+         * AddRound
+         * @description A round beyond those included, by the part of the cue's price that the contract names.
+         */
+        AddRound: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_round";
+            /**
+             * Cue Id
+             * Format: uuid
+             */
+            cue_id: string;
+        };
+        /**
+         * AddWork
+         * @description Work beside the cues at a price, due when both have agreed: rush, a voice session, a new target.
+         */
+        AddWork: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_work";
+            /**
+             * Milestone Id
+             * Format: uuid
+             */
+            milestone_id: string;
+            /** Text */
+            text: string;
+            /** Amount Minor */
+            amount_minor: number;
+        };
+        /**
          * AddressProof
          * @description How the address of an account was verified.
          * @enum {string}
@@ -4293,6 +4598,35 @@ export interface components {
             /** Answered At */
             answered_at: string | null;
         };
+        /**
+         * Awaited
+         * @description Something that another person is to do, for which the caller waits.
+         */
+        Awaited: {
+            kind: components["schemas"]["AwaitedKind"];
+            /** Who */
+            who: string;
+            /**
+             * Count
+             * @default 1
+             */
+            count: number;
+            /**
+             * Subject
+             * @default
+             */
+            subject: string;
+            /** Since */
+            since: string | null;
+            /** Contract Id */
+            contract_id?: string | null;
+        };
+        /**
+         * AwaitedKind
+         * @description What another person is to do.
+         * @enum {string}
+         */
+        AwaitedKind: "join" | "nda" | "signature" | "verdicts" | "answer" | "fixes" | "invoice" | "payment";
         /**
          * BandsRead
          * @description The spectrum of a sound, in sixths of an octave.
@@ -4665,6 +4999,11 @@ export interface components {
             changes: {
                 [key: string]: unknown;
             }[];
+            /**
+             * Comments
+             * @description What the team said of it, and replies to that and to changes.
+             */
+            comments: components["schemas"]["CommentRead"][];
             /** Round */
             round: number | null;
             /** Limit Dbfs */
@@ -4681,6 +5020,130 @@ export interface components {
             files: number;
             /** Left */
             left: number;
+        };
+        /**
+         * ChangeOrderAdd
+         * @description What a party proposes, and why.
+         */
+        ChangeOrderAdd: {
+            /** Reason */
+            reason: string;
+            /**
+             * Begins At Once
+             * @description Work begins before both have agreed, at the risk of the party that proposes.
+             * @default false
+             */
+            begins_at_once: boolean;
+            /** Changes */
+            changes: (components["schemas"]["AddCue"] | components["schemas"]["CutCue"] | components["schemas"]["RepriceCue"] | components["schemas"]["AddRound"] | components["schemas"]["MoveDate"] | components["schemas"]["AddWork"])[];
+        };
+        /**
+         * ChangeOrderMay
+         * @description What the caller may do with a change order now.
+         */
+        ChangeOrderMay: {
+            /** Agree */
+            agree: boolean;
+            /** Refuse */
+            refuse: boolean;
+            /** Withdraw */
+            withdraw: boolean;
+        };
+        /**
+         * ChangeOrderRead
+         * @description A change order.
+         */
+        ChangeOrderRead: {
+            /** Number */
+            number: number;
+            state: components["schemas"]["ChangeOrderState"];
+            party: components["schemas"]["Party"];
+            /** Proposed By */
+            proposed_by: string;
+            /**
+             * Proposed At
+             * Format: date-time
+             */
+            proposed_at: string;
+            /** Reason */
+            reason: string;
+            /** Begins At Once */
+            begins_at_once: boolean;
+            /** Closed At */
+            closed_at: string | null;
+            /** Close Reason */
+            close_reason: string;
+            /** Text Sha256 */
+            text_sha256: string;
+            /** Blocks */
+            blocks: components["schemas"]["BlockRead"][];
+            /** @description Null once it is closed: the text says what it was. */
+            difference: components["schemas"]["DifferenceRead"] | null;
+            /**
+             * Problems
+             * @description Why it could not be agreed to as it stands.
+             */
+            problems: string[];
+            /** Signed */
+            signed: components["schemas"]["SignedRead"][];
+            may: components["schemas"]["ChangeOrderMay"];
+        };
+        /**
+         * ChangeOrderState
+         * @description How far the parties are with a change order.
+         * @enum {string}
+         */
+        ChangeOrderState: "proposed" | "agreed" | "refused" | "withdrawn" | "lapsed";
+        /**
+         * ChangeOrdersRead
+         * @description The change orders of a contract, and what one may name.
+         */
+        ChangeOrdersRead: {
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /**
+             * Contract Id
+             * Format: uuid
+             */
+            contract_id: string;
+            /** Title */
+            title: string;
+            /** Currency */
+            currency: string;
+            my_party: components["schemas"]["Party"] | null;
+            /** May Propose */
+            may_propose: boolean;
+            /** Extra Round Bp */
+            extra_round_bp: number;
+            /** Orders */
+            orders: components["schemas"]["ChangeOrderRead"][];
+            /**
+             * Milestones
+             * @description Open milestones, whose dates can move.
+             */
+            milestones: components["schemas"]["OrderMilestone"][];
+            /**
+             * Cues
+             * @description Cues under the contract that are not settled.
+             */
+            cues: components["schemas"]["OrderCue"][];
+            /**
+             * Cues To Add
+             * @description Cues of the list that no running contract covers.
+             */
+            cues_to_add: components["schemas"]["ContractedCue"][];
+        };
+        /**
+         * ChangePreview
+         * @description What a change order would do, and what is wrong with it; nothing is saved.
+         */
+        ChangePreview: {
+            difference: components["schemas"]["DifferenceRead"] | null;
+            /** Problems */
+            problems: string[];
         };
         /**
          * ChangeRequestRead
@@ -4733,6 +5196,24 @@ export interface components {
             sent_at: string | null;
         };
         /**
+         * ChangedMilestone
+         * @description A milestone before and after.
+         */
+        ChangedMilestone: {
+            /** Name */
+            name: string;
+            /** Is Deposit */
+            is_deposit: boolean;
+            /** Amount Before Minor */
+            amount_before_minor: number;
+            /** Amount After Minor */
+            amount_after_minor: number;
+            /** Due Before */
+            due_before: string | null;
+            /** Due After */
+            due_after: string | null;
+        };
+        /**
          * ChangedPath
          * @description A game file that is not as it was in an earlier pack.
          */
@@ -4744,6 +5225,14 @@ export interface components {
              * @enum {string}
              */
             kind: "new" | "changed" | "gone";
+        };
+        /**
+         * ChangesSet
+         * @description Changes to look at before one proposes them.
+         */
+        ChangesSet: {
+            /** Changes */
+            changes: (components["schemas"]["AddCue"] | components["schemas"]["CutCue"] | components["schemas"]["RepriceCue"] | components["schemas"]["AddRound"] | components["schemas"]["MoveDate"] | components["schemas"]["AddWork"])[];
         };
         /**
          * CheckRead
@@ -4866,6 +5355,16 @@ export interface components {
             start_s?: number | null;
             /** End S */
             end_s?: number | null;
+            /**
+             * Reply To Id
+             * @description The comment on the same take that it answers.
+             */
+            reply_to_id?: string | null;
+            /**
+             * Change Request Id
+             * @description The sent change request that it answers.
+             */
+            change_request_id?: string | null;
         };
         /**
          * CommentRead
@@ -4882,6 +5381,10 @@ export interface components {
              * Format: uuid
              */
             take_id: string;
+            /** Reply To Id */
+            reply_to_id: string | null;
+            /** Change Request Id */
+            change_request_id: string | null;
             /** Text */
             text: string;
             /** Start S */
@@ -5737,6 +6240,22 @@ export interface components {
             figures: components["schemas"]["FiguresRead"];
         };
         /**
+         * CutCue
+         * @description A cue that the contract covers no more: it is owed by the state of its work when both have agreed.
+         */
+        CutCue: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "cut_cue";
+            /**
+             * Cue Id
+             * Format: uuid
+             */
+            cue_id: string;
+        };
+        /**
          * DayRateRead
          * @description What a contract by the day pays for one, and up to how many of them.
          */
@@ -5897,6 +6416,12 @@ export interface components {
             parts: string[];
         };
         /**
+         * DepositAtEnd
+         * @description What becomes of the deposit where a contract ends early.
+         * @enum {string}
+         */
+        DepositAtEnd: "stays" | "set_off";
+        /**
          * Desk
          * @description A designer's work in one project; of its lists the first page each, and the cursor of the following one.
          */
@@ -5931,6 +6456,42 @@ export interface components {
             checking: number;
             /** Questions */
             questions: components["schemas"]["AskedQuestion"][];
+        };
+        /**
+         * DifferenceRead
+         * @description What a change order does to scope, price and dates, and to the check of the plan.
+         */
+        DifferenceRead: {
+            /**
+             * Changes
+             * @description Each change as a sentence.
+             */
+            changes: string[];
+            /** Cues Before */
+            cues_before: number;
+            /** Cues After */
+            cues_after: number;
+            /** Price Before Minor */
+            price_before_minor: number;
+            /** Price After Minor */
+            price_after_minor: number;
+            /** Milestones */
+            milestones: components["schemas"]["ChangedMilestone"][];
+            /**
+             * Warnings
+             * @description What the change order itself makes harder.
+             */
+            warnings: components["schemas"]["AdviceRead"][];
+            /**
+             * Advice
+             * @description What is unwise about the plan as it will be.
+             */
+            advice: components["schemas"]["AdviceRead"][];
+            /**
+             * Advice Gone
+             * @description What was unwise and will not be.
+             */
+            advice_gone: components["schemas"]["AdviceRead"][];
         };
         /**
          * DraftChange
@@ -6065,6 +6626,84 @@ export interface components {
         EndAdd: {
             /** Reason */
             reason: string;
+        };
+        /**
+         * EndingMay
+         * @description What the caller may do about an early end now.
+         */
+        EndingMay: {
+            /** Give Notice */
+            give_notice: boolean;
+            /** Withdraw */
+            withdraw: boolean;
+            /** Agree */
+            agree: boolean;
+        };
+        /**
+         * EndingRead
+         * @description What a contract comes to if it ends early: a forecast, then a statement, then what was settled.
+         */
+        EndingRead: {
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /**
+             * Contract Id
+             * Format: uuid
+             */
+            contract_id: string;
+            /** Title */
+            title: string;
+            designer: components["schemas"]["PersonBrief"];
+            /** Currency */
+            currency: string;
+            my_party: components["schemas"]["Party"] | null;
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "forecast" | "notice" | "settled";
+            notice: components["schemas"]["NoticeRead"] | null;
+            /**
+             * Notice Days
+             * @description Null: no clause lets one party end it alone.
+             */
+            notice_days: number | null;
+            /** Earliest Ends On */
+            earliest_ends_on: string | null;
+            deposit_at_end: components["schemas"]["DepositAtEnd"];
+            /** Cues */
+            cues: components["schemas"]["StatedCueRead"][];
+            /** Cues Minor */
+            cues_minor: number;
+            /** Deposit Minor */
+            deposit_minor: number;
+            /** Rounds Minor */
+            rounds_minor: number;
+            /** Extra Minor */
+            extra_minor: number;
+            /** Days Minor */
+            days_minor: number;
+            /**
+             * Due Now Minor
+             * @description What is due without the settlement.
+             */
+            due_now_minor: number;
+            figures: components["schemas"]["FiguresRead"];
+            /** Open Points */
+            open_points: components["schemas"]["OpenPointRead"][];
+            /**
+             * Statement Sha256
+             * @description Null while it is a forecast.
+             */
+            statement_sha256: string | null;
+            /** Settled At */
+            settled_at: string | null;
+            /** Signed */
+            signed: components["schemas"]["SignedRead"][];
+            may: components["schemas"]["EndingMay"];
         };
         /**
          * EngagementChange
@@ -6478,12 +7117,22 @@ export interface components {
              * Kind
              * @enum {string}
              */
-            kind: "cue" | "comment" | "question";
-            cue: components["schemas"]["CueBrief"];
-            /** Text */
+            kind: "cue" | "file" | "person" | "contract" | "comment" | "question";
+            /** Title */
+            title: string;
+            /**
+             * Text
+             * @description Its use, its state, an address, or the words in which the typed ones were found.
+             */
             text: string;
+            /** @description Null for people, contracts and files without a cue. */
+            cue?: components["schemas"]["CueBrief"] | null;
             /** Take Id */
-            take_id: string | null;
+            take_id?: string | null;
+            /** Contract Id */
+            contract_id?: string | null;
+            /** Start S */
+            start_s?: number | null;
         };
         /** HTTPValidationError */
         HTTPValidationError: {
@@ -7178,7 +7827,7 @@ export interface components {
          * @description Why a line of the ledger was written.
          * @enum {string}
          */
-        LineKind: "deposit" | "accepted" | "held_back" | "cut" | "extra_round" | "worked_day" | "tax" | "reversed" | "paid" | "refunded";
+        LineKind: "deposit" | "accepted" | "held_back" | "cut" | "extra_round" | "worked_day" | "extra_work" | "tax" | "reversed" | "paid" | "refunded";
         /**
          * ListComparison
          * @description The changes of the list between two revisions.
@@ -7465,6 +8114,11 @@ export interface components {
             accept: boolean;
             /** End */
             end: boolean;
+            /**
+             * Amend
+             * @description Whether they may propose a change order, or give notice.
+             */
+            amend: boolean;
         };
         /**
          * Me
@@ -7768,6 +8422,27 @@ export interface components {
             reason: string;
         };
         /**
+         * MoveDate
+         * @description Another date of a milestone.
+         */
+        MoveDate: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "move_date";
+            /**
+             * Milestone Id
+             * Format: uuid
+             */
+            milestone_id: string;
+            /**
+             * Due On
+             * Format: date
+             */
+            due_on: string;
+        };
+        /**
          * MyProject
          * @description A project that the caller sees, and what they are in it.
          */
@@ -7906,6 +8581,134 @@ export interface components {
             } | null;
             /** Preview Url */
             preview_url: string | null;
+        };
+        /**
+         * NextStep
+         * @description Something that the caller is the one to do, and what it is about.
+         */
+        NextStep: {
+            kind: components["schemas"]["NextStepKind"];
+            /**
+             * Count
+             * @default 1
+             */
+            count: number;
+            /**
+             * Subject
+             * @description A contract's title, an invoice's number or a person's name.
+             * @default
+             */
+            subject: string;
+            /**
+             * Who
+             * @description The other side, where the step is owed to somebody.
+             * @default
+             */
+            who: string;
+            /** Since */
+            since?: string | null;
+            /** Contract Id */
+            contract_id?: string | null;
+            /** Amount Minor */
+            amount_minor?: number | null;
+            /** Currency */
+            currency?: string | null;
+        };
+        /**
+         * NextStepKind
+         * @description What a person is the one to do, in the order in which it is shown.
+         * @enum {string}
+         */
+        NextStepKind: "add_cues" | "invite_designer" | "send_nda" | "sign_contract" | "change_contract" | "pay_invoice" | "invoice_deposit" | "fix" | "match" | "answer_questions" | "agree_days" | "agree_round" | "send_changes" | "review" | "send_contract" | "invoice_due" | "name_approver" | "make";
+        /**
+         * NextSteps
+         * @description What the caller is to do in a project, the first thing first, and for whom they wait.
+         */
+        NextSteps: {
+            /** Steps */
+            steps: components["schemas"]["NextStep"][];
+            /**
+             * Awaited
+             * @description The longest wait first.
+             */
+            awaited: components["schemas"]["Awaited"][];
+        };
+        /**
+         * NoticeAdd
+         * @description Why a contract ends, and its last day: the earliest that the contract allows where none is given.
+         */
+        NoticeAdd: {
+            /** Reason */
+            reason: string;
+            /** Ends On */
+            ends_on?: string | null;
+        };
+        /**
+         * NoticeRead
+         * @description A party's notice.
+         */
+        NoticeRead: {
+            /** Number */
+            number: number;
+            party: components["schemas"]["Party"];
+            /** Given By */
+            given_by: string;
+            /**
+             * Given At
+             * Format: date-time
+             */
+            given_at: string;
+            /** Reason */
+            reason: string;
+            /**
+             * Ends On
+             * @description Last day; null: it ends only when both agree to the statement.
+             */
+            ends_on: string | null;
+        };
+        /**
+         * OpenPointRead
+         * @description Work that the studio has not agreed to yet, so the statement does not count it.
+         */
+        OpenPointRead: {
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "round" | "day";
+            /** Text */
+            text: string;
+            /** Amount Minor */
+            amount_minor: number;
+        };
+        /**
+         * OrderCue
+         * @description A cue under the contract that a change order may name.
+         */
+        OrderCue: {
+            cue: components["schemas"]["ContractedCue"];
+            /** Price Minor */
+            price_minor: number;
+            /**
+             * Round Minor
+             * @description What a further round of it costs; 0: the contract names no price.
+             */
+            round_minor: number;
+        };
+        /**
+         * OrderMilestone
+         * @description A milestone that a change order may name.
+         */
+        OrderMilestone: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Name */
+            name: string;
+            /** Due On */
+            due_on: string | null;
         };
         /**
          * OutboxRead
@@ -8812,6 +9615,14 @@ export interface components {
             max: number | null;
         };
         /**
+         * ReasonGiven
+         * @description Why a change order is refused or withdrawn.
+         */
+        ReasonGiven: {
+            /** Reason */
+            reason: string;
+        };
+        /**
          * RecallAdd
          * @description Why a text is taken back.
          */
@@ -9112,6 +9923,24 @@ export interface components {
             version: string;
         } & {
             [key: string]: unknown;
+        };
+        /**
+         * RepriceCue
+         * @description Another price of a cue.
+         */
+        RepriceCue: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "reprice_cue";
+            /**
+             * Cue Id
+             * Format: uuid
+             */
+            cue_id: string;
+            /** Price Minor */
+            price_minor: number;
         };
         /**
          * ResetAdd
@@ -9706,6 +10535,20 @@ export interface components {
             email: string;
         };
         /**
+         * SignedRead
+         * @description A party's yes to a text.
+         */
+        SignedRead: {
+            party: components["schemas"]["Party"];
+            /** Name */
+            name: string;
+            /**
+             * Accepted At
+             * Format: date-time
+             */
+            accepted_at: string;
+        };
+        /**
          * SoundBrief
          * @description The addresses of preview, peaks and spectrum of one stored sound; null if drawing it failed.
          */
@@ -9885,6 +10728,29 @@ export interface components {
          * @enum {string}
          */
         Stands: "within" | "above" | "below";
+        /**
+         * StatedCueRead
+         * @description A cue in the statement: how far its work is, which part of its price that makes, and by which clause.
+         */
+        StatedCueRead: {
+            cue: components["schemas"]["ContractedCue"];
+            /** Milestone */
+            milestone: string;
+            state: components["schemas"]["WorkState"];
+            /**
+             * Was Cut
+             * @description It was cut before the contract ended.
+             */
+            was_cut: boolean;
+            /** Price Minor */
+            price_minor: number;
+            /** Part Bp */
+            part_bp: number;
+            /** Owed Minor */
+            owed_minor: number;
+            /** Clause */
+            clause: string;
+        };
         /**
          * Step
          * @description One cell of the project's steps.
@@ -10385,8 +11251,11 @@ export interface components {
              * @description The takes that changed.
              */
             take_ids: string[];
-            /** Return To Received */
-            return_to_received: number;
+            /**
+             * Moved Back
+             * @description Takes that are where they were before.
+             */
+            moved_back: number;
             /**
              * Left
              * @description Takes that were changed or decided since; they stay as they are.
@@ -16640,7 +17509,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `wrong-state` */
+            /** @description `wrong-state`, `notice-needed` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -16910,6 +17779,689 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_ending: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EndingRead"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    give_notice: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NoticeAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EndingRead"];
+                };
+            };
+            /** @description `not-your-contract` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `already-ended`, `notice-given` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `notice-too-short` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    withdraw_notice: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EndingRead"];
+                };
+            };
+            /** @description `not-your-contract` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `already-ended`, `no-notice` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    agree_to_statement: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["AcceptAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EndingRead"];
+                };
+            };
+            /** @description `not-your-contract`, `address-not-proven`, `same-person-on-both-sides` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `already-ended`, `no-notice`, `text-changed`, `already-accepted` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    download_statement: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The text as PDF */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/pdf": unknown;
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `no-notice` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `document-too-large` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `typesetting-busy` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_change_orders: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ChangeOrdersRead"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    propose_change_order: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ChangeOrderAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ChangeOrdersRead"];
+                };
+            };
+            /** @description `not-your-contract` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `not-in-force` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-change-order` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    preview_change_order: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ChangesSet"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ChangePreview"];
+                };
+            };
+            /** @description `not-your-contract` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `not-in-force` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    accept_change_order: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+                change_order_number: number;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["AcceptAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ChangeOrdersRead"];
+                };
+            };
+            /** @description `not-your-contract`, `address-not-proven`, `same-person-on-both-sides` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found`, `change-order-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `change-order-closed`, `not-in-force`, `change-order-stale`, `text-changed`, `already-accepted` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    refuse_change_order: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+                change_order_number: number;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ReasonGiven"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ChangeOrdersRead"];
+                };
+            };
+            /** @description `not-your-contract` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found`, `change-order-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `change-order-closed`, `own-change-order` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    withdraw_change_order: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+                change_order_number: number;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ReasonGiven"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ChangeOrdersRead"];
+                };
+            };
+            /** @description `not-your-contract` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found`, `change-order-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `change-order-closed`, `not-own-change-order` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    download_change_order: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+                change_order_number: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The text as PDF */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/pdf": unknown;
+                };
+            };
+            /** @description `contract-not-found`, `change-order-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `document-too-large` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `typesetting-busy` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };
@@ -20537,7 +22089,7 @@ export interface operations {
                     "application/json": components["schemas"]["CommentRead"];
                 };
             };
-            /** @description `take-not-found` */
+            /** @description `take-not-found`, `comment-not-found`, `change-request-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -21080,6 +22632,15 @@ export interface operations {
             };
             /** @description `target-unknown`, `document-too-large` */
             422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-at-once` */
+            429: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -22077,6 +23638,46 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_next_steps: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["NextSteps"];
                 };
             };
             /** @description `project-not-found` */

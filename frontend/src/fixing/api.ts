@@ -29,7 +29,7 @@ const TOUCHED = [
 const ofTake = (takeId: string) => ({ params: { path: { take_id: takeId } } })
 
 /** What a fix can do, or did, about a take; asked again while it is being made. */
-export const fixQuery = (takeId: string) =>
+const fixQuery = (takeId: string) =>
   queryOptions({
     queryKey: ['fix', takeId],
     queryFn: () => answered(api.GET('/v1/takes/{take_id}/fix', ofTake(takeId))),
@@ -79,4 +79,21 @@ export function useUseFix(takeId: string, onUsed: (made: Schemas['TakeRead']) =>
 async function refresh(client: QueryClient, takeId: string): Promise<void> {
   const touched = [fixQuery(takeId).queryKey, ...TOUCHED.map((key) => [key])]
   await Promise.all(touched.map((queryKey) => client.invalidateQueries({ queryKey })))
+}
+
+const AT_ONCE = 3
+
+/** Make the fixed copies of many takes versions; returns how many. Those done before a refusal stay done. */
+export function useUseFixes() {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: async (takeIds: readonly string[]) => {
+      for (let at = 0; at < takeIds.length; at += AT_ONCE) {
+        const some = takeIds.slice(at, at + AT_ONCE)
+        await Promise.all(some.map((id) => answered(api.POST('/v1/takes/{take_id}/fix/use', ofTake(id)))))
+      }
+      return takeIds.length
+    },
+    onSettled: () => Promise.all(TOUCHED.map((key) => client.invalidateQueries({ queryKey: [key] }))),
+  })
 }

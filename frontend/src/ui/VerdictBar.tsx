@@ -7,6 +7,8 @@ interface VerdictBarProps {
   who: ReactNode
   /** What follows from it: "A makes Alpha 4 of 10." */
   follows?: ReactNode
+  /** Before the buttons on a narrow page, where the transport is out of sight. */
+  narrow?: ReactNode
   /** Buttons, the first one last and filled. */
   children: ReactNode
   /** What opens in place above the bar: the reasons of a change. */
@@ -14,7 +16,7 @@ interface VerdictBarProps {
 }
 
 /** Where a verdict is given: who decides and what it costs at the left, the actions at the right. */
-export function VerdictBar({ who, follows, children, above }: VerdictBarProps) {
+export function VerdictBar({ who, follows, narrow, children, above }: VerdictBarProps) {
   return (
     <section aria-label="Verdict" className={classes.bar}>
       {above && <div className={classes.above}>{above}</div>}
@@ -23,7 +25,10 @@ export function VerdictBar({ who, follows, children, above }: VerdictBarProps) {
           <p className="strong">{who}</p>
           {follows && <p className="small mid">{follows}</p>}
         </div>
-        <div className={classes.acts}>{children}</div>
+        <div className={classes.acts}>
+          {narrow && <span className={classes.narrow}>{narrow}</span>}
+          {children}
+        </div>
       </div>
     </section>
   )

@@ -17,12 +17,15 @@ import { FixPanel, type Fixing, useFixing } from '@/fixing'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Face } from '@/ui/Face'
 import { ago, length } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { State } from '@/ui/State'
 
 import { type CameBack, type Change, type Finding, useRecheck } from './api'
+import { Conversation } from './Conversation'
+import { FixAll } from './FixAll'
 import classes from './CameBack.module.css'
 import type { DeskList } from './pages'
 import { Refusal } from './Refusal'
@@ -72,8 +75,11 @@ export function CameBackCard({ projectId, back, count, player, playing, onSendOw
         id="came-back"
         title="Needs your fix"
         count={count > 0 ? count : undefined}
-        end={<span className="wide-only">automatic returns don’t count as revision rounds</span>}
+        end={<FixAll projectId={projectId} />}
       />
+      {open !== undefined && (
+        <p className={`${classes.note} small dim wide-only`}>Automatic returns don’t count as revision rounds.</p>
+      )}
       {open === undefined && (
         <div className={classes.empty}>
           <EmptyState head="Nothing to fix." level={3}>
@@ -118,6 +124,7 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
   const { cue, number, variation, since, status, preview_url: url, take_id: id } = item
   const findings = findingsOf(item)
   const changes = changesOf(item)
+  const advice = item.comments.filter((one) => one.reply_to_id === null && one.change_request_id === null)
   const recheck = useRecheck(projectId)
   const take = { id, name: cue?.name ?? item.file_name, number, previewUrl: url }
   const fixing = useFixing(take, player, playing, { mayUse: true, group: 'Desk' })
@@ -145,6 +152,60 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
           {number !== null && `, version ${number}`}, {ago(since)}
         </span>
       </div>
+      {changes.length > 0 && (
+        <ol className={classes.changes} aria-label="Requested changes">
+          {changes.map((change, index) => (
+            <li key={change.id}>
+              <span className={`${classes.pin} tone-change`} aria-hidden="true">
+                {index + 1}
+              </span>
+              <div className="grow">
+                <p className="lead">“{change.text}”</p>
+                <Conversation
+                  takeId={id}
+                  noteId={change.id}
+                  kind="change"
+                  to="the approver"
+                  replies={item.comments.filter((one) => one.change_request_id === change.id)}
+                />
+              </div>
+              {change.start_s !== null && (
+                <button
+                  type="button"
+                  className="link mono small mid nowrap"
+                  disabled={url === null}
+                  onClick={() => url !== null && hear(player, id, url, playFrom(change.start_s ?? 0))}
+                >
+                  {spotOf(change.start_s, change.end_s)}
+                </button>
+              )}
+            </li>
+          ))}
+        </ol>
+      )}
+      {advice.length > 0 && (
+        <ul className={classes.changes} aria-label="Comments">
+          {advice.map((one) => (
+            <li key={one.id}>
+              <Face name={one.author.name} />
+              <div className="grow">
+                <p>
+                  <span className="strong">{one.author.name}</span>{' '}
+                  <span className="small dim">{ago(one.created_at)}</span>
+                </p>
+                <p>{one.text}</p>
+                <Conversation
+                  takeId={id}
+                  noteId={one.id}
+                  kind="comment"
+                  to={one.author.name}
+                  replies={item.comments.filter((other) => other.reply_to_id === one.id)}
+                />
+              </div>
+            </li>
+          ))}
+        </ul>
+      )}
       {findings.length > 0 && (
         <ul className={classes.findings} aria-label="Check results">
           {findings.map((finding) => (
@@ -159,28 +220,6 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
             />
           ))}
         </ul>
-      )}
-      {changes.length > 0 && (
-        <ol className={classes.changes} aria-label="Requested changes">
-          {changes.map((change, index) => (
-            <li key={index}>
-              <span className={`${classes.pin} tone-change`} aria-hidden="true">
-                {index + 1}
-              </span>
-              <span className="lead grow">“{change.text}”</span>
-              {change.start_s !== null && (
-                <button
-                  type="button"
-                  className="link mono small mid nowrap"
-                  disabled={url === null}
-                  onClick={() => url !== null && hear(player, id, url, playFrom(change.start_s ?? 0))}
-                >
-                  {spotOf(change.start_s, change.end_s)}
-                </button>
-              )}
-            </li>
-          ))}
-        </ol>
       )}
       {item.round !== null && <p className="small mid">Round {item.round}.</p>}
       {status === 'unjudged' && (

@@ -33,6 +33,7 @@ export type Thumb = Schemas['ThumbRead']
 
 /** A change that was asked for, and where in the sound. */
 export interface Change {
+  id: string
   text: string
   start_s: number | null
   end_s: number | null
@@ -47,7 +48,7 @@ const DRAWN_WITHIN_MS = 60_000
 
 const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
 
-export const keys = {
+const keys = {
   deliveries: (projectId: string) => ['deliveries', projectId] as const,
   delivery: (deliveryId: string) => ['delivery', deliveryId] as const,
   unmatched: (projectId: string) => ['unmatched', projectId] as const,
@@ -214,6 +215,16 @@ export function useRecheck(projectId: string) {
     mutationFn: (takeId: string) =>
       answered(api.POST('/v1/takes/{take_id}/recheck', { params: { path: { take_id: takeId } } })),
     onSettled: () => refresh(client, projectId),
+  })
+}
+
+/** Answer what was said of a take. */
+export function useReply(takeId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: { text: string; reply_to_id?: string; change_request_id?: string }) =>
+      answered(api.POST('/v1/takes/{take_id}/comments', { params: { path: { take_id: takeId } }, body })),
+    onSuccess: () => client.invalidateQueries({ queryKey: ['desk'] }),
   })
 }
 

@@ -52,6 +52,7 @@ const RETURNED = {
   peaks_url: '/v1/sounds/s9/peaks.json',
   findings: FINDINGS,
   changes: [],
+  comments: [],
   round: null,
   limit_dbfs: -0.1,
 }
@@ -63,7 +64,7 @@ const CHANGED = {
   file_name: 'missile_launch.wav',
   status: 'change_requested',
   findings: [],
-  changes: [{ text: 'Thrust comes too late', start_s: 0.5, end_s: null }],
+  changes: [{ id: 'change-1', text: 'Thrust comes too late', start_s: 0.5, end_s: null }],
   round: 1,
 }
 const toMake = (cue: typeof CUE, more: object = {}) => ({
@@ -247,6 +248,54 @@ describe('what came back', () => {
     expect(within(card).getByRole('button', { name: '0.500 s' })).toBeInTheDocument()
     expect(within(card).getByRole('button', { name: 'Comment 1 at 0.500 seconds' })).toBeInTheDocument()
     expect(within(card).getByText('Round 1.')).toBeInTheDocument()
+  })
+
+  test('what a person asked stands before what the check found, and is answered in place', async () => {
+    const both = { ...CHANGED, findings: FINDINGS }
+    const { asked } = serve(
+      answers({
+        'GET /v1/projects/p1/desk': { ...DESK, came_back: [both] },
+        'POST /v1/takes/t19/comments': answer({}, 201),
+      }),
+    )
+    const user = userEvent.setup()
+    openApp('/desk')
+    const card = await screen.findByRole('article', { name: 'missile_launch' })
+    const changes = within(card).getByRole('list', { name: 'Requested changes' })
+    const findings = within(card).getByRole('list', { name: 'Check results' })
+    expect(changes.compareDocumentPosition(findings)).toBe(Node.DOCUMENT_POSITION_FOLLOWING)
+    await user.click(within(card).getByRole('button', { name: /^Reply\s*to the approver/ }))
+    await user.keyboard('Before the flash, or with it?{Enter}')
+    await waitFor(() =>
+      expect(wrote(asked, 'POST /v1/takes/t19/comments')[0]?.body).toEqual({
+        text: 'Before the flash, or with it?',
+        change_request_id: 'change-1',
+      }),
+    )
+  })
+
+  test('all that a fix is enough for is fixed in one press', async () => {
+    const offer = (id: string) => ({
+      take_id: id,
+      cue: CUE,
+      variation: 1,
+      number: 1,
+      take_state: 'returned',
+      state: 'made',
+      says: 'Level lowered.',
+    })
+    const { asked } = serve(
+      answers({
+        'GET /v1/projects/p1/fixes': [offer('t9'), offer('t10'), { ...offer('t11'), state: 'making' }],
+        'POST /v1/takes/t9/fix/use': answer({}, 201),
+        'POST /v1/takes/t10/fix/use': answer({}, 201),
+      }),
+    )
+    const user = userEvent.setup()
+    openApp('/desk')
+    await user.click(await screen.findByRole('button', { name: 'Fix 2' }))
+    expect(await screen.findByText(/^2 sounds fixed\./)).toBeInTheDocument()
+    expect(asked.filter(({ method, path }) => method === 'POST' && path.endsWith('/fix/use'))).toHaveLength(2)
   })
 
   test('a check that broke is our fault, and is asked for again by one press', async () => {

@@ -15,6 +15,7 @@ import type { CueMoney } from '@/money/api'
 
 import { useComment } from './api'
 import { shuffled } from './blind'
+import { Asked } from './Asked'
 import { CueHead } from './CueHead'
 import classes from './Review.module.css'
 import { marksOf, type Said, saidOf } from './said'
@@ -75,6 +76,22 @@ export function CueRoom(props: CueRoomProps) {
     const takes = isSet && waiting.length === 0 ? review.takes.filter(({ state }) => state === 'approved') : waiting
     return blind ? blind.flatMap((id) => takes.find((take) => take.id === id) ?? []) : inOrder(takes)
   }, [isSet, waiting, review.takes, blind])
+  // A version that answers a change is heard beside the one that the change was asked of.
+  const current = heard[0]
+  const before =
+    heard.length === 1 && current
+      ? review.takes.find(
+          ({ variation, number, state }) =>
+            variation === current.variation && number < current.number && state === 'change_requested',
+        )
+      : undefined
+  const askedBefore = review.change_requests.filter(
+    ({ take_id, sent_at }) => take_id === before?.id && sent_at !== null,
+  )
+  const flip = () => {
+    const to = hand?.id === before?.id ? current : before
+    if (to) choose(to)
+  }
   const reference = heard[0]
   const source = useHearing(player, cue.id, hand, target, blind ? undefined : reference)
   const targets = targetsOf(review.takes)
@@ -244,6 +261,15 @@ export function CueRoom(props: CueRoomProps) {
         {isSet && heard.length > 0 && (
           <SetRows takes={heard} handId={hand?.id} nameOf={nameOf} picked={picked} onChoose={choose} cue={cue} />
         )}
+        {before && current && (
+          <Asked
+            asked={askedBefore}
+            number={before.number}
+            isHeard={hand?.id === before.id}
+            onFlip={flip}
+            onSpot={playFrom}
+          />
+        )}
         {hand && (
           <WaveStage
             take={hand}
@@ -268,8 +294,8 @@ export function CueRoom(props: CueRoomProps) {
             playing={playing}
             durationS={soundOf(hand, target).durationS}
             silent={source === null ? whySilent(hand, target) : null}
-            onNext={heard.length > 1 ? () => stepTake(1) : undefined}
-            nextWords={nextWords(heard, hand, nameOf)}
+            onNext={heard.length > 1 ? () => stepTake(1) : before ? flip : undefined}
+            nextWords={before && current ? `${before.number} ⇄ ${current.number}` : nextWords(heard, hand, nameOf)}
             blind={canBlind ? { on: blind !== null, toggle: toggleBlind } : undefined}
             asGame={isSet && heard.length > 1 ? asGame : undefined}
             takeId={hand.id}
@@ -287,6 +313,8 @@ export function CueRoom(props: CueRoomProps) {
             judge={judge}
             range={playing.range}
             changing={changing}
+            isPlaying={playing.status === 'playing'}
+            onPlay={source === null ? null : () => void player.toggle()}
             onApprove={approve}
             onAcceptSet={acceptSet}
             onChange={openChange}

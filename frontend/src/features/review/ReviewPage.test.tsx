@@ -74,6 +74,34 @@ const alternate = (letter: string) =>
   within(screen.getByRole('group', { name: 'Alternates' })).getByRole('button', { name: new RegExp(`^${letter}`) })
 const posts = () => server.asked.filter(({ method }) => method === 'POST')
 
+describe('a version that answers a change', () => {
+  const before = aTake('old', { number: 1, state: 'change_requested' })
+  const after = aTake('a', { number: 2 })
+  const change = { ...aDraft(before, anItem({}, []).cue, 'Add a dull clank'), sent_at: '2026-11-20T09:30:00Z' }
+
+  beforeEach(() => {
+    queue = [anItem({ id: 'shield', name: 'shield_hit' }, [after])]
+    const item = anItem({ id: 'shield', name: 'shield_hit' }, [after, before])
+    tell(aReview(item, { change_requests: [{ ...change, take_id: before.id }] }))
+  })
+
+  test('shows what was asked, and b flips to the version that it was asked of and back', async () => {
+    await opened()
+    const asked = await screen.findByRole('region', { name: 'What was asked of version 1' })
+    expect(asked).toHaveTextContent('“Add a dull clank”')
+    await userEvent.keyboard('b')
+    expect(await within(asked).findByRole('button', { name: /^Back to the new version/ })).toBeVisible()
+    await userEvent.keyboard('b')
+    expect(await within(asked).findByRole('button', { name: /^Hear version 1/ })).toBeVisible()
+  })
+
+  test('Play stands in the bar with the verdict, for narrow pages', async () => {
+    await opened()
+    const bar = screen.getByRole('region', { name: 'Verdict' })
+    expect(within(bar).getByText('Play')).toBeInTheDocument()
+  })
+})
+
 describe('the queue', () => {
   test('without a cue the first that waits opens', async () => {
     await opened('')

@@ -13,14 +13,16 @@ import {
 import { ApiProblem } from '@/api'
 import { DraftNote, keepDraft, keptDraft } from '@/app/drafts'
 import type { CueReview, ReviewFinding, ReviewTake } from '@/judging/api'
+import { ReplyField } from '@/judging/ReplyField'
 import { capital, happened, sentence, spot, historyText } from '@/judging/words'
 import { Button } from '@/ui/Button'
+import { Face } from '@/ui/Face'
 import { Finding } from '@/ui/Finding'
 import { age, clock, day, place, range } from '@/ui/format'
 import { Key } from '@/ui/Key'
 import { ProblemNote } from '@/ui/ProblemNote'
 
-import { historyQuery, type useComment, useResolve } from './api'
+import { historyQuery, useComment, useResolve } from './api'
 import { Figures } from './Figures'
 import { GameFiles } from './GameFiles'
 import { PalettePlot } from './PalettePlot'
@@ -120,6 +122,11 @@ export function SidePanel(props: SidePanelProps) {
 
 function Comments({ review, projectId, hand, heard, nameOf, said, openSaid, onOpen }: SidePanelProps) {
   const resolve = useResolve(review.cue.id)
+  const replying = useComment(review.cue.id)
+  const reply = async ({ id, takeId, kind }: Said, text: string) => {
+    const answers = kind === 'change' ? { change_request_id: id } : { reply_to_id: id }
+    await replying.mutateAsync({ takeId, text, answers })
+  }
   return (
     <>
       {said.length === 0 && <p className={`${classes.quiet} mid`}>No comments yet</p>}
@@ -131,6 +138,7 @@ function Comments({ review, projectId, hand, heard, nameOf, said, openSaid, onOp
             open={one.id === openSaid}
             on={aboutAnother(one, hand, heard, nameOf)}
             onOpen={() => onOpen(one)}
+            onReply={one.draft ? undefined : (text) => reply(one, text)}
             onResolve={
               one.comment && one.comment.resolved_at === null
                 ? () => one.comment && resolve.mutate(one.comment)
@@ -139,7 +147,10 @@ function Comments({ review, projectId, hand, heard, nameOf, said, openSaid, onOp
           />
         ))}
       </ul>
-      {resolve.error instanceof ApiProblem && <ProblemNote detail={resolve.error.detail} fix={resolve.error.fix} />}
+      {[resolve.error, replying.error].map(
+        (error) =>
+          error instanceof ApiProblem && <ProblemNote key={error.code} detail={error.detail} fix={error.fix} />,
+      )}
       {hand && (hand.note || hand.delivery_note) && (
         <section className={classes.block} aria-label="Designer’s note">
           <p className="row small">
@@ -179,9 +190,12 @@ interface SaidLineProps {
   on: string | null
   onOpen: () => void
   onResolve?: () => void
+  /** Send a reply; undefined for what is not sent itself. */
+  onReply?: (text: string) => Promise<void>
 }
 
-function SaidLine({ said, open, on, onOpen, onResolve }: SaidLineProps) {
+function SaidLine({ said, open, on, onOpen, onResolve, onReply }: SaidLineProps) {
+  const [replying, setReplying] = useState(false)
   const where = spot(said.startS, said.endS)
   const resolved = Boolean(said.comment?.resolved_at)
   const role =
@@ -196,6 +210,7 @@ function SaidLine({ said, open, on, onOpen, onResolve }: SaidLineProps) {
     <li className={classes.said} data-open={open || undefined} data-resolved={resolved || undefined}>
       <p className="row">
         {said.number !== null && <span className={classes.saidNumber}>{said.number}</span>}
+        <Face name={said.who} />
         <span className="strong cut-text">{said.who}</span>
         <span className={said.kind === 'change' ? 'small tone-change toned nowrap' : 'small dim nowrap'}>{role}</span>
         <span className="small mono dim end nowrap">{where}</span>
@@ -205,12 +220,30 @@ function SaidLine({ said, open, on, onOpen, onResolve }: SaidLineProps) {
         {said.text}
         {resolved && <span className="dim"> Resolved.</span>}
       </p>
-      {(where !== undefined || on !== null || onResolve) && (
+      {said.replies.length > 0 && (
+        <ul className={classes.replies} aria-label={`Replies to ${said.who}`}>
+          {said.replies.map((one) => (
+            <li key={one.id}>
+              <span className="strong">{one.author.name}</span> <span className="small dim">{age(one.created_at)}</span>
+              <p>{one.text}</p>
+            </li>
+          ))}
+        </ul>
+      )}
+      {replying && onReply && (
+        <ReplyField to={said.who} draftKey={`reply:${said.id}`} onSend={onReply} onClose={() => setReplying(false)} />
+      )}
+      {(where !== undefined || on !== null || onResolve || onReply) && (
         <p className={classes.saidActs}>
           {(where !== undefined || on !== null) && (
             <Button variant="quiet" className="small" onClick={onOpen}>
               {where === undefined ? `Select ${on}` : 'Go to position'}
               <span className="visually-hidden">{said.number === null ? '' : ` of ${said.number}`}</span>
+            </Button>
+          )}
+          {onReply && !replying && (
+            <Button variant="quiet" className="small" onClick={() => setReplying(true)}>
+              Reply<span className="visually-hidden"> to {said.who}</span>
             </Button>
           )}
           {onResolve && (

@@ -26,6 +26,9 @@ interface VerdictProps {
   judge: Judge
   range: TimeRange | null
   changing: { positionS: number } | null
+  isPlaying: boolean
+  /** Play or pause; null where there is nothing to hear. */
+  onPlay: (() => void) | null
   onApprove: () => void
   onAcceptSet: () => void
   onChange: () => void
@@ -88,6 +91,16 @@ export function Verdict(props: VerdictProps) {
       who={whoDecides(review, props.money)}
       follows={[follows(props), due(props)].filter(Boolean).join(' ')}
       above={above}
+      narrow={
+        <Button
+          icon={props.isPlaying ? 'pause' : 'play'}
+          tall
+          disabled={props.onPlay === null}
+          onClick={() => props.onPlay?.()}
+        >
+          {props.isPlaying ? 'Pause' : 'Play'}
+        </Button>
+      }
     >
       {!whole && (
         <Button keys="c" icon="comment" tall className={classes.optional} onClick={props.onComment}>

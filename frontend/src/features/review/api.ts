@@ -41,16 +41,18 @@ export interface CommentSaid {
   text: string
   startS?: number
   endS?: number
+  /** The comment or the sent change request that it answers. */
+  answers?: { reply_to_id?: string; change_request_id?: string }
 }
 
 export function useComment(cueId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: ({ takeId, text, startS, endS }: CommentSaid) =>
+    mutationFn: ({ takeId, text, startS, endS, answers }: CommentSaid) =>
       answered(
         api.POST('/v1/takes/{take_id}/comments', {
           params: { path: { take_id: takeId } },
-          body: { text, start_s: startS, end_s: endS },
+          body: { text, start_s: startS, end_s: endS, ...answers },
         }),
       ),
     onSuccess: (comment) => {

@@ -9,6 +9,8 @@ const take = aTake('a')
 const comment = (id: string, at: string, startS: number | null, endS: number | null = null) => ({
   id,
   take_id: 'a',
+  reply_to_id: null as string | null,
+  change_request_id: null as string | null,
   text: id,
   start_s: startS,
   end_s: endS,
@@ -34,6 +36,24 @@ test('what was said is numbered in time, where it has a place in the sound', () 
     { id: 'later', number: 2, startS: 0.3, endS: 0.46 },
   ])
   expect(marksOf(said, 'b')).toEqual([])
+})
+
+test('replies stand below the note that they answer, and are no notes themselves', () => {
+  const note = comment('note', '2026-11-20T09:00:00Z', 0.2)
+  const change = { ...aDraft(take, aCue(), 'sent'), id: 'change', sent_at: '2026-11-20T09:30:00Z' }
+  const review = aReview(anItem({}, [take]), {
+    comments: [
+      note,
+      { ...comment('to the note', '2026-11-20T10:00:00Z', null), reply_to_id: 'note' },
+      { ...comment('to the change', '2026-11-20T11:00:00Z', null), change_request_id: 'change' },
+    ],
+    change_requests: [change],
+  })
+  const said = saidOf(review, [take])
+  expect(said.map(({ id, replies }) => [id, replies.map(({ text }) => text)]).sort()).toEqual([
+    ['change', ['to the change']],
+    ['note', ['to the note']],
+  ])
 })
 
 test('what is said of another take is left out', () => {

@@ -19,14 +19,18 @@ export interface Said {
   endS: number | null
   at: string
   comment?: Comment
+  /** What was answered to it, in order. */
+  replies: readonly Comment[]
 }
 
 /** Everything said of these takes, in the order in which it was said; what has a place in the sound is numbered. */
 export function saidOf(review: CueReview, takes: readonly ReviewTake[]): Said[] {
   const ids = new Set(takes.map(({ id }) => id))
+  const repliesTo = (id: string) =>
+    review.comments.filter(({ reply_to_id, change_request_id }) => reply_to_id === id || change_request_id === id)
   const all: Omit<Said, 'number'>[] = [
     ...review.comments
-      .filter(({ take_id }) => ids.has(take_id))
+      .filter(({ take_id, reply_to_id, change_request_id }) => ids.has(take_id) && !reply_to_id && !change_request_id)
       .map((comment) => ({
         id: comment.id,
         takeId: comment.take_id,
@@ -39,6 +43,7 @@ export function saidOf(review: CueReview, takes: readonly ReviewTake[]): Said[] 
         endS: comment.end_s,
         at: comment.created_at,
         comment,
+        replies: repliesTo(comment.id),
       })),
     ...review.change_requests
       .filter(({ take_id }) => ids.has(take_id))
@@ -53,6 +58,7 @@ export function saidOf(review: CueReview, takes: readonly ReviewTake[]): Said[] 
         startS: change.start_s,
         endS: change.end_s,
         at: change.created_at,
+        replies: repliesTo(change.id),
       })),
   ]
   let number = 0

@@ -75,6 +75,7 @@ describe('reading', () => {
     await userEvent.click(screen.getByRole('searchbox', { name: 'Filter the list' }))
     await userEvent.keyboard('ufo')
     expect(await screen.findByRole('heading', { name: 'No cue matches “ufo”.' })).toBeInTheDocument()
+    expect(app.search()).toEqual({ q: 'ufo' })
     await userEvent.click(screen.getByRole('button', { name: 'Add a cue named ufo' }))
     expect(screen.getByRole('textbox', { name: 'Name, row 1' })).toHaveValue('ufo')
   })

@@ -52,7 +52,6 @@ export function SoundListPage(): ReactNode {
   const { data: unmatched } = useQuery(unmatchedQuery(projectId))
   const [player, playing] = usePlayer()
 
-  const [words, setWords] = useState('')
   const [adding, setAdding] = useState<{ name?: string } | null>(null)
   const [panel, setPanel] = useState<{ id: string; kind: PanelKind } | null>(null)
   const [picked, setPicked] = useState<ReadonlySet<string>>(NONE)
@@ -67,8 +66,8 @@ export function SoundListPage(): ReactNode {
     [cues, progress.data, questions, unmatched],
   )
   const categories = useMemo(() => categoriesOf(rows), [rows])
+  const { state, category, by = 'list', q: words = '' } = search
   const sought = useDeferredValue(words)
-  const { state, category, by = 'list' } = search
   const groups = useMemo(
     () => groupsOf(matching(rows, { state, category, words: sought }), by),
     [rows, state, category, sought, by],
@@ -151,8 +150,8 @@ export function SoundListPage(): ReactNode {
     )
   }, [selectedId])
   const clear = () => {
-    setWords('')
-    if (state !== undefined || category !== undefined) onSearch({ state: undefined, category: undefined })
+    if (state !== undefined || category !== undefined || words !== '')
+      onSearch({ state: undefined, category: undefined, q: undefined })
   }
   const escape = () => {
     if (panel) closePanel()
@@ -316,7 +315,7 @@ export function SoundListPage(): ReactNode {
             chips={chips}
             filter={filter}
             onSearch={onSearch}
-            onWords={setWords}
+            onWords={(typed) => onSearch({ q: typed || undefined })}
           />
         )
       )}

@@ -108,6 +108,8 @@ export interface ListSearch {
   state?: CueStatus
   category?: string
   by?: Grouping
+  /** Words that were typed to filter by. */
+  q?: string
 }
 
 export interface Group {
