@@ -30,6 +30,8 @@ from app.amendments.errors import (
     ChangeOrderNotFound,
     ChangeOrderStale,
     NotInForce,
+    NotOwnChangeOrder,
+    OwnChangeOrder,
 )
 from app.amendments.models import ChangeOrder
 from app.amendments.rules import ChangeOrderState, Difference, Planned, changed_plan, warnings_of
@@ -472,7 +474,7 @@ def refuse(session: Session, actor: Actor, contract_id: UUID, number: int, *, re
     contract, party = locked_for_party(session, actor, contract_id)
     order = _open(session, contract, number)
     if order.party is party:
-        raise NotYourContract("the other party refuses a change order; yours can be withdrawn")
+        raise OwnChangeOrder("your party proposed this change order", fix="withdraw it; the other party can refuse it")
     _close(session, order, ChangeOrderState.REFUSED, reason, by=actor.person)
 
 
@@ -481,7 +483,7 @@ def withdraw(session: Session, actor: Actor, contract_id: UUID, number: int, *, 
     contract, party = locked_for_party(session, actor, contract_id)
     order = _open(session, contract, number)
     if order.party is not party:
-        raise NotYourContract(f"only the {order.party}, who proposed it, withdraws it; you can refuse it")
+        raise NotOwnChangeOrder(f"the {order.party} proposed this change order", fix="refuse it")
     _close(session, order, ChangeOrderState.WITHDRAWN, reason, by=actor.person)
 
 

@@ -29,6 +29,8 @@ from app.amendments.errors import (
     NoticeGiven,
     NoticeTooShort,
     NotInForce,
+    NotOwnChangeOrder,
+    OwnChangeOrder,
 )
 from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
 from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
@@ -164,7 +166,10 @@ def accept_change_order(
     return change_orders.change_orders(session, actor, contract_id)
 
 
-@router.post("/contracts/{contract_id}/change-orders/{change_order_number}/refuse", responses=problems(*ORDER_REFUSALS))
+@router.post(
+    "/contracts/{contract_id}/change-orders/{change_order_number}/refuse",
+    responses=problems(*ORDER_REFUSALS, OwnChangeOrder),
+)
 def refuse_change_order(
     contract_id: UUID,
     change_order_number: OrderNumber,
@@ -178,7 +183,8 @@ def refuse_change_order(
 
 
 @router.post(
-    "/contracts/{contract_id}/change-orders/{change_order_number}/withdraw", responses=problems(*ORDER_REFUSALS)
+    "/contracts/{contract_id}/change-orders/{change_order_number}/withdraw",
+    responses=problems(*ORDER_REFUSALS, NotOwnChangeOrder),
 )
 def withdraw_change_order(
     contract_id: UUID,

@@ -37,3 +37,11 @@ class ChangeOrderStale(Conflict):
 
 class NotInForce(Conflict):
     """Only an agreed contract that orders work is changed by change orders."""
+
+
+class OwnChangeOrder(Conflict):
+    """Who proposed a change order withdraws it; the other party refuses it."""
+
+
+class NotOwnChangeOrder(Conflict):
+    """Who did not propose a change order refuses it; the other party withdraws it."""

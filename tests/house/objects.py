@@ -24,8 +24,10 @@ from app.accounts.queries import actor_for_person
 from app.accounts.rules import Role, Scope
 from app.accounts.service import add_token
 from app.agreements.clauses import Clause
+from app.agreements.documents import sha256_of as text_sha256_of
 from app.agreements.models import Contract, ContractCue, ContractTemplate, ContractVersion, Milestone
-from app.agreements.rules import ContractKind, ContractState
+from app.agreements.rules import ContractKind, ContractState, Party
+from app.amendments.models import ChangeOrder
 from app.builds.models import Build, SealedPack
 from app.builds.rules import PackState
 from app.conformance.models import CheckRun
@@ -220,7 +222,7 @@ class House(World):
             delay_s=TOMORROW.total_seconds(),
         )
 
-    def _add_money(self, session: Session, cue: Cue) -> dict[str, UUID]:
+    def _add_money(self, session: Session, cue: Cue) -> dict[str, UUID | int]:
         """Add a contract that both agreed to, with an invoice that was paid in part."""
         engagement = any_engagement_of(session, self.project_id, self.designer_id)
         assert engagement is not None
@@ -298,6 +300,19 @@ class House(World):
             logged_by=self.designer_id,
         )
         session.add(worked)
+        text = "# Change order 1 to Effects"
+        order = ChangeOrder(
+            **of_it,
+            number=1,
+            party=Party.DESIGNER,
+            proposed_by=self.designer_id,
+            reason="The level grew",
+            begins_at_once=False,
+            changes=[{"kind": "cut_cue", "cue_id": str(cue.id)}],
+            text=text,
+            text_sha256=text_sha256_of(text),
+        )
+        session.add(order)
         session.add_all([paid, InvoiceLine(**of, ledger_line_id=due.id, invoice_id=invoice.id, text="Shield hit")])
         session.flush()
         return {
@@ -307,6 +322,7 @@ class House(World):
             "payment_id": payment.id,
             "milestone_id": milestone.id,
             "worked_day_id": worked.id,
+            "change_order_number": order.number,
         }
 
     def _add_text(self, session: Session, contract_id: UUID) -> ContractTemplate:

@@ -110,7 +110,7 @@ def example(schema: Schema, name: str) -> Any:
         return example(document()["components"]["schemas"][schema["$ref"].rpartition("/")[2]], name)
     if name in EXAMPLES:
         return EXAMPLES[name]
-    for choice in schema.get("anyOf", ()):
+    for choice in (*schema.get("anyOf", ()), *schema.get("oneOf", ())):
         if choice.get("type") != "null":
             return example(choice, name)
     if "enum" in schema or "const" in schema:

@@ -228,8 +228,8 @@ def test_two_orders_on_one_milestone(order: Order) -> None:
 def test_refused_or_withdrawn_by_the_right_party(order: Order) -> None:
     order.propose(about("add_round", order.cues[0]), by=order.world.designer)
     reason = {"json": {"reason": "Too dear"}}
-    assert refused(order.world.designer.post(f"{order.path}/1/refuse", **reason)) == (403, "not-your-contract")
-    assert refused(order.world.producer.post(f"{order.path}/1/withdraw", **reason)) == (403, "not-your-contract")
+    assert refused(order.world.designer.post(f"{order.path}/1/refuse", **reason)) == (409, "own-change-order")
+    assert refused(order.world.producer.post(f"{order.path}/1/withdraw", **reason)) == (409, "not-own-change-order")
     closed = told(order.world.producer.post(f"{order.path}/1/refuse", **reason))["orders"][0]
     assert (closed["state"], closed["close_reason"]) == ("refused", "Too dear")
     assert refused(order.accept(order.world.designer)) == (409, "change-order-closed")

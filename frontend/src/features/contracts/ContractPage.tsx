@@ -69,9 +69,14 @@ export function ContractPage() {
           <Versions contract={contract} projectId={projectId} />
           {contract.my_party === 'studio' && <KeepAsTemplate contract={contract} />}
           {isOrder(contract) && contract.agreed_at !== null && (
-            <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contract.id}/ending`}>
-              {contract.state === 'ended' ? 'Settlement' : 'Ending early'}
-            </ButtonLink>
+            <div className={classes.buttons}>
+              <ButtonLink component={Link} icon="pencil" to={`/projects/${projectId}/contracts/${contract.id}/changes`}>
+                Change orders
+              </ButtonLink>
+              <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contract.id}/ending`}>
+                {contract.state === 'ended' ? 'Settlement' : 'Ending early'}
+              </ButtonLink>
+            </div>
           )}
           {contract.may.end && <End contract={contract} />}
         </div>

@@ -18,6 +18,10 @@ export type Draft = Schemas['DraftChange']
 export type LibraryClause = Schemas['LibraryClauseRead']
 export type Compared = Schemas['ComparedRead']
 export type Entry = Schemas['RecordEntryRead']
+export type ChangeOrders = Schemas['ChangeOrdersRead']
+export type ChangeOrder = Schemas['ChangeOrderRead']
+export type Difference = Schemas['DifferenceRead']
+export type Change = Schemas['ChangeOrderAdd']['changes'][number]
 export type Ending = Schemas['EndingRead']
 export type StatedCue = Schemas['StatedCueRead']
 export type Template = Schemas['TemplateBrief']
@@ -30,6 +34,7 @@ const keys = {
   contract: (contractId: string) => ['contract', contractId] as const,
   versions: (contractId: string) => ['contract', contractId, 'versions'] as const,
   record: (contractId: string) => ['contract', contractId, 'record'] as const,
+  changes: (contractId: string) => ['contract', contractId, 'change-orders'] as const,
   ending: (contractId: string) => ['contract', contractId, 'ending'] as const,
   templates: (studioId: string) => ['contract-templates', studioId] as const,
 }
@@ -79,6 +84,20 @@ export const endingQuery = (contractId: string) =>
   queryOptions({
     queryKey: keys.ending(contractId),
     queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/ending', of(contractId))),
+  })
+
+export const changeOrdersQuery = (contractId: string) =>
+  queryOptions({
+    queryKey: keys.changes(contractId),
+    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/change-orders', of(contractId))),
+  })
+
+export const changePreviewQuery = (contractId: string, changes: Change[]) =>
+  queryOptions({
+    queryKey: [...keys.changes(contractId), 'preview', changes],
+    queryFn: () =>
+      answered(api.POST('/v1/contracts/{contract_id}/change-order-preview', { ...of(contractId), body: { changes } })),
+    enabled: changes.length > 0,
   })
 
 export const libraryQuery = (kind: ContractKind) =>
@@ -201,6 +220,46 @@ export function useEnding(contractId: string) {
         client.invalidateQueries({ queryKey: keys.contract(contractId) }),
         client.invalidateQueries({ queryKey: keys.list(ending.project_id) }),
         client.invalidateQueries({ queryKey: ['project', ending.project_id] }),
+      ])
+    },
+  })
+}
+
+/** What a party does with a change order; each answers all of them as they are then. */
+export type ChangeDeed =
+  | { does: 'propose'; reason: string; beginsAtOnce: boolean; changes: Change[] }
+  | { does: 'accept'; number: number; name: string; textSha256: string }
+  | { does: 'refuse' | 'withdraw'; number: number; reason: string }
+
+function doneToChange(contractId: string, deed: ChangeDeed): Promise<ChangeOrders> {
+  if (deed.does === 'propose') {
+    const body = { reason: deed.reason, begins_at_once: deed.beginsAtOnce, changes: deed.changes }
+    return answered(api.POST('/v1/contracts/{contract_id}/change-orders', { ...of(contractId), body }))
+  }
+  const it = { params: { path: { contract_id: contractId, change_order_number: deed.number } } }
+  const path = '/v1/contracts/{contract_id}/change-orders/{change_order_number}'
+  switch (deed.does) {
+    case 'accept': {
+      const body = { name: deed.name, text_sha256: deed.textSha256 }
+      return answered(api.POST(`${path}/accept`, { ...it, body }))
+    }
+    case 'refuse':
+      return answered(api.POST(`${path}/refuse`, { ...it, body: { reason: deed.reason } }))
+    case 'withdraw':
+      return answered(api.POST(`${path}/withdraw`, { ...it, body: { reason: deed.reason } }))
+  }
+}
+
+export function useChangeOrder(contractId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (deed: ChangeDeed) => doneToChange(contractId, deed),
+    onSuccess: async (orders) => {
+      client.setQueryData(keys.changes(contractId), orders)
+      await Promise.all([
+        client.invalidateQueries({ queryKey: keys.record(contractId) }),
+        client.invalidateQueries({ queryKey: keys.ending(contractId) }),
+        client.invalidateQueries({ queryKey: ['project', orders.project_id] }),
       ])
     },
   })

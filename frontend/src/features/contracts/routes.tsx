@@ -32,6 +32,11 @@ export const contractRoutes = [
   }),
   createRoute({
     getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/contracts/$contractId/changes',
+    component: lazyRouteComponent(() => import('./ChangeOrdersPage'), 'ChangeOrdersPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
     path: '/projects/$projectId/contracts/$contractId/ending',
     component: lazyRouteComponent(() => import('./EndingPage'), 'EndingPage'),
   }),

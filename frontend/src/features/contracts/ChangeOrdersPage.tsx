@@ -1,0 +1,188 @@
+import { TextInput } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+import { Link, useParams } from '@tanstack/react-router'
+import { type FormEvent, useState } from 'react'
+
+import { useTitle } from '@/app/title'
+import { showToast } from '@/app/toast'
+import { Button, ButtonLink } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { clock, day } from '@/ui/format'
+import { Row, Rows } from '@/ui/Rows'
+import { State, type StateKind } from '@/ui/State'
+
+import { type ChangeOrder, type ChangeOrders, changeOrdersQuery, useChangeOrder } from './api'
+import classes from './Contracts.module.css'
+import { DifferenceView } from './DifferenceView'
+import { ProposeChange } from './ProposeChange'
+import { Refusal } from './Refusal'
+import { Text } from './Text'
+import { sentence } from './words'
+
+/** The change orders of a contract: what each changes, who has signed it, and a new one. */
+export function ChangeOrdersPage() {
+  const { projectId, contractId } = useParams({ from: '/shell/projects/$projectId/contracts/$contractId/changes' })
+  const { data: all, error } = useQuery(changeOrdersQuery(contractId))
+  useTitle('Change orders')
+  if (!all) {
+    return (
+      <div className="page stack" aria-busy={error === null}>
+        <h1>Change orders</h1>
+        <Refusal error={error} />
+      </div>
+    )
+  }
+  return (
+    <div className="page stack">
+      <div className={classes.head}>
+        <div>
+          <h1>Change orders</h1>
+          <p className="mid">{`to ${all.title}. What is signed stays; a change order says only what is different.`}</p>
+        </div>
+        <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contractId}`}>
+          {all.title}
+        </ButtonLink>
+      </div>
+      <div className={`columns ${classes.columns}`}>
+        <div className="stack">
+          {all.orders.length === 0 && (
+            <EmptyState head="No change order yet">
+              {all.may_propose
+                ? 'Propose one: a cue, a cut, a price, a round, a date, or work beside the cues.'
+                : 'Only the two parties of a running contract propose one.'}
+            </EmptyState>
+          )}
+          {all.orders.toReversed().map((order) => (
+            <Order key={order.number} order={order} all={all} />
+          ))}
+        </div>
+        <div className="stack">{all.may_propose && <ProposeChange all={all} />}</div>
+      </div>
+    </div>
+  )
+}
+
+const STATES: Record<ChangeOrder['state'], { kind: StateKind; word: string }> = {
+  proposed: { kind: 'waiting', word: 'Proposed' },
+  agreed: { kind: 'accepted', word: 'In force' },
+  refused: { kind: 'returned', word: 'Refused' },
+  withdrawn: { kind: 'cut', word: 'Withdrawn' },
+  lapsed: { kind: 'cut', word: 'Lapsed' },
+}
+
+function Order({ order, all }: { order: ChangeOrder; all: ChangeOrders }) {
+  const { kind, word } = STATES[order.state]
+  const head = `order-${order.number}`
+  return (
+    <Card aria-labelledby={head}>
+      <CardHead
+        id={head}
+        title={`Change order ${order.number}`}
+        note={`${order.proposed_by}, for the ${order.party}, ${day(order.proposed_at)}`}
+        end={
+          <State kind={order.may.agree ? 'to_review' : kind}>{order.may.agree ? 'Needs your signature' : word}</State>
+        }
+      />
+      <div className={classes.form}>
+        <p>{order.reason}</p>
+        {order.problems.map((problem) => (
+          <State key={problem} kind="warning">
+            {sentence(problem)}
+          </State>
+        ))}
+        {order.difference !== null && <DifferenceView difference={order.difference} currency={all.currency} />}
+        {order.begins_at_once && (
+          <State kind="warning">{`Work may begin before both have signed, at the risk of the ${order.party}.`}</State>
+        )}
+        {order.close_reason !== '' && order.closed_at !== null && (
+          <p className="mid">{`${word} on ${day(order.closed_at)}: ${order.close_reason}`}</p>
+        )}
+      </div>
+      <Rows aria-label="Signed by">
+        {order.signed.map(({ party, name, accepted_at: at }) => (
+          <Row key={party} className={classes.row}>
+            <span className="grow">{`Signed by ${name}, for the ${party}`}</span>
+            <span className="small dim">{`${day(at)}, ${clock(at)}`}</span>
+          </Row>
+        ))}
+      </Rows>
+      <div className={classes.form}>
+        {order.may.agree && <Sign order={order} contractId={all.contract_id} />}
+        {order.may.refuse && <Close order={order} contractId={all.contract_id} does="refuse" />}
+        {order.may.withdraw && <Close order={order} contractId={all.contract_id} does="withdraw" />}
+        <details className={classes.end}>
+          <summary>Full text</summary>
+          <Text blocks={order.blocks} />
+          <p className={`mono dim ${classes.hash}`}>{`SHA-256 ${order.text_sha256}`}</p>
+        </details>
+        <ButtonLink
+          variant="quiet"
+          icon="download"
+          href={`/v1/contracts/${all.contract_id}/change-orders/${order.number}/change-order.pdf`}
+          aria-label={`Change order ${order.number} as PDF`}
+        >
+          PDF
+        </ButtonLink>
+      </div>
+    </Card>
+  )
+}
+
+function Sign({ order, contractId }: { order: ChangeOrder; contractId: string }) {
+  const sign = useChangeOrder(contractId)
+  const [name, setName] = useState('')
+  const submit = (event: FormEvent) => {
+    event.preventDefault()
+    if (sign.isPending || name.trim() === '') return
+    const isLast = order.signed.length === 1
+    sign.mutate(
+      { does: 'accept', number: order.number, name: name.trim(), textSha256: order.text_sha256 },
+      { onSuccess: () => showToast(isLast ? `Change order ${order.number} is in force.` : 'Signed.') },
+    )
+  }
+  return (
+    <form onSubmit={submit} className={classes.inner} aria-label={`Sign change order ${order.number}`}>
+      <TextInput
+        label="Your full name"
+        description="Recorded with your email, the time and your IP address."
+        autoComplete="name"
+        value={name}
+        maxLength={120}
+        onChange={({ currentTarget }) => setName(currentTarget.value)}
+      />
+      <Refusal error={sign.error} />
+      <Button type="submit" variant="primary" icon="tick" disabled={name.trim() === ''} aria-busy={sign.isPending}>
+        {`Sign change order ${order.number}`}
+      </Button>
+    </form>
+  )
+}
+
+function Close({ order, contractId, does }: { order: ChangeOrder; contractId: string; does: 'refuse' | 'withdraw' }) {
+  const close = useChangeOrder(contractId)
+  const [reason, setReason] = useState('')
+  const word = does === 'refuse' ? 'Refuse' : 'Withdraw'
+  return (
+    <form
+      className={classes.inner}
+      aria-label={`${word} change order ${order.number}`}
+      onSubmit={(event) => {
+        event.preventDefault()
+        if (!close.isPending && reason.trim() !== '')
+          close.mutate({ does, number: order.number, reason: reason.trim() })
+      }}
+    >
+      <TextInput
+        label={`${word}, reason`}
+        value={reason}
+        maxLength={2000}
+        onChange={({ currentTarget }) => setReason(currentTarget.value)}
+      />
+      <Refusal error={close.error} />
+      <Button type="submit" disabled={reason.trim() === ''} aria-busy={close.isPending}>
+        {word}
+      </Button>
+    </form>
+  )
+}

@@ -1,0 +1,194 @@
+import { Checkbox, NativeSelect, TextInput } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+import { type FormEvent, useState } from 'react'
+
+import { DraftNote, useDraft } from '@/app/drafts'
+import { minorOf } from '@/money/words'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { State } from '@/ui/State'
+
+import { type Change, type ChangeOrders, changePreviewQuery, useChangeOrder } from './api'
+import classes from './Contracts.module.css'
+import { DifferenceView } from './DifferenceView'
+import { Refusal } from './Refusal'
+import { sentence } from './words'
+
+type Kind = Change['kind']
+const KINDS: Record<Kind, string> = {
+  add_cue: 'Add a cue',
+  cut_cue: 'Take a cue out',
+  reprice_cue: 'Change the price of a cue',
+  add_round: 'Add a round of a cue',
+  move_date: 'Move a date',
+  add_work: 'Add work beside the cues',
+}
+const isKind = (value: string): value is Kind => value in KINDS
+
+/** A new change order, change by change, with what it does while it is written. */
+export function ProposeChange({ all }: { all: ChangeOrders }) {
+  const propose = useChangeOrder(all.contract_id)
+  const [changes, setChanges] = useState<Change[]>([])
+  const [reason, setReason, draft] = useDraft(`change-order:${all.contract_id}`, '')
+  const [beginsAtOnce, setBeginsAtOnce] = useState(false)
+  const { data: preview, error } = useQuery(changePreviewQuery(all.contract_id, changes))
+  const problems = preview?.problems ?? []
+  const isReady = changes.length > 0 && reason.trim() !== '' && problems.length === 0
+  const submit = (event: FormEvent) => {
+    event.preventDefault()
+    if (propose.isPending || !isReady) return
+    propose.mutate(
+      { does: 'propose', reason: reason.trim(), beginsAtOnce, changes },
+      {
+        onSuccess: () => {
+          setChanges([])
+          setBeginsAtOnce(false)
+          draft.discard()
+        },
+      },
+    )
+  }
+  return (
+    <Card aria-labelledby="propose">
+      <CardHead id="propose" title="Propose a change order" />
+      <OneChange all={all} onAdd={(change) => setChanges([...changes, change])} />
+      <form onSubmit={submit} className={classes.form} aria-label="Propose a change order">
+        {problems.map((problem) => (
+          <State key={problem} kind="warning">
+            {sentence(problem)}
+          </State>
+        ))}
+        {changes.length > 0 && preview?.difference && (
+          <DifferenceView difference={preview.difference} currency={all.currency} />
+        )}
+        {changes.length > 0 && (
+          <Button variant="quiet" onClick={() => setChanges(changes.slice(0, -1))}>
+            Remove the last change
+          </Button>
+        )}
+        <TextInput
+          label="Reason"
+          value={reason}
+          maxLength={2000}
+          onChange={({ currentTarget }) => setReason(currentTarget.value)}
+        />
+        <DraftNote draft={draft} />
+        <Checkbox
+          label="Work may begin before both have signed, at our risk"
+          checked={beginsAtOnce}
+          onChange={({ currentTarget }) => setBeginsAtOnce(currentTarget.checked)}
+        />
+        <Refusal error={propose.error ?? error} />
+        <Button type="submit" variant="primary" disabled={!isReady} aria-busy={propose.isPending}>
+          Propose
+        </Button>
+      </form>
+    </Card>
+  )
+}
+
+function OneChange({ all, onAdd }: { all: ChangeOrders; onAdd: (change: Change) => void }) {
+  const [kind, setKind] = useState<Kind>('add_cue')
+  const [cueId, setCueId] = useState('')
+  const [milestoneId, setMilestoneId] = useState('')
+  const [price, setPrice] = useState('')
+  const [dueOn, setDueOn] = useState('')
+  const [text, setText] = useState('')
+  const cues = kind === 'add_cue' ? all.cues_to_add : all.cues.map(({ cue }) => cue)
+  const hasCue = kind !== 'move_date' && kind !== 'add_work'
+  const hasMilestone = kind === 'add_cue' || kind === 'move_date' || kind === 'add_work'
+  const hasPrice = kind === 'add_cue' || kind === 'reprice_cue' || kind === 'add_work'
+  const cue = cues.some(({ id }) => id === cueId) ? cueId : (cues[0]?.id ?? '')
+  const milestone = all.milestones.some(({ id }) => id === milestoneId) ? milestoneId : (all.milestones[0]?.id ?? '')
+  const minor = minorOf(price, all.currency)
+  const change = changeOf(kind, { cue, milestone, minor, dueOn, text: text.trim() })
+  const submit = (event: FormEvent) => {
+    event.preventDefault()
+    if (change === null) return
+    onAdd(change)
+    setPrice('')
+    setText('')
+  }
+  return (
+    <form onSubmit={submit} className={classes.form} aria-label="One change">
+      <NativeSelect
+        label="Change"
+        value={kind}
+        data={Object.entries(KINDS).map(([value, label]) => ({ value, label }))}
+        onChange={({ currentTarget }) => isKind(currentTarget.value) && setKind(currentTarget.value)}
+      />
+      {hasCue && (
+        <NativeSelect
+          label="Cue"
+          value={cue}
+          data={cues.map(({ id, label, name }) => ({ value: id, label: `${label} ${name}` }))}
+          description={cues.length === 0 ? 'There is none that could be named here.' : undefined}
+          onChange={({ currentTarget }) => setCueId(currentTarget.value)}
+        />
+      )}
+      {hasMilestone && (
+        <NativeSelect
+          label="Milestone"
+          value={milestone}
+          data={all.milestones.map(({ id, name }) => ({ value: id, label: name }))}
+          onChange={({ currentTarget }) => setMilestoneId(currentTarget.value)}
+        />
+      )}
+      {kind === 'add_work' && (
+        <TextInput
+          label="Work"
+          placeholder="Voice session, two hours"
+          value={text}
+          maxLength={200}
+          onChange={({ currentTarget }) => setText(currentTarget.value)}
+        />
+      )}
+      {hasPrice && (
+        <TextInput
+          label={`Price in ${all.currency}`}
+          inputMode="decimal"
+          value={price}
+          onChange={({ currentTarget }) => setPrice(currentTarget.value)}
+        />
+      )}
+      {kind === 'move_date' && (
+        <TextInput
+          label="New date"
+          type="date"
+          value={dueOn}
+          onChange={({ currentTarget }) => setDueOn(currentTarget.value)}
+        />
+      )}
+      <Button type="submit" icon="plus" disabled={change === null}>
+        Add this change
+      </Button>
+    </form>
+  )
+}
+
+interface Given {
+  cue: string
+  milestone: string
+  minor: number | null
+  dueOn: string
+  text: string
+}
+
+/** The change that a form says, null while it is not whole. */
+function changeOf(kind: Kind, { cue, milestone, minor, dueOn, text }: Given): Change | null {
+  switch (kind) {
+    case 'add_cue':
+      if (cue === '' || milestone === '' || minor === null) return null
+      return { kind, cue_id: cue, milestone_id: milestone, price_minor: minor }
+    case 'reprice_cue':
+      return cue === '' || minor === null ? null : { kind, cue_id: cue, price_minor: minor }
+    case 'cut_cue':
+    case 'add_round':
+      return cue === '' ? null : { kind, cue_id: cue }
+    case 'move_date':
+      return milestone === '' || dueOn === '' ? null : { kind, milestone_id: milestone, due_on: dueOn }
+    case 'add_work':
+      if (milestone === '' || text === '' || minor === null || minor < 1) return null
+      return { kind, milestone_id: milestone, text, amount_minor: minor }
+  }
+}

@@ -1,0 +1,206 @@
+import { screen, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import axe from 'axe-core'
+import { expect, test } from 'vitest'
+
+import { openApp } from '@/test/openApp'
+import { type Answers, refusal, serve } from '@/test/server'
+
+const SHA = 'a'.repeat(64)
+const cue = (name: string) => ({ id: name, label: 'SW-001', name })
+const stated = (name: string, state: string, part: number, owed: number) => ({
+  cue: cue(name),
+  milestone: 'Alpha',
+  state,
+  was_cut: false,
+  price_minor: 18_000,
+  part_bp: part,
+  owed_minor: owed,
+  clause: 'kill_fee',
+})
+const ENDING = {
+  project_id: 'p1',
+  contract_id: 'c1',
+  title: 'Effects for Alpha',
+  designer: { id: 'x3', name: 'Sound designer' },
+  currency: 'USD',
+  my_party: 'designer',
+  state: 'forecast',
+  notice: null,
+  notice_days: 14,
+  earliest_ends_on: '2026-12-01',
+  deposit_at_end: 'stays',
+  cues: [
+    stated('radar_ping', 'accepted', 10_000, 18_000),
+    stated('dock_clamp', 'in_work', 5_000, 9_000),
+    stated('mine_arm', 'in_work', 5_000, 9_000),
+    stated('warp_in', 'delivered', 7_500, 13_500),
+  ],
+  cues_minor: 49_500,
+  deposit_minor: 10_000,
+  rounds_minor: 0,
+  extra_minor: 0,
+  days_minor: 0,
+  due_now_minor: 28_000,
+  figures: {
+    agreed_minor: 82_000,
+    accepted_minor: 59_500,
+    paid_minor: 0,
+    due_minor: 59_500,
+    open_minor: 0,
+    saved_minor: 22_500,
+  },
+  open_points: [],
+  statement_sha256: null,
+  settled_at: null,
+  signed: [],
+  may: { give_notice: true, withdraw: false, agree: false },
+}
+const NOTICE = {
+  number: 1,
+  party: 'studio',
+  given_by: 'Producer',
+  given_at: '2026-11-17T09:00:00Z',
+  reason: 'The game is shelved.',
+  ends_on: '2026-12-01',
+}
+const GIVEN = {
+  ...ENDING,
+  state: 'notice',
+  notice: NOTICE,
+  statement_sha256: SHA,
+  may: { give_notice: false, withdraw: true, agree: true },
+}
+const DIFFERENCE = {
+  changes: ['SW-025 shield_down is added to Beta at USD 225.00.'],
+  cues_before: 23,
+  cues_after: 24,
+  price_before_minor: 704_250,
+  price_after_minor: 726_750,
+  milestones: [
+    {
+      name: 'Beta',
+      is_deposit: false,
+      amount_before_minor: 236_250,
+      amount_after_minor: 258_750,
+      due_before: '2026-12-18',
+      due_after: '2026-12-16',
+    },
+  ],
+  warnings: [
+    { code: 'earlier-and-more', message: 'Beta moves up while work is added to it.', why: 'Dates are missed.' },
+  ],
+  advice: [],
+  advice_gone: [],
+}
+const ORDER = {
+  number: 1,
+  state: 'proposed',
+  party: 'studio',
+  proposed_by: 'Producer',
+  proposed_at: '2026-11-15T09:00:00Z',
+  reason: 'The level grew',
+  begins_at_once: false,
+  closed_at: null,
+  close_reason: '',
+  text_sha256: SHA,
+  blocks: [],
+  difference: DIFFERENCE,
+  problems: [],
+  signed: [],
+  may: { agree: true, refuse: true, withdraw: false },
+}
+const ORDERS = {
+  project_id: 'p1',
+  contract_id: 'c1',
+  title: 'Effects for Alpha',
+  currency: 'USD',
+  my_party: 'designer',
+  may_propose: true,
+  extra_round_bp: 2_500,
+  orders: [ORDER],
+  milestones: [{ id: 'm1', name: 'Beta', due_on: '2026-12-18' }],
+  cues: [{ cue: cue('mine_arm'), price_minor: 18_000, round_minor: 4_500 }],
+  cues_to_add: [cue('shield_down')],
+}
+const ME = { id: 'x3', name: 'Sound designer' }
+const PROJECT = {
+  id: 'p1',
+  name: 'Shield Wing',
+  studio_id: 's1',
+  studio_name: 'Shield Wing studio',
+  part: 'designer',
+  cue_prefix: 'SW',
+  is_producer: false,
+  engagement_kind: 'contract',
+}
+const given = (more: Answers): Answers => ({
+  'GET /v1/session': { signed_in: true, demo: false, person: ME },
+  'GET /v1/me': { person: ME, email: 'designer@sound.example', studios: [], projects: [PROJECT] },
+  ...more,
+})
+
+test('before a notice the page is a forecast, and notice is given with a reason', async () => {
+  const { asked, answers } = serve(given({ 'GET /v1/contracts/c1/ending': ENDING }))
+  answers['POST /v1/contracts/c1/ending/notice'] = () => (answers['GET /v1/contracts/c1/ending'] = GIVEN)
+  openApp('/projects/p1/contracts/c1/ending')
+  const statement = await screen.findByRole('region', { name: 'Statement' })
+  const line = within(statement).getByRole('row', { name: /dock_clamp, mine_arm/ })
+  expect(line).toHaveTextContent('50 %')
+  expect(line).toHaveTextContent('180.00')
+  expect(within(statement).getByRole('row', { name: /To pay/ })).toHaveTextContent('$595.00')
+  expect(screen.getByText(/= paid 0.00 \+ to pay 595.00 \+ not owed 225.00/)).toBeVisible()
+  expect(screen.getByText(/1 cue waits for approval. Accepted, they owe 45.00 more/)).toBeVisible()
+  await userEvent.type(screen.getByLabelText('Reason'), 'The game is shelved.')
+  await userEvent.click(screen.getByRole('button', { name: 'Give notice' }))
+  expect(await screen.findByRole('button', { name: 'Withdraw the notice' })).toBeVisible()
+  expect(asked.find(({ method }) => method === 'POST')?.body).toEqual({ reason: 'The game is shelved.', ends_on: null })
+})
+
+test('a statement is agreed to by its hash, under a name; a refusal is shown', async () => {
+  const { asked, answers } = serve(given({ 'GET /v1/contracts/c1/ending': GIVEN }))
+  answers['POST /v1/contracts/c1/ending/agree'] = refusal(409, 'text-changed', 'the text was changed')
+  openApp('/projects/p1/contracts/c1/ending')
+  const agree = await screen.findByRole('button', { name: 'Agree to the statement' })
+  expect(agree).toBeDisabled()
+  await userEvent.type(screen.getByLabelText('Your full name'), 'N. Designer')
+  await userEvent.click(agree)
+  expect(await screen.findByText('The text was changed.')).toBeVisible()
+  expect(asked.find(({ method }) => method === 'POST')?.body).toEqual({ name: 'N. Designer', text_sha256: SHA })
+  const settled = { ...GIVEN, state: 'settled', settled_at: '2026-11-18T09:00:00Z', may: ENDING.may }
+  answers['POST /v1/contracts/c1/ending/agree'] = () => (answers['GET /v1/contracts/c1/ending'] = settled)
+  await userEvent.click(agree)
+  expect(await screen.findByRole('heading', { name: 'Settlement' })).toBeVisible()
+})
+
+test('a change order shows what it changes, and is signed by its hash', async () => {
+  const { asked, answers } = serve(given({ 'GET /v1/contracts/c1/change-orders': ORDERS }))
+  answers['POST /v1/contracts/c1/change-orders/1/accept'] = { ...ORDERS, orders: [{ ...ORDER, may: {} }] }
+  openApp('/projects/p1/contracts/c1/changes')
+  const card = await screen.findByRole('region', { name: 'Change order 1' })
+  expect(card).toHaveTextContent('23 cues → 24 cues')
+  expect(card).toHaveTextContent('7,042.50 → $7,267.50 + 225.00')
+  expect(card).toHaveTextContent('Beta moves up while work is added to it. Dates are missed.')
+  expect((await axe.run(document.body)).violations.map(({ id }) => id)).toEqual([])
+  await userEvent.type(within(card).getByLabelText('Your full name'), 'N. Designer')
+  await userEvent.click(within(card).getByRole('button', { name: 'Sign change order 1' }))
+  expect(asked.find(({ method }) => method === 'POST')?.body).toEqual({ name: 'N. Designer', text_sha256: SHA })
+})
+
+test('a change is put together, looked at and proposed', async () => {
+  const { asked, answers } = serve(given({ 'GET /v1/contracts/c1/change-orders': { ...ORDERS, orders: [] } }))
+  answers['POST /v1/contracts/c1/change-order-preview'] = { difference: DIFFERENCE, problems: [] }
+  answers['POST /v1/contracts/c1/change-orders'] = ORDERS
+  openApp('/projects/p1/contracts/c1/changes')
+  await userEvent.type(await screen.findByLabelText('Price in USD'), '225')
+  await userEvent.click(screen.getByRole('button', { name: 'Add this change' }))
+  expect(await screen.findByText('SW-025 shield_down is added to Beta at USD 225.00.')).toBeVisible()
+  await userEvent.type(screen.getByLabelText('Reason'), 'The level grew')
+  await userEvent.click(screen.getByRole('button', { name: 'Propose' }))
+  expect(await screen.findByRole('region', { name: 'Change order 1' })).toBeVisible()
+  expect(asked.findLast(({ method }) => method === 'POST')?.body).toEqual({
+    reason: 'The level grew',
+    begins_at_once: false,
+    changes: [{ kind: 'add_cue', cue_id: 'shield_down', milestone_id: 'm1', price_minor: 22_500 }],
+  })
+})
