@@ -17,7 +17,7 @@ from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.deliveries.service import change_state
 from app.kit import kill_points
-from app.renders import jobs
+from app.renders import take_jobs
 from app.renders.take_jobs import prepare_take
 from tests.support import hostile
 from tests.support.blobs import blob_file
@@ -120,7 +120,7 @@ def test_what_its_checker_cannot_survive_is_unjudged_after_three_tries(
     monkeypatch.setattr(audio_checks, "check_file", what)
     sandbox = audio_checks.Sandbox(preload=("numpy", "audio_checks", hostile.__name__))
     children = SandboxPool(sandbox)
-    monkeypatch.setattr(jobs, "_children", lambda: children)
+    monkeypatch.setattr(take_jobs, "children", lambda: children)
     monkeypatch.setattr(checking, "time_for", lambda _bytes: 1.0)
     take = deliver(world, "laser.wav", tone(hz=200 + len(what.__name__)))
     found = checked(world, take["id"])

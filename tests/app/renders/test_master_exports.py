@@ -8,7 +8,7 @@ import soundfile
 from fastapi.testclient import TestClient
 
 from app.kit.db import new_id
-from app.renders import jobs
+from app.renders import export_jobs
 from audio_checks import AudioFile, SandboxFailed
 from tests.app.renders.making import add_cue, deliver, deliver_sound
 from tests.support.server import World
@@ -107,9 +107,9 @@ def test_a_copy_that_failed_is_made_when_it_is_asked_for_again(world: World, mon
         raise SandboxFailed("the child was killed")
 
     with monkeypatch.context() as patch:
-        patch.setattr(jobs, "_tried", broken)
+        patch.setattr(export_jobs, "retried", broken)
         failed = made(world, world.reviewer, take_id)
-    assert (failed["state"], failed["refusal"]) == ("refused", jobs.NO_EXPORT)
+    assert (failed["state"], failed["refusal"]) == ("refused", export_jobs.NO_EXPORT)
     again = made(world, world.reviewer, take_id)
     assert (again["id"], again["state"], again["refusal"]) == (failed["id"], "made", None)
 

@@ -14,7 +14,7 @@ from app.deliveries.models import Take
 from app.kit.db import new_id
 from app.projects.models import Engagement
 from app.projects.rules import EngagementKind
-from app.renders import jobs, reels
+from app.renders import reel_jobs, reels
 from app.renders.models import Picture
 from audio_checks import SandboxFailed
 from tests.app.renders.making import add_cue, deliver, deliver_sound
@@ -24,7 +24,7 @@ from tests.support.waves import sine, wav_bytes
 
 @pytest.fixture(autouse=True)
 def _without_speech(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(jobs, "synthesize_speech", lambda *_: None)
+    monkeypatch.setattr(reel_jobs, "synthesize_speech", lambda *_: None)
 
 
 def tone(hz: int, seconds: float = 0.2) -> Any:
@@ -152,11 +152,11 @@ def test_a_reel_that_failed_is_made_when_it_is_asked_for_again(world: World, mon
         raise SandboxFailed("the child was killed")
 
     with monkeypatch.context() as patch:
-        patch.setattr(jobs, "_tried", broken)
+        patch.setattr(reel_jobs, "retried", broken)
         asked = ask(world.reviewer, cue_id)
         world.server.wait_for_jobs()
     failed = world.reviewer.get(f"/v1/reels/{asked['id']}").json()
-    assert (failed["state"], failed["refusal"], failed["file_url"]) == ("refused", jobs.NO_REEL, None)
+    assert (failed["state"], failed["refusal"], failed["file_url"]) == ("refused", reel_jobs.NO_REEL, None)
     assert world.reviewer.get(f"/v1/reels/{asked['id']}/file").json()["code"] == "reel-not-made"
     assert made(world, world.reviewer, cue_id)["id"] == asked["id"]
 
@@ -168,7 +168,7 @@ def test_speech_makes_the_slates_where_it_is_installed(world: World, monkeypatch
         said.append(words)
         return sine(hz=200, dbfs=0, rate=rate_hz, seconds=0.5)[:, 0]
 
-    monkeypatch.setattr(jobs, "synthesize_speech", speak)
+    monkeypatch.setattr(reel_jobs, "synthesize_speech", speak)
     cue_id, _ = two_takes(world)
     reel = made(world, world.reviewer, cue_id)
     assert (reel["slates"], said) == ("spoken", ["version 1", "version 2"])

@@ -7,7 +7,7 @@ import pytest
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
-from app.renders import jobs, timbre
+from app.renders import children, timbre, timbre_jobs
 from app.renders.models import Timbre
 from audio_checks import SandboxCrashed
 from tests.app.renders.making import add_cue, deliver_sound
@@ -43,7 +43,7 @@ class InPlaceOfLibrosa:
 @pytest.fixture
 def sandbox(monkeypatch: pytest.MonkeyPatch) -> InPlaceOfLibrosa:
     placeholder_file = InPlaceOfLibrosa()
-    monkeypatch.setattr(jobs, "_librosa_sandbox", lambda: placeholder_file)
+    monkeypatch.setattr(timbre_jobs, "_librosa_sandbox", lambda: placeholder_file)
     return placeholder_file
 
 
@@ -76,7 +76,7 @@ def test_a_sound_that_cannot_be_heard_is_not_tried_for_ever(world: World, sandbo
     sandbox.breaks = True
     add_cue(world, "odd", palette=True)
     beep(world, "odd")
-    assert (heard(world), sandbox.calls) == ([[]], jobs.TRIES)
+    assert (heard(world), sandbox.calls) == ([[]], children.TRIES)
 
 
 @pytest.fixture
