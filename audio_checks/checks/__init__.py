@@ -3,6 +3,10 @@
 A check module has a docstring (one line `name`: what holds; then Why, How to fix, Source), from
 which its page is made, and
 
+- `SEVERITY`: "error" or "warning" by default; `OVER_FILES = True` where it judges files together;
+- `LIMITS`, where it brings limits of its own: keys of the table `limits` of a spec, with the least and
+  greatest value; it reads them from `spec.limits.others`;
+- `NOT_FIXED`, where no fix is offered for what it finds: one sentence that says why;
 - `FIGURES`: the measurements it reads, so that they are made while the file streams by;
 - `JUDGEMENT`, where it makes a finding of a judgement: the name of that, see `audio_checks.judge`;
 - `applies(spec, cue)`, where some limit must be stated for the check to be called;
@@ -48,6 +52,12 @@ class Check:
         """The judgement it makes a finding of; None for a check of facts."""
         name: str | None = getattr(self.module, "JUDGEMENT", None)
         return name
+
+    @property
+    def not_fixed(self) -> str | None:
+        """Why no fix is offered for what it finds; None where it does not say."""
+        why: str | None = getattr(self.module, "NOT_FIXED", None)
+        return why
 
     @property
     def summary(self) -> str:

@@ -20,6 +20,11 @@ from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
+SEVERITY = "error"
+NOT_FIXED = (
+    "Which channels stay, and how they are mixed, is the designer's choice: export the sound with the channels "
+    "that are wanted."
+)
 FIGURES = ()
 COUNTS = {1: "mono", 2: "stereo"}
 

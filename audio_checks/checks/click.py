@@ -20,6 +20,8 @@ from audio_checks.spec.delivery_spec import DeliverySpec
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
+SEVERITY = "warning"
+NOT_FIXED = "Taking it out changes the sound around it, so it is done by ear: in the session, or in a restoration tool."
 FIGURES = ("clicks", "click_places")
 PLACES_NAMED = 3
 AROUND_S = 0.0005

@@ -25,6 +25,11 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
     from audio_checks.measure.flat_tops import FlatTop
 
+SEVERITY = "warning"
+NOT_FIXED = (
+    "What was cut off at the top is gone, and a lower level does not bring it back: lower the level before the "
+    "limiter or converter, and export again."
+)
 FIGURES = ("clipped_runs", "clipped_spans", "soft_tops", "soft_spans")
 PLACES_NAMED = 3
 

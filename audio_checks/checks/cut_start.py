@@ -21,6 +21,8 @@ from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
+SEVERITY = "warning"
+NOT_FIXED = "What stood before the cut is not in the file: choose an earlier start in the session."
 FIGURES = ("start_edge",)
 AROUND_S = 0.01
 

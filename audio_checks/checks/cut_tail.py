@@ -21,6 +21,8 @@ from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
+SEVERITY = "warning"
+NOT_FIXED = "What stood after the cut is not in the file: let the sound ring out in the session."
 FIGURES = ("end_edge",)
 AROUND_S = 0.01
 

@@ -15,6 +15,10 @@ from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
+SEVERITY = "error"
+NOT_FIXED = (
+    "A filter takes it out, and changes the lowest sound with it: use a high-pass at 10 to 20 Hz in the session."
+)
 FIGURES = ("dc_offset_percent",)
 
 

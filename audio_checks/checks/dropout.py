@@ -20,6 +20,8 @@ from audio_checks.spec.delivery_spec import DeliverySpec
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
+SEVERITY = "warning"
+NOT_FIXED = "The missing sound is not in the file: export it again from the session."
 FIGURES = ("dropouts", "dropout_places", "repeats", "repeat_places")
 PLACES_NAMED = 3
 FIX = "export it again with a larger buffer or offline; if the recording has it, record again or repair the place"

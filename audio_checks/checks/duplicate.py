@@ -18,6 +18,9 @@ from audio_checks.report.findings import Finding
 if TYPE_CHECKING:
     from audio_checks.report.judged import JudgedFile
 
+SEVERITY = "warning"
+OVER_FILES = True
+NOT_FIXED = "Which sound belongs here, only its designer knows: deliver the one that is meant."
 FIGURES = ()
 SAID = {"sample_rate_hz": "sample rate", "bit_depth": "bit depth", "channels": "number of channels"}
 

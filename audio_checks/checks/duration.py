@@ -19,6 +19,8 @@ from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
+SEVERITY = "error"
+NOT_FIXED = "How long a sound lasts is its designer's choice: edit it in the session."
 FIGURES = ()
 USUAL_FPS = 60.0
 SPREAD = Fraction(1, 4)  # of the length asked for, either way

@@ -15,6 +15,8 @@ from audio_checks.spec.delivery_spec import DeliverySpec
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
+SEVERITY = "warning"
+NOT_FIXED = "Whether it should be mono is its designer's choice: export it with one channel, or with two that differ."
 FIGURES = ("channel_difference_db",)
 LIMIT_DB = -60.0
 

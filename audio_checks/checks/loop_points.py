@@ -18,6 +18,8 @@ from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
+SEVERITY = "warning"
+NOT_FIXED = "Where a loop begins and ends is its designer's choice: set the points in the editor."
 FIGURES = ("seam_step_db", "seam_slope_db")
 STEP_DB = 6.0  # over the largest step nearby
 BEND_DB = 12.0  # over the largest change of slope nearby

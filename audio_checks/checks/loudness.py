@@ -18,6 +18,7 @@ from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
+SEVERITY = "error"
 FIGURES = ("integrated_lufs", "short_loudness_lufs")
 ONE_BLOCK_S = 0.4  # a gating block of BS.1770: below, integrated loudness is not defined
 

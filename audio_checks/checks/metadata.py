@@ -17,6 +17,8 @@ from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
+SEVERITY = "warning"
+NOT_FIXED = "Only its designer knows what the field should say: fill it in the editor."
 FIGURES = ()
 
 

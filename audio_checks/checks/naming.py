@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
     from audio_checks.report.judged import JudgedFile
 
+SEVERITY = "error"
 FIGURES = ()
 LONGEST_SHOWN = 80
 RESERVED = frozenset(

@@ -18,6 +18,10 @@ from audio_checks.spec.delivery_spec import DeliverySpec
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
+SEVERITY = "warning"
+NOT_FIXED = (
+    "The finer steps were never recorded: export the session at its own depth, or deliver the depth that is there."
+)
 FIGURES = ("sample_step",)
 FEWEST_LOST_BITS = 4
 

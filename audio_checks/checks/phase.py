@@ -17,6 +17,11 @@ from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
+SEVERITY = "warning"
+NOT_FIXED = (
+    "How the channels stand to each other is part of the sound: turn the polarity round or narrow the width in "
+    "the session."
+)
 FIGURES = ("mono_loss_db", "mono_loss_spans")
 NOTHING_LEFT_DB = 90.0
 

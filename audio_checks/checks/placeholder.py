@@ -18,6 +18,8 @@ from audio_checks.spec.delivery_spec import DeliverySpec
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
+SEVERITY = "warning"  # an error when renders are judged
+NOT_FIXED = "A placeholder is replaced by the sound itself."
 FIGURES = ()
 
 

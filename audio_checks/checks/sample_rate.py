@@ -16,6 +16,11 @@ from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
+SEVERITY = "error"
+NOT_FIXED = (
+    "A fix never changes the sample rate: going down is a render to a target, and nothing above what was "
+    "recorded is made up. Export the session at an accepted rate."
+)
 FIGURES = ()
 
 

@@ -15,6 +15,8 @@ from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
+SEVERITY = "error"
+NOT_FIXED = "There is no sound to fix: unmute the track or choose the right range, and export again."
 FIGURES = ("sample_peak_dbfs", "channel_peaks_dbfs")
 
 

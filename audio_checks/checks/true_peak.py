@@ -15,6 +15,7 @@ from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
+SEVERITY = "error"
 FIGURES = ("true_peak_dbtp", "true_peak_s")
 
 

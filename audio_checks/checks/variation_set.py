@@ -22,6 +22,9 @@ from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 if TYPE_CHECKING:
     from audio_checks.report.judged import JudgedFile
 
+SEVERITY = "warning"
+OVER_FILES = True
+NOT_FIXED = "A set is balanced by ear, all of it together: in the session."
 FIGURES = ("integrated_lufs", "short_loudness_lufs", "likeness_print")
 MOST_SPREAD_LU = 2.0
 MOST_LENGTH_OFF = 0.25

@@ -54,6 +54,7 @@ def _index() -> str:
     here = all_checks()
     rows = [f"| [{name}]({name}.md) | {_severity(name)} | {check.summary} |" for name, check in here.items()]
     later = ", ".join(f"`{name}`" for name in DEFAULT_SEVERITY if name not in here)
+    kept = f"\nNames kept for checks to come: {later}.\n" if later else ""
     table = "\n".join(["| check | by default | what holds |", "|---|---|---|", *rows])
     return f"""{_MADE}
 # The checks
@@ -62,9 +63,7 @@ A check is called only where the spec states what it could hold a file to. `[che
 makes it an error, a warning, or turns it off.
 
 {table}
-
-Names kept for checks to come: {later}.
-"""
+{kept}"""
 
 
 def _severity(name: str) -> str:

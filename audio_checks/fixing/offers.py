@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from audio_checks.checks import all_checks
 from audio_checks.fixing.header import SIZES
 from audio_checks.fixing.names import lawful_name
 from audio_checks.report.findings import FileReport, Finding
@@ -73,7 +74,12 @@ def fix_offer(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer
         return offer(finding, report, spec)
     if finding.check == "naming" and finding.code not in _WHY_NOT:
         return _renaming(finding, report, spec)
-    return Offer(None, _WHY_NOT.get(finding.code) or _WHY_NOT.get(finding.check) or ONLY_THE_SESSION)
+    return Offer(None, _WHY_NOT.get(finding.code) or _not_fixed(finding.check) or ONLY_THE_SESSION)
+
+
+def _not_fixed(name: str) -> str | None:
+    check = all_checks().get(name)
+    return check.not_fixed if check else None
 
 
 def fix_in_words(offers: Iterable[Offer]) -> str:
@@ -233,35 +239,7 @@ NOT_FLAC = (
 )
 ONLY_WAV = "A fix writes WAV from WAV: export the sound in an accepted container."
 ONLY_THE_SESSION = "No repair of the finished file answers this: it is put right where the sound is made."
-_BY_EAR = "Taking it out changes the sound around it, so it is done by ear: in the session, or in a restoration tool."
-_WHY_NOT = {
-    "sample-rate": "A fix never changes the sample rate: going down is a render to a target, and nothing above what "
-    "was recorded is made up. Export the session at an accepted rate.",
-    "channels": "Which channels stay, and how they are mixed, is the designer's choice: export the sound with the "
-    "channels that are wanted.",
-    "duration": "How long a sound lasts is its designer's choice: edit it in the session.",
-    "clipping": "What was cut off at the top is gone, and a lower level does not bring it back: lower the level before "
-    "the limiter or converter, and export again.",
-    "dc-offset": "A filter takes it out, and changes the lowest sound with it: use a high-pass at 10 to 20 Hz in the "
-    "session.",
-    "silence": "There is no sound to fix: unmute the track or choose the right range, and export again.",
-    "click": _BY_EAR,
-    "dropout": "The missing sound is not in the file: export it again from the session.",
-    "hum": _BY_EAR,
-    "noise-floor": _BY_EAR,
-    "cut-start": "What stood before the cut is not in the file: choose an earlier start in the session.",
-    "cut-tail": "What stood after the cut is not in the file: let the sound ring out in the session.",
-    "loop-points": "Where a loop begins and ends is its designer's choice: set the points in the editor.",
-    "padded-bits": "The finer steps were never recorded: export the session at its own depth, or deliver the depth "
-    "that is there.",
-    "false-stereo": "Whether it should be mono is its designer's choice: export it with one channel, or with two that "
-    "differ.",
-    "phase": "How the channels stand to each other is part of the sound: turn the polarity round or narrow the width "
-    "in the session.",
-    "placeholder": "A placeholder is replaced by the sound itself.",
-    "metadata": "Only its designer knows what the field should say: fill it in the editor.",
-    "duplicate": "Which sound belongs here, only its designer knows: deliver the one that is meant.",
-    "variation-set": "A set is balanced by ear, all of it together: in the session.",
+_WHY_NOT = {  # by the code of a finding; a check says it of all its findings in its own file
     "naming:twins": "Which of the two gets another name, a person says.",
     "naming:unlisted": "Which cue it is for, a person says: match it to its cue, or rename it to the cue's file name.",
     "structure:truncated": "The end of the sound is missing from the file: export or copy it again.",

@@ -1,62 +1,56 @@
-"""The names of checks: those the spec's format knows, and those this version can run.
+"""The checks that the format of a spec knows, read from the checks' own files, none of which is imported here.
 
-A name is part of the format from the first release, so that a spec written for a later version
-is understood, and a misspelt name is distinguished from one of a later version.
+A check states beside its functions what others need of it: `SEVERITY` by default; `OVER_FILES` where it judges files
+together; `LIMITS`, a key of the table `limits` with the least and greatest value, where it brings a limit of its own.
 """
 
+import ast
 import pkgutil
+import re
 from functools import cache
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 from audio_checks import version
 
 Severity = Literal["error", "warning"]
 Level = Literal["error", "warning", "off"]
 
-DEFAULT_SEVERITY: dict[str, Severity] = {
-    "structure": "error",
-    "container": "error",
-    "encoding": "error",
-    "sample-rate": "error",
-    "bit-depth": "error",
-    "channels": "error",
-    "duration": "error",
-    "naming": "error",
-    "sample-peak": "error",
-    "true-peak": "error",
-    "loudness": "error",
-    "dc-offset": "error",
-    "silence": "error",
-    "head-silence": "error",
-    "tail-silence": "error",
-    "noise-floor": "error",
-    "clipping": "warning",
-    "placeholder": "warning",  # an error when renders are judged
-    "cut-start": "warning",
-    "cut-tail": "warning",
-    "click": "warning",
-    "dropout": "warning",
-    "hum": "warning",
-    "false-stereo": "warning",
-    "phase": "warning",
-    "loop-points": "warning",
-    "padded-bits": "warning",
-    "metadata": "warning",
-    "duplicate": "warning",
-    "variation-set": "warning",
-    "baked-reverb": "warning",
-    "reversed": "warning",
-    "upsampled": "warning",
-    "lossy": "warning",
-}
+CHECKS = Path(version.__file__).with_name("checks")
+# The order of lists and reports. A check that is not among them comes after them, by its name; a name without a file
+# is kept for a later version, so that a spec written for one is understood.
+ORDER: tuple[str, ...] = (
+    "structure", "container", "encoding", "sample-rate", "bit-depth", "channels", "duration", "naming", "sample-peak",
+    "true-peak", "loudness", "dc-offset", "silence", "head-silence", "tail-silence", "noise-floor", "clipping",
+    "placeholder", "cut-start", "cut-tail", "click", "dropout", "hum", "false-stereo", "phase", "loop-points",
+    "padded-bits", "metadata", "duplicate", "variation-set", "baked-reverb", "reversed", "upsampled", "lossy",
+)  # fmt: skip
+STATED = re.compile(r"^(SEVERITY|OVER_FILES|LIMITS) = (.+?)(?:  #.*)?$", re.MULTILINE)  # each on one line
 
-# What they find depends on what else was delivered, before and after: no file can be returned for it.
-OVER_FILES = frozenset({"duplicate", "variation-set"})
+
+@cache
+def _stated() -> dict[str, dict[str, Any]]:
+    """Return what each module of `checks` states, by the name of its check; a module without a severity is none."""
+    found: dict[str, dict[str, Any]] = {}
+    for module in pkgutil.iter_modules([str(CHECKS)]):
+        source = (CHECKS / f"{module.name}.py").read_text(encoding="utf-8")
+        stated = {name: ast.literal_eval(value) for name, value in STATED.findall(source)}
+        if "SEVERITY" in stated:
+            found[module.name.replace("_", "-")] = stated
+    return found
 
 
 @cache
 def present() -> frozenset[str]:
-    """Return the names of the checks in this version: one module of `checks` each, none of them imported here."""
-    folder = Path(version.__file__).with_name("checks")
-    return frozenset(module.name.replace("_", "-") for module in pkgutil.iter_modules([str(folder)]))
+    """Return the names of the checks in this version: one module of `checks` each."""
+    return frozenset(_stated())
+
+
+DEFAULT_SEVERITY: dict[str, Severity] = {
+    name: _stated().get(name, {}).get("SEVERITY", "error") for name in [*ORDER, *sorted(present() - set(ORDER))]
+}
+# What they find depends on what else was delivered, before and after: no file can be returned for it.
+OVER_FILES = frozenset(name for name, stated in _stated().items() if stated.get("OVER_FILES"))
+LIMITS_OF_CHECKS: dict[str, tuple[float, float]] = {
+    key: bounds for stated in _stated().values() for key, bounds in stated.get("LIMITS", {}).items()
+}

@@ -1,7 +1,7 @@
 """The keys of a delivery spec, table by table, and the kind of value that each holds."""
 
 from audio_checks.metadata.layouts import LAYOUTS
-from audio_checks.spec.check_names import DEFAULT_SEVERITY, OVER_FILES
+from audio_checks.spec.check_names import DEFAULT_SEVERITY, LIMITS_OF_CHECKS, OVER_FILES
 from audio_checks.spec.kinds import (
     ANY,
     Flag,
@@ -58,6 +58,7 @@ LIMITS = Table(
         "loudness_lufs": LOUDNESS,
         "noise_floor_dbfs": LEVEL_DB,
         "mono_loss_db": Number(0.0, 120.0),
+        **{key: Number(*bounds) for key, bounds in LIMITS_OF_CHECKS.items()},
     }
 )
 TOKEN = Table(

@@ -6,6 +6,7 @@ from typing import Any, Literal
 
 from audio_checks.errors import SpecError
 from audio_checks.spec import kinds
+from audio_checks.spec.check_names import LIMITS_OF_CHECKS
 from audio_checks.spec.name_tokens import Token
 
 CATEGORY_FOLDER = "{category}"
@@ -39,7 +40,10 @@ class Accept:
 
 @dataclass(frozen=True)
 class Limits:
-    """The levels and edges a file must keep to; None does not limit."""
+    """The levels and edges a file must keep to; None does not limit.
+
+    `others` has the limits that checks bring in their own files (`LIMITS`), by key.
+    """
 
     sample_peak_dbfs: float | None = None
     true_peak_dbtp: float | None = None
@@ -52,6 +56,7 @@ class Limits:
     loudness_lufs: Range = Range()
     noise_floor_dbfs: float | None = None
     mono_loss_db: float | None = None
+    others: Mapping[str, float] = field(default_factory=dict, hash=False)
 
 
 @dataclass(frozen=True)
@@ -177,7 +182,8 @@ def read_accept(table: Tables) -> Accept:
 def read_limits(table: Tables) -> Limits:
     """Return what the table `limits` says."""
     plain = {key: value for key, value in stated(table).items() if key != "loudness_lufs"}
-    return Limits(**plain, loudness_lufs=_range(table.get("loudness_lufs"), "limits.loudness_lufs"))
+    others = {key: plain.pop(key) for key in LIMITS_OF_CHECKS if key in plain}
+    return Limits(**plain, loudness_lufs=_range(table.get("loudness_lufs"), "limits.loudness_lufs"), others=others)
 
 
 def read_naming(table: Tables) -> Naming:
