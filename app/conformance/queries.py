@@ -221,17 +221,17 @@ class AnalysedTake(NamedTuple):
 
 def _analysed_takes(session: Session, *where: ColumnElement[bool]) -> list[AnalysedTake]:
     """Return takes in the order in which they came; a few columns, for a page of the queue reads hundreds of them."""
-    told = CheckRun.report
+    report = CheckRun.report
     query = (
         select(
             *(Take.id, Take.cue_id, Take.variation, Take.alternate, Take.number, Take.state, Take.file_name),
             Cue.category,
             CheckRun.pcm_sha256,
-            told["facts"],
-            told["findings"],
-            told["likeness_print"].as_string(),
-            told[("measurements", "integrated_lufs")].as_float(),
-            told[("measurements", "short_loudness_lufs")].as_float(),
+            report["facts"],
+            report["findings"],
+            report["likeness_print"].as_string(),
+            report[("measurements", "integrated_lufs")].as_float(),
+            report[("measurements", "short_loudness_lufs")].as_float(),
         )
         .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
         .join(Cue, Cue.id == Take.cue_id, isouter=True)
@@ -360,8 +360,8 @@ def takes_with_finding(session: Session, take_ids: Collection[UUID], code: str) 
     """Return which of some takes had a finding of this code in their newest check."""
     found: set[UUID] = set()
     wanted = list(take_ids)
-    told = CheckRun.report["findings"].as_string().contains(f'"{code}"')
+    has_code = CheckRun.report["findings"].as_string().contains(f'"{code}"')
     for start in range(0, len(wanted), TAKES_AT_ONCE):
         of = CheckRun.take_id.in_(wanted[start : start + TAKES_AT_ONCE])
-        found |= set(session.scalars(select(CheckRun.take_id).where(of, CheckRun.is_current, told)))
+        found |= set(session.scalars(select(CheckRun.take_id).where(of, CheckRun.is_current, has_code)))
     return found

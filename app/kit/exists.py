@@ -5,10 +5,10 @@ from typing import Any
 import sqlalchemy as sa
 
 
-def row_exists(wanted: sa.Select[*tuple[Any, ...]], beside: Any) -> sa.ColumnElement[bool]:
-    """Return a boolean column: whether `wanted` finds a row for each row of `beside`.
+def row_exists(wanted: sa.Select[*tuple[Any, ...]], outer: Any) -> sa.ColumnElement[bool]:
+    """Return a boolean column: whether `wanted` finds a row for each row of `outer`.
 
     For `EXISTS` as a column PostgreSQL may hash every row of the inner table; a subquery with a limit looks rows up.
     """
-    one = wanted.with_only_columns(sa.true()).correlate(beside).limit(1).scalar_subquery()
+    one = wanted.with_only_columns(sa.true()).correlate(outer).limit(1).scalar_subquery()
     return sa.func.coalesce(one, sa.false())
