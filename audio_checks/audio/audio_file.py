@@ -41,9 +41,11 @@ class Facts:
     Attributes
     ----------
     container, encoding : str
-        "wav", "rf64" or "flac"; "pcm" or "float".
+        "wav", "rf64", "flac", "ogg" or "mp3"; "pcm" or "float", or the codec: "vorbis", "opus", "mp3".
     bit_depth : int
-        Bits that count, as the header says.
+        Bits that count, as the header says; 32 for what a codec keeps, which has none of its own.
+    bit_rate_kbps : float or None
+        Of what a codec keeps.
     chunks : tuple of str
         The ids in their order; of FLAC the names of its metadata blocks.
     """
@@ -56,6 +58,7 @@ class Facts:
     frames: int
     duration_s: float
     chunks: tuple[str, ...]
+    bit_rate_kbps: float | None
     _effective_bits: Callable[[], int | None] = field(repr=False, compare=False)
     _metadata: Callable[[], Metadata] = field(repr=False, compare=False)
 
@@ -77,6 +80,7 @@ class Facts:
             "frames": self.frames,
             "duration_s": self.duration_s,
             "chunks": list(self.chunks),
+            **({} if self.bit_rate_kbps is None else {"bit_rate_kbps": self.bit_rate_kbps}),
             **({"metadata": metadata} if metadata else {}),
         }
 
@@ -92,6 +96,8 @@ class AudioFile:
         The file name as delivered, when it differs from the path's.
     flac : bool
         Whether FLAC is read; it is unpacked to a WAV for that, in a throw-away child.
+    coded : bool
+        Whether Ogg Vorbis, Opus and MP3 are decoded, in such a child too.
     dry : DryStem, optional
         The same sound without reverb, for the judgement on reverb to compare it with.
 
@@ -109,12 +115,13 @@ class AudioFile:
         *,
         name: str | None = None,
         flac: bool = True,
+        coded: bool = False,
         dry: DryStem | None = None,
     ) -> None:
         self.path = path
         self.dry = dry
         self.name = PurePath(os.fspath(path)).name if name is None else name
-        self._sound = open_sound(path, name=name, flac=flac)
+        self._sound = open_sound(path, name=name, flac=flac, coded=coded)
         self._file = self._sound.file
         self.layout = self._sound.layout
         self._wanted: set[str] | None = None
@@ -153,16 +160,17 @@ class AudioFile:
     @cached_property
     def facts(self) -> Facts:
         """What the header says; only `effective_bits` streams the file."""
-        layout, flac = self.layout, self._sound.flac
+        layout, flac, coded = self.layout, self._sound.flac, self._sound.coded
         return Facts(
-            container="flac" if flac else layout.container,
-            encoding=layout.encoding,
+            container=coded.container if coded else "flac" if flac else layout.container,
+            encoding=coded.encoding if coded else layout.encoding,
             sample_rate_hz=layout.sample_rate_hz,
             bit_depth=layout.bit_depth,
             channels=layout.channels,
             frames=layout.frames,
             duration_s=layout.duration_s,
-            chunks=flac.blocks if flac else tuple(chunk.id for chunk in layout.chunks),
+            chunks=() if coded else flac.blocks if flac else tuple(chunk.id for chunk in layout.chunks),
+            bit_rate_kbps=coded.bit_rate_kbps if coded else None,
             _effective_bits=self._bits_in_use,
             _metadata=lambda: self.metadata,
         )

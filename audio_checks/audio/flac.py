@@ -23,6 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks import wav
+from audio_checks.audio.passing import Passing
 from audio_checks.audio.sandbox import Sandbox, is_inside
 from audio_checks.errors import Unreadable
 from audio_checks.metadata import CHUNKS, MOST_BYTES, MOST_CHUNKS
@@ -227,32 +228,11 @@ def opened_as_wav(path: str | os.PathLike[str]) -> io.FileIO:
             unpack(os.fspath(path), unpacked)
         else:
             _unpack_in_child(os.fspath(path), unpacked)
-        return _Passing(unpacked)
+        return Passing(unpacked)
     except BaseException:
         with suppress(FileNotFoundError):
             os.unlink(unpacked)
         raise
-
-
-class _Passing(io.FileIO):
-    """A file that is removed with its last use: at once where the system can, else when it is closed."""
-
-    def __init__(self, path: str) -> None:
-        super().__init__(path, "rb")
-        self._path: str | None = path
-        if os.name == "posix":
-            self._remove()
-
-    def close(self) -> None:
-        """Close the file, and make sure that it is deleted."""
-        super().close()
-        self._remove()
-
-    def _remove(self) -> None:
-        path, self._path = getattr(self, "_path", None), None
-        if path is not None:
-            with suppress(FileNotFoundError):
-                os.unlink(path)
 
 
 @cache

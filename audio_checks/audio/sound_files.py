@@ -1,4 +1,4 @@
-"""Opens a sound to be read as WAV, whether it is WAV, RF64 or FLAC."""
+"""Opens a sound to be read as WAV, whether it is WAV, RF64 or FLAC, or what a codec keeps."""
 
 from __future__ import annotations
 
@@ -14,9 +14,12 @@ from audio_checks import wav
 from audio_checks.errors import Unreadable
 
 if TYPE_CHECKING:
+    from audio_checks.audio.coded import Coded
     from audio_checks.audio.flac import FlacLayout
 
 FLAC_ENDING = ".flac"
+CODED_ENDINGS = (".ogg", ".oga", ".opus", ".mp3")
+CODED = ("container:ogg", "container:mp3")
 READ_BYTES = 1 << 20
 
 
@@ -34,12 +37,15 @@ class OpenSound:
         The file itself.
     flac : FlacLayout or None
         What the header of a FLAC says.
+    coded : Coded or None
+        What a file is that a codec keeps.
     """
 
     file: FileIO
     layout: wav.WavLayout
     original: BinaryIO
     flac: FlacLayout | None = None
+    coded: Coded | None = None
 
     def __enter__(self) -> Self:
         return self
@@ -63,7 +69,9 @@ class OpenSound:
         self.original.close()
 
 
-def open_sound(path: str | os.PathLike[str], *, name: str | None = None, flac: bool = True) -> OpenSound:
+def open_sound(
+    path: str | os.PathLike[str], *, name: str | None = None, flac: bool = True, coded: bool = False
+) -> OpenSound:
     """Open a sound and judge the structure of its header.
 
     Parameters
@@ -74,6 +82,8 @@ def open_sound(path: str | os.PathLike[str], *, name: str | None = None, flac: b
         The file name as delivered. FLAC is read under a name in .flac; a stored file may have no ending at all.
     flac : bool
         Whether FLAC is read.
+    coded : bool
+        Whether Ogg Vorbis, Opus and MP3 are decoded, under names that end so.
 
     Raises
     ------
@@ -87,6 +97,8 @@ def open_sound(path: str | os.PathLike[str], *, name: str | None = None, flac: b
         try:
             return OpenSound(original, wav.read_layout(original), original)
         except Unreadable as refusal:
+            if coded and _may_be_coded(path, name) and refusal.code in CODED:
+                return _open_coded(path, original)
             if refusal.code != "container:flac" or not flac or not _may_be_flac(path, name):
                 raise
         from audio_checks.audio.flac import opened_as_wav, read_layout  # loads what no WAV needs
@@ -101,6 +113,21 @@ def open_sound(path: str | os.PathLike[str], *, name: str | None = None, flac: b
     except BaseException:
         original.close()
         raise
+
+
+def _open_coded(path: str | os.PathLike[str], original: FileIO) -> OpenSound:
+    from audio_checks.audio.coded import opened_as_wav  # loads what no WAV needs
+
+    file, coded = opened_as_wav(path)
+    try:
+        return OpenSound(file, wav.read_layout(file), original, coded=coded)
+    except BaseException:
+        file.close()
+        raise
+
+
+def _may_be_coded(path: str | os.PathLike[str], name: str | None) -> bool:
+    return PurePath(os.fspath(path) if name is None else name).suffix.lower() in CODED_ENDINGS
 
 
 def _may_be_flac(path: str | os.PathLike[str], name: str | None) -> bool:

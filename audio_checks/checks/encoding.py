@@ -1,9 +1,11 @@
 """`encoding`: the samples are stored the way the project accepts.
 
 Why: integer and floating-point samples need different handling in a game's build, and a float
-file can hold levels above full scale that the next tool clips.
-How to fix: export with integer (PCM) samples, or with float ones where the spec asks for them.
-Source: the delivery spec, `[accept] encodings`, or the target's encoding.
+file can hold levels above full scale that the next tool clips. In a game's own files a codec may
+keep the samples; too low a bit rate is heard, too high a one takes memory.
+How to fix: export with integer (PCM) samples, or with float ones where the spec asks for them;
+encode the game's file again from its WAV with the codec and the bit rate that the spec names.
+Source: the delivery spec, `[accept] encodings` and `bit_rate_kbps`, or the target's encoding.
 """
 
 from collections.abc import Iterator
@@ -17,21 +19,35 @@ if TYPE_CHECKING:
 
 SEVERITY = "error"
 FIGURES = ()
-WORDS = {"pcm": "integer (PCM)", "float": "float"}
+WORDS = {"pcm": "integer (PCM)", "float": "float", "vorbis": "Vorbis", "opus": "Opus", "mp3": "MP3"}
+CODECS = ("vorbis", "opus", "mp3")
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Only where the spec lists encodings."""
-    return spec.accept.encodings is not None
+    """Only where the spec lists encodings, or bounds bit rates."""
+    return spec.accept.encodings is not None or bool(spec.accept.bit_rate_kbps)
 
 
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
-    """Yield `encoding:not-accepted` for samples of another encoding than the spec lists."""
+    """Yield `encoding:not-accepted` for another encoding than listed, `encoding:bit-rate-low` and `-high`."""
     wanted = spec.accept.encodings or ()
     found = file.facts.encoding
-    if found not in wanted:
+    if wanted and found not in wanted:
         yield Finding(
             code="encoding:not-accepted",
             message=f"{WORDS[found]} samples, accepted {' or '.join(WORDS[one] for one in wanted)}",
-            fix=f"export with {WORDS[wanted[0]]} samples",
+            fix=f"encode it again as {WORDS[wanted[0]]}"
+            if wanted[0] in CODECS
+            else f"export with {WORDS[wanted[0]]} samples",
         )
+    rate_kbps, accepted = file.facts.bit_rate_kbps, spec.accept.bit_rate_kbps
+    for end, limit, is_over in (("low", accepted.min, False), ("high", accepted.max, True)):
+        if rate_kbps is not None and limit is not None and (rate_kbps > limit if is_over else rate_kbps < limit):
+            yield Finding(
+                code=f"encoding:bit-rate-{end}",
+                message=f"{rate_kbps:.1f} kbit/s, at {'most' if is_over else 'least'} {limit:g} kbit/s accepted",
+                fix="encode it again from its WAV with another quality",
+                measured=rate_kbps,
+                limit=limit,
+                unit="kbit/s",
+            )

@@ -302,7 +302,7 @@ def schema() -> dict[str, Any]:
         "type": ["object", "null"],
         "properties": {
             "container": {"type": "string"},
-            "encoding": {"enum": ["pcm", "float"]},
+            "encoding": {"enum": ["pcm", "float", "vorbis", "opus", "mp3"]},
             "sample_rate_hz": {"type": "integer"},
             "bit_depth": {"type": "integer"},
             "effective_bits": _nullable("integer"),
@@ -310,6 +310,7 @@ def schema() -> dict[str, Any]:
             "frames": {"type": "integer"},
             "duration_s": {"type": "number"},
             "chunks": {"type": "array", "items": {"type": "string"}},
+            "bit_rate_kbps": {"type": "number"},
         },
     }
     unjudged = {

@@ -36,7 +36,8 @@ class Task:
 
     `spec` is the view for the file's category and the target, None for structure only; `unlisted`
     says that there is a sound list, and no cue in it owns the file's name; `variation` is which of
-    the cue's variations it is; `dry` is the file's dry stem, to compare its reverb with.
+    the cue's variations it is; `dry` is the file's dry stem, to compare its reverb with; `coded` says that
+    Ogg Vorbis, Opus and MP3 are decoded where the spec accepts them: a game's files, and no masters.
     """
 
     path: str
@@ -45,6 +46,7 @@ class Task:
     unlisted: bool = False
     variation: int = 1
     dry: DryStem | None = None
+    coded: bool = False
 
 
 def check_file(
@@ -197,10 +199,12 @@ def task_for(
     sound_list: SoundList | None = None,
     views: dict[tuple[int, str | None], DeliverySpec] | None = None,
     dry: PathLike | None = None,
+    coded: bool = False,
 ) -> Task:
     """Return the task of judging one file: its cue found by name, its limits by category and target.
 
     `views` keeps the views of specs by category, so that many files share them; one target has one.
+    `coded` is as in `Task`.
     """
     slot = sound_list.slot_of_file(os.path.basename(os.fspath(path))) if sound_list else None
     cue = slot[0] if slot else None
@@ -213,7 +217,7 @@ def task_for(
         view = views[id(spec), name]
     unlisted = sound_list is not None and slot is None
     stem = None if dry is None else DryStem(os.fspath(dry), os.path.basename(printable_path(dry)))
-    return Task(os.fspath(path), view, cue, unlisted=unlisted, variation=slot[1] if slot else 1, dry=stem)
+    return Task(os.fspath(path), view, cue, unlisted=unlisted, variation=slot[1] if slot else 1, dry=stem, coded=coded)
 
 
 def with_set_checks(tasks: Sequence[Task], entries: Sequence[FileReport]) -> list[FileReport]:
@@ -273,7 +277,11 @@ def _judge(
     shown = printable_path(task.path) if name is None else name
     try:
         with AudioFile(
-            task.path, name=name or os.path.basename(task.path), flac=_reads_flac(spec), dry=task.dry
+            task.path,
+            name=name or os.path.basename(task.path),
+            flac=_reads_flac(spec),
+            coded=task.coded and _reads_coded(spec),
+            dry=task.dry,
         ) as file:
             asked = judgements.names() if all_figures else _judgements_of(selected)
             if not all_figures:
@@ -333,6 +341,11 @@ def _reads_flac(spec: DeliverySpec) -> bool:
     """Whether a FLAC is looked into: where it is accepted, or where another container would not reject it."""
     containers = spec.accept.containers
     return containers is None or "flac" in containers or spec.checks.get("container", "error") != "error"
+
+
+def _reads_coded(spec: DeliverySpec) -> bool:
+    """Whether what a codec keeps is decoded: where the spec names its container."""
+    return bool({"ogg", "mp3"} & set(spec.accept.containers or ()))
 
 
 def _refused(path: str, error: Unreadable, spec: DeliverySpec) -> FileReport:

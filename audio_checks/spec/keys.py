@@ -36,8 +36,9 @@ LOUDNESS = Table({"min": LEVEL_DB, "max": LEVEL_DB}, may_be_any=True)
 
 ACCEPT = Table(
     {
-        "containers": Listed(Word(("wav", "rf64", "flac"))),
-        "encodings": Listed(Word(("pcm", "float"))),
+        "containers": Listed(Word(("wav", "rf64", "flac", "ogg", "mp3"))),
+        "encodings": Listed(Word(("pcm", "float", "vorbis", "opus", "mp3"))),
+        "bit_rate_kbps": DURATION,
         "sample_rates_hz": Listed(RATES),
         "bit_depths": Listed(Whole(8, 64)),
         "channels": Listed(Whole(1, 64)),

@@ -36,6 +36,7 @@ class Accept:
     channels: tuple[int, ...] | None = None
     layouts: tuple[str, ...] | None = None
     duration_s: Range = Range()
+    bit_rate_kbps: Range = Range()
 
 
 @dataclass(frozen=True)
@@ -175,8 +176,10 @@ class CueFacts:
 
 def read_accept(table: Tables) -> Accept:
     """Return what the table `accept` says."""
-    lists = {key: tuple(value) for key, value in stated(table).items() if key != "duration_s"}
-    return Accept(**lists, duration_s=_range(table.get("duration_s"), "accept.duration_s"))
+    ranges = ("duration_s", "bit_rate_kbps")
+    lists = {key: tuple(value) for key, value in stated(table).items() if key not in ranges}
+    duration_s, bit_rate_kbps = (_range(table.get(key), f"accept.{key}") for key in ranges)
+    return Accept(**lists, duration_s=duration_s, bit_rate_kbps=bit_rate_kbps)
 
 
 def read_limits(table: Tables) -> Limits:

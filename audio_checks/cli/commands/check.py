@@ -149,9 +149,15 @@ class _Judging:
 
         if path in self._stems:
             return runner.Task(path)  # held to its structure alone
-        target, category, dry = self._options.target, self._options.category, self._dry.get(path)
         return runner.task_for(
-            path, spec, target=target, category=category, sound_list=self.sound_list, views=self._views, dry=dry
+            path,
+            spec,
+            target=self._options.target,
+            category=self._options.category,
+            sound_list=self.sound_list,
+            views=self._views,
+            dry=self._dry.get(path),
+            coded=True,
         )
 
     def _changed(self, found: list[Found]) -> list[Found]:

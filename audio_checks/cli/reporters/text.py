@@ -105,7 +105,10 @@ def _facts(entry: FileReport) -> Iterator[str]:
     if entry.facts is not None:
         channels = entry.facts["channels"]
         yield f"{entry.facts['sample_rate_hz'] / 1000:g} kHz"
-        yield f"{entry.facts['bit_depth']} bit{' float' if entry.facts['encoding'] == 'float' else ''}"
+        if (rate_kbps := entry.facts.get("bit_rate_kbps")) is not None:
+            yield f"{entry.facts['encoding']} {rate_kbps:.0f} kbit/s"
+        else:
+            yield f"{entry.facts['bit_depth']} bit{' float' if entry.facts['encoding'] == 'float' else ''}"
         yield LAYOUTS.get(channels, f"{channels} channels")
         yield f"{entry.facts['duration_s']:.2f} s"
     if entry.category:

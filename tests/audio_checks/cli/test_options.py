@@ -33,10 +33,10 @@ class TestOptions:
     @pytest.mark.parametrize(
         ("flag", "commands"),
         [
-            ("--no-progress", OF_SOUNDS),
-            ("--quiet", OF_SOUNDS | {"memory"}),
+            ("--no-progress", OF_SOUNDS | {"new-spec"}),
+            ("--quiet", OF_SOUNDS | {"memory", "new-spec"}),
             ("--format", OF_SOUNDS - {"manifest"} | {"memory"}),
-            ("--jobs", OF_SOUNDS - {"export-master", "placeholders"}),
+            ("--jobs", OF_SOUNDS - {"export-master", "placeholders"} | {"new-spec"}),
             ("--fail-level", {"check", "render", "fix"}),
         ],
     )

@@ -258,7 +258,7 @@ class TestRefusals:
             ("accept.channels = [1.5]", "accept.channels[0]"),
             ("accept.sample_rates_hz = [48000, 10]", "accept.sample_rates_hz[1]"),
             ("accept.duration_s = { min = 3, max = 2 }", "accept.duration_s"),
-            ("accept.containers = ['mp3']", "accept.containers[0]"),
+            ("accept.containers = ['aiff']", "accept.containers[0]"),
             ("accept.layouts = ['surround']", "accept.layouts[0]"),
             ("naming.pattern = '['", "naming.pattern"),
             ("naming.grammar = 'latin'", "naming.grammar"),

@@ -1,0 +1,136 @@
+"""Sounds that a codec keeps, as games ship them: Ogg Vorbis, Opus and MP3, decoded into a WAV that is read like others.
+
+Decoding is libsndfile's, in a disposable child with limits (see `sandbox`), which writes samples as 32-bit float and
+exits. Two decoders differ in the last bits, so a hash of these samples holds on one machine.
+"""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from audio_checks import wav
+from audio_checks.audio.passing import Passing
+from audio_checks.audio.sandbox import Sandbox, is_inside
+from audio_checks.errors import Unreadable
+
+ENCODINGS = ("vorbis", "opus", "mp3")
+CONTAINERS = {"OGG": "ogg", "MP3": "mp3"}
+OF_SUBTYPE = {"VORBIS": "vorbis", "OPUS": "opus", "MPEG_LAYER_III": "mp3"}
+MOST_DECODED_BYTES = 2 << 30  # of samples; a few bytes can announce hours
+MOST_CHANNELS = 8
+DECODE_S = 120.0
+BLOCK_FRAMES = 65_536
+EXPORT_AGAIN = "encode it again from its WAV"
+
+
+@dataclass(frozen=True)
+class Coded:
+    """What a coded file is.
+
+    Attributes
+    ----------
+    container, encoding : str
+        "ogg" or "mp3"; "vorbis", "opus" or "mp3".
+    bit_rate_kbps : float
+        Of the whole file over its length: bytes of tags count, as they do in a build.
+    """
+
+    container: str
+    encoding: str
+    bit_rate_kbps: float
+
+
+def opened_as_wav(path: str | os.PathLike[str]) -> tuple[Passing, Coded]:
+    """Return a WAV file of the decoded sound, which is deleted when it is closed, and what the coded file is.
+
+    Raises
+    ------
+    Unreadable
+        The sound does not decode, or is no Vorbis, Opus or MP3.
+    SandboxFailed
+        The child could not do its work, for want of time, memory or disk, or because the decoder broke.
+    """
+    descriptor, decoded = tempfile.mkstemp(prefix="audio-checks-", suffix=".wav")
+    os.close(descriptor)
+    where = os.path.abspath(os.fspath(path))
+    try:
+        if is_inside():
+            found = decode(where, decoded)
+        else:
+            with _sandbox().child(reads=[where], writes=[decoded]) as child:
+                found = child.call(decode, where, decoded)
+        return Passing(decoded), Coded(*found)
+    except BaseException:
+        with suppress(FileNotFoundError):
+            os.unlink(decoded)
+        raise
+
+
+@cache
+def _sandbox() -> Sandbox:
+    return Sandbox(
+        timeout_s=DECODE_S,
+        file_bytes=MOST_DECODED_BYTES + (16 << 20),
+        preload=("numpy", "soundfile", "audio_checks.audio.coded"),
+    )
+
+
+def decode(path: str, out: str) -> tuple[str, str, float]:
+    """Write a coded sound as WAV; return its container, its encoding and its bit rate. Runs in a sandbox's child.
+
+    Raises
+    ------
+    Unreadable
+        The sound does not decode, or is no Vorbis, Opus or MP3.
+    """
+    import soundfile  # slow to import, and no WAV needs it
+
+    wav.open_regular(path).close()
+    try:
+        with soundfile.SoundFile(path) as sound:
+            container, encoding = CONTAINERS.get(sound.format, ""), OF_SUBTYPE.get(sound.subtype, "")
+            rate, channels, frames = sound.samplerate, sound.channels, sound.frames
+            if not container or not encoding:
+                raise _damaged("it holds neither Vorbis, Opus nor MP3")
+            if not (1_000 <= rate <= 768_000 and 1 <= channels <= MOST_CHANNELS and frames > 0):
+                raise _damaged(f"it says {rate} Hz, {channels} channels and {frames} frames")
+            if frames * channels * 4 > MOST_DECODED_BYTES:
+                raise _damaged(f"it announces {frames * channels * 4 >> 20} MiB of samples")
+            with open(out, "wb") as target:
+                wav.write_wav(
+                    target,
+                    _blocks(sound, frames),
+                    sample_rate_hz=rate,
+                    bit_depth=32,
+                    encoding="float",
+                    channels=channels,
+                    frames=frames,
+                )
+            return container, encoding, round(os.path.getsize(path) * 8 / 1_000 * rate / frames, 1)
+    except soundfile.SoundFileError as error:
+        reason = "".join(one if one.isprintable() else "?" for one in str(error))[:200]
+        raise _damaged(f"it does not decode ({reason})") from None
+
+
+def _blocks(sound: object, frames: int) -> Iterator[NDArray[np.float32]]:
+    left = frames
+    while left:
+        block: NDArray[np.float32] = sound.read(  # type: ignore[attr-defined]
+            min(BLOCK_FRAMES, left), dtype="float32", always_2d=True
+        )
+        if not len(block):
+            raise _damaged(f"{left} of its {frames} frames are missing")
+        left -= len(block)
+        yield block
+
+
+def _damaged(why: str) -> Unreadable:
+    return Unreadable(f"the coded file is damaged: {why}", "R1", "structure:coded-damaged", EXPORT_AGAIN)
