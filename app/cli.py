@@ -339,19 +339,25 @@ def mails(
     runtime.close()
 
 
+@cli.command("sign-out")
+def sign_out(address: Annotated[str, typer.Argument(help="The address of an account.")]) -> None:
+    """End every sign-in of an account, as after a theft; its password stays."""
+    _change_account("sign_out", address, "is signed out everywhere")
+
+
 @operators_cli.command("add")
 def add_operator(address: Annotated[str, typer.Argument(help="The verified address of an account.")]) -> None:
     """Let a person see every studio's jobs and storage."""
-    _change_operators("add_operator", address, "is an operator now")
+    _change_account("add_operator", address, "is an operator now")
 
 
 @operators_cli.command("remove")
 def remove_operator(address: Annotated[str, typer.Argument(help="The address of an operator.")]) -> None:
     """Remove a person's operator rights."""
-    _change_operators("remove_operator", address, "is no operator any more")
+    _change_account("remove_operator", address, "is no operator any more")
 
 
-def _change_operators(change: str, address: str, done: str) -> None:
+def _change_account(change: str, address: str, done: str) -> None:
     from app.accounts import operators
 
     runtime = _opened(_settings())

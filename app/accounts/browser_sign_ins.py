@@ -2,6 +2,7 @@
 
 from datetime import timedelta
 
+import structlog
 from fastapi import Request, Response
 from sqlalchemy.orm import Session
 
@@ -16,6 +17,7 @@ from app.accounts.rules import device_of
 from app.settings import Settings
 
 DEVICE_LIFETIME = timedelta(days=365)
+log = structlog.get_logger(__name__)
 
 
 def sign_in_browser(session: Session, settings: Settings, request: Request, response: Response, person: Person) -> None:
@@ -31,6 +33,7 @@ def sign_in_browser(session: Session, settings: Settings, request: Request, resp
     device = authentication.device_cookie(settings, person.email)
     _set_cookie(response, settings, authentication.DEVICE_COOKIE, device, lifetime=DEVICE_LIFETIME)
     give_csrf_token(response, settings, secret)
+    log.info("signed in", person_id=str(person.id), place=client_address(request))
 
 
 def _set_cookie(response: Response, settings: Settings, name: str, value: str, *, lifetime: timedelta) -> None:

@@ -1,11 +1,13 @@
 """The endpoints of signing in and out."""
 
+import structlog
 from fastapi import APIRouter, Request, Response
 
 from app.accounts import authentication, people, sign_ins
 from app.accounts.authentication import (
     DEMO_PARTS,
     SESSION_COOKIE,
+    sha256_of,
 )
 from app.accounts.browser_sign_ins import give_csrf_token, sign_in_browser
 from app.accounts.errors import (
@@ -20,6 +22,7 @@ from app.accounts.request_limits import (
     RateLimitedRoute,
     UnsavedResponseRoute,
     ensure_sign_in_allowed,
+    network_of,
     reset_attempts,
 )
 from app.accounts.rules import Actor, Audience, normalised_email
@@ -33,6 +36,7 @@ from app.kit.http import (
 
 router = Router(prefix="/v1", tags=["accounts"], route_class=RateLimitedRoute)
 _unsaved_router = APIRouter(route_class=UnsavedResponseRoute)
+log = structlog.get_logger(__name__)
 
 
 @router.get("/session")
@@ -69,6 +73,8 @@ def sign_in(
     ensure_sign_in_allowed(request, account)
     person_id = people.person_with_password(runtime.database, account, body.password)
     if person_id is None:
+        # A hash: what was typed may be a password, and equal lines still show who is guessed at.
+        log.warning("sign-in refused", account=sha256_of(account)[:16], place=network_of(request))
         raise WrongSignIn("wrong email or password", fix="check both, or use “Forgot password?”")
     with begin() as session:
         reset_attempts(session, request, account)

@@ -1,4 +1,4 @@
-"""Operators of the server: named and removed on its command line only."""
+"""Operators of the server, and what they do to accounts: on its command line only."""
 
 from sqlalchemy.orm import Session
 
@@ -29,6 +29,13 @@ def remove_operator(session: Session, address: str) -> Person:
     if operator is None:
         raise OperatorNotFound(f"{person.email} is no operator", fix="soundlist operators list names those who are")
     session.delete(operator)
+    return person
+
+
+def sign_out(session: Session, address: str) -> Person:
+    """End every sign-in of an account, as when a device or a password was stolen."""
+    person = _person(session, address)
+    queries.end_sign_ins(session, person.id)
     return person
 
 

@@ -219,6 +219,20 @@ def test_an_operator_is_named_by_the_command_line_alone(
     assert browser.get("/v1/operations").status_code == 403
 
 
+def test_the_command_line_signs_an_account_out_everywhere(
+    server: RunningServer, account: tuple[TestClient, str], world: World, soundlist: Callable[..., Any]
+) -> None:
+    browser, email = account
+    other = server.browser()
+    assert sign_in(other, email).status_code == 200
+    assert soundlist("sign-out", email.upper()).stdout == f"{email} is signed out everywhere\n"
+    assert [each.get("/v1/me").status_code for each in (browser, other)] == [401, 401]
+    assert world.producer.get("/v1/me").status_code == 200
+    assert sign_in(server.browser(), email).status_code == 200
+    unknown = soundlist("sign-out", "unknown@example.test")
+    assert (unknown.exit_code, "no account has the address" in unknown.stderr) == (2, True)
+
+
 def test_an_operator_has_an_account(server: RunningServer) -> None:
     with server.runtime.database.writing() as session:
         for change in (operators.add_operator, operators.remove_operator):

@@ -5,6 +5,7 @@ from uuid import UUID
 
 import pytest
 from fastapi.testclient import TestClient
+from structlog.testing import capture_logs
 
 from app.accounts.authentication import SESSION_COOKIE
 from app.accounts.models import SignIn
@@ -128,3 +129,17 @@ def test_use_is_noted_to_within_ten_minutes(server: RunningServer, account: tupl
 )
 def test_a_browser_in_words(user_agent: str, device: str) -> None:
     assert device_of(user_agent) == device
+
+
+def test_the_log_names_the_account_of_a_sign_in_and_shows_nothing_of_what_was_typed(server: RunningServer) -> None:
+    browser, email = server.browser(), address()
+    person_id = sign_up(browser, email).json()["id"]
+    with capture_logs() as lines:
+        sign_in(server.browser(), email)
+        for typed in (email, "correct horse battery staple"):
+            server.browser().post("/v1/sign-in", json={"email": typed, "password": "not the password"})
+    done, refused, unknown = (line for line in lines if line["event"] in ("signed in", "sign-in refused"))
+    assert (done["event"], done["person_id"], bool(done["place"])) == ("signed in", person_id, True)
+    assert refused["event"] == unknown["event"] == "sign-in refused"
+    assert refused["account"] != unknown["account"]
+    assert not any(word in str(line) for line in lines for word in (email, "battery", "not the password"))
