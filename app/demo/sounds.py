@@ -82,7 +82,7 @@ def demo_sounds() -> dict[str, DemoSound]:
         DemoSound("dock_clamp.wav", 48_000, 24, 0.80, 210, recipes.dock_clamp),
         DemoSound("explosion_far.wav", 48_000, 24, 2.50, 220, recipes.explosion_far),
         DemoSound("missile_launch.wav", 96_000, 24, 1.40, 230, partial(recipes.missile_launch, thrust_s=0.50)),
-        DemoSound("warp_in.wav", 48_000, 24, 2.15, 198, recipes.warp_in),
+        DemoSound("warp_in.wav", 48_000, 24, 2.15, 198, questioned_sounds.warp_in),
         DemoSound("drone_swarm_loop.wav", 96_000, 24, 6.00, 240, questioned_sounds.drone_swarm),
         DemoSound("vo_oath.wav", 48_000, 24, 4.87, 250, questioned_sounds.oath_backwards),
     ]
@@ -99,7 +99,7 @@ def demo_sounds() -> dict[str, DemoSound]:
 
 def warp_in_stem() -> DemoSound:
     """Return the dry stem that comes with `warp_in`."""
-    return DemoSound("warp_in__dry.wav", 48_000, 24, 2.15, 198, recipes.warp_in_dry)
+    return DemoSound("warp_in__dry.wav", 48_000, 24, 2.15, 198, questioned_sounds.warp_in_dry)
 
 
 def _set(

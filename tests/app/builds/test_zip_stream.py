@@ -3,6 +3,7 @@
 import hashlib
 import io
 import itertools
+import struct
 import tracemalloc
 import zipfile
 import zlib
@@ -37,6 +38,12 @@ def test_it_reads_back_in_order() -> None:
         assert {name: archive.read(name) for name in contents} == contents
         assert {info.compress_type for info in archive.infolist()} == {zipfile.ZIP_STORED}
         assert not any(info.flag_bits & 0x08 for info in archive.infolist())  # sizes stand before the data
+
+
+def test_it_is_of_one_disk() -> None:
+    """Python's reader does not look at the number of the disk; others refuse a disk that they do not have."""
+    end = packed([entry("a.wav", b"one")])[-22:]
+    assert struct.unpack("<4s4H2LH", end)[:5] == (b"PK\x05\x06", 0, 0, 1, 1)
 
 
 def test_the_same_files_are_the_same_bytes() -> None:

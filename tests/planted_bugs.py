@@ -1,0 +1,149 @@
+"""Plant bugs chosen by dice, one at a time in a copy of the tree, and name those that the tests of their room miss.
+
+    python -m tests.planted_bugs [--each 2] [--seed 1] [--only WORD]
+
+A bug turns a comparison round, swaps an operator, moves a number by one, or drops a refusal. What is missed is read
+by a person: some changes make no difference that can be seen.
+"""
+
+import argparse
+import ast
+import os
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+TESTED_BY = {
+    "app/accounts/rules.py": "tests/app/accounts/test_rules.py",
+    "app/agreements/amounts.py": "tests/app/agreements/test_amounts.py",
+    "app/agreements/plan_check.py": "tests/app/agreements/test_plan_check.py",
+    "app/builds/zip_stream.py": "tests/app/builds/test_zip_stream.py",
+    "app/conformance/fixing.py": "tests/app/conformance/test_fixes.py",
+    "app/dashboards/rules.py": "tests/app/dashboards/test_rules.py",
+    "app/deliveries/sum_rules.py": "tests/app/deliveries/test_sums.py",
+    "app/kit/money.py": "tests/app/kit/test_money.py",
+    "app/kit/record.py": "tests/app/kit/test_record.py",
+    "app/money/ledger_book.py": "tests/app/money/test_ledger_book.py",
+    "app/money/estimating.py": "tests/app/money/test_estimating.py",
+    "app/notifications/rules.py": "tests/app/notifications",
+    "app/operations/service.py": "tests/app/operations/test_operations.py",
+    "app/projects/rules.py": "tests/app/projects/test_projects.py",
+    "app/renders/rules.py": "tests/app/renders/test_rules.py",
+    "app/reviews/rules.py": "tests/app/reviews/test_rules.py",
+    "app/reviews/fit_rules.py": "tests/app/reviews/test_fit_rules.py",
+    "app/sound_lists/columns.py": "tests/app/sound_lists/test_imports.py",
+    "audio_checks/audit/statuses.py": "tests/audio_checks/audit/test_audit.py",
+    "audio_checks/checks/duration.py": "tests/audio_checks/checks/test_duration.py",
+    "audio_checks/checks/variation_set.py": "tests/audio_checks/checks/test_variation_set.py",
+    "audio_checks/cli/outputs.py": "tests/audio_checks/cli/test_cli.py",
+    "audio_checks/fixing/plan.py": "tests/audio_checks/fixing/test_fix_master.py",
+    "audio_checks/matching/reading.py": "tests/audio_checks/matching",
+    "audio_checks/measure/levels.py": "tests/audio_checks/measure/test_levels.py",
+    "audio_checks/metadata/points.py": "tests/audio_checks/metadata/test_lists_and_points.py",
+    "audio_checks/placeholders/make.py": "tests/audio_checks/placeholders",
+    "audio_checks/render/dither.py": "tests/audio_checks/render/test_dither.py",
+    "audio_checks/report/findings.py": "tests/audio_checks/report",
+    "audio_checks/run/baseline.py": "tests/audio_checks/cli/test_baseline.py",
+    "audio_checks/spec/keys.py": "tests/audio_checks/spec",
+    "audio_checks/spec/name_tokens.py": "tests/audio_checks/spec",
+    "audio_checks/wav/reader.py": "tests/audio_checks/wav",
+}
+SWAPS: dict[type[ast.AST], type[ast.AST]] = {
+    ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq,
+    ast.In: ast.NotIn, ast.NotIn: ast.In, ast.Is: ast.IsNot, ast.IsNot: ast.Is, ast.Add: ast.Sub, ast.Sub: ast.Add,
+    ast.Mult: ast.Div, ast.Div: ast.Mult, ast.And: ast.Or, ast.Or: ast.And,
+}  # fmt: skip
+
+
+def places(tree: ast.Module) -> Iterator[tuple[ast.AST, str]]:
+    """Yield what can be changed inside functions, and how."""
+    for function in ast.walk(tree):
+        if not isinstance(function, ast.FunctionDef):
+            continue
+        for node in (inner for statement in function.body for inner in ast.walk(statement)):
+            if isinstance(node, ast.Compare) and type(node.ops[0]) in SWAPS:
+                yield node, "ops"
+            elif isinstance(node, ast.BinOp | ast.BoolOp) and type(node.op) in SWAPS:
+                yield node, "op"
+            elif isinstance(node, ast.Constant) and type(node.value) is int:
+                yield node, "value"
+            elif isinstance(node, ast.If) and isinstance(node.body[0], ast.Raise):
+                yield node, "test"
+
+
+def plant(node: ast.AST, how: str) -> str:
+    """Change one place in its tree; return what it was and became."""
+    before = ast.unparse(node).splitlines()[0]
+    if isinstance(node, ast.Compare):
+        node.ops[0] = SWAPS[type(node.ops[0])]()  # type: ignore[assignment]
+    elif isinstance(node, ast.BinOp | ast.BoolOp):
+        node.op = SWAPS[type(node.op)]()  # type: ignore[assignment]
+    elif isinstance(node, ast.Constant):
+        node.value = int(str(node.value)) + 1
+    elif isinstance(node, ast.If):
+        node.test = ast.Constant(value=False)
+    return f"{before}  ->  {ast.unparse(node).splitlines()[0]}"
+
+
+def is_caught(copy: Path, tests: str) -> bool:
+    """Return whether the tests fail on the copy."""
+    command = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "-n",
+        "0",
+        "-x",
+        "-q",
+        "-p",
+        "no:cacheprovider",
+        "--timeout",
+        "600",
+        tests,
+    ]
+    environment = os.environ | {"PYTHONPATH": str(copy)}
+    return subprocess.run(command, cwd=copy, env=environment, capture_output=True).returncode != 0
+
+
+def main() -> None:
+    """Plant, test, put back, and print a line for each."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--each", type=int, default=2, help="bugs in each module")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--only", default="", help="modules whose path has this")
+    options = parser.parse_args()
+    caught = planted = 0
+    with tempfile.TemporaryDirectory() as folder:
+        copy = Path(folder) / "tree"
+        left_out = shutil.ignore_patterns(".git", ".venv", "node_modules", "data", "build", "__pycache__")
+        shutil.copytree(ROOT, copy, ignore=left_out, symlinks=True)
+        (copy / ".venv").symlink_to(ROOT / ".venv")
+        (copy / "frontend/node_modules").symlink_to(ROOT / "frontend/node_modules")
+        for name, tests in TESTED_BY.items():
+            if options.only not in name:
+                continue
+            if is_caught(copy, tests):
+                print(f"{tests} fails as it is; {name} is left out", flush=True)
+                continue
+            source = (copy / name).read_text(encoding="utf-8")
+            count = len(list(places(ast.parse(source))))
+            dice = random.Random(f"{options.seed} {name}")
+            for chosen in sorted(dice.sample(range(count), min(options.each, count))):
+                tree = ast.parse(source)
+                node, how = list(places(tree))[chosen]
+                line, change = getattr(node, "lineno", 0), plant(node, how)
+                (copy / name).write_text(ast.unparse(ast.fix_missing_locations(tree)), encoding="utf-8")
+                found = is_caught(copy, tests)
+                (copy / name).write_text(source, encoding="utf-8")
+                planted, caught = planted + 1, caught + found
+                print(f"{'caught' if found else 'MISSED'}  {name}:{line}  {change}", flush=True)
+    print(f"{caught} of {planted} caught")
+
+
+if __name__ == "__main__":
+    main()
