@@ -21,6 +21,7 @@ export default defineConfig({
         'resume.spec.ts',
         'tray.spec.ts',
         'live.spec.ts',
+        'walk.spec.ts',
       ],
     },
     { name: 'parts', testMatch: 'parts.spec.ts' },

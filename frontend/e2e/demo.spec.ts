@@ -38,7 +38,8 @@ test('the menu switches between approver, producer, designer and build', async (
   await expect(page.getByRole('button', { name: /^Approve A/ })).toBeVisible()
 
   await playAs(page, 'Producer')
-  await expect(page.getByText('The approver decides. You can comment.')).toBeVisible()
+  await expect(page.getByRole('region', { name: /^With the approver/ })).toBeVisible()
+  await expect(page.getByRole('region', { name: /^Questions for you/ })).toBeVisible()
   await expect(page.getByRole('button', { name: /^Approve/ })).toBeHidden()
 
   await playAs(page, 'Sound designer')

@@ -25,6 +25,19 @@ async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: s
   const returned = `${url}/v1${project}/takes?state=returned`
   const { items: takes } = await ask<{ items: { id: string; cue: object | null }[] }>(context, returned)
   const take = takes.find((one) => one.cue !== null)?.id ?? ''
+  const contracts = await ask<{ id: string; title: string }[]>(context, `${url}/v1${project}/contracts`)
+  const contract = `${project}/contracts/${contracts[0]?.id}`
+  const { milestones } = await ask<{ milestones: { id: string; name: string }[] }>(
+    context,
+    `${url}/v1/contracts/${contracts[0]?.id}/milestones`,
+  )
+  const between: Place[] = [
+    { name: 'contracts', path: `${project}/contracts`, shows: contracts[0]?.title ?? '' },
+    { name: 'contract', path: contract, shows: 'Signed by' },
+    { name: 'contract-record', path: `${contract}/record`, shows: /sha256|SHA-256/i },
+    { name: 'money', path: `${project}/money`, shows: /Invoice/ },
+    { name: 'milestone', path: `${project}/milestones/${milestones[0]?.id}`, shows: milestones[0]?.name ?? '' },
+  ]
   const list: Place[] = [
     { name: 'take', path: `/takes/${take}`, shows: 'Spectrum of the whole sound' },
     { name: 'sound-list', path: `${project}/sound-list`, shows: 'drone_swarm_loop' },
@@ -52,6 +65,10 @@ async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: s
     case 'producer':
       return [
         ...team,
+        ...between,
+        { name: 'game-files', path: `${project}/game-files`, shows: /handheld/i },
+        { name: 'packs', path: `${project}/packs`, shows: /pack/i },
+        { name: 'placeholders', path: `${project}/placeholders`, shows: /placeholder/i },
         { name: 'import', path: `${project}/sound-list/import`, shows: 'Spreadsheet' },
         { name: 'spec', path: `${project}/spec`, shows: /TOML/ },
         { name: 'new-project', path: '/projects/new', shows: 'Game standard: 48 kHz / 24 bit' },
@@ -61,7 +78,7 @@ async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: s
     case 'approver':
       return team
     case 'designer':
-      return [{ name: 'desk', path: `${project}/desk`, shows: 'final_FINAL_sting2.wav' }, ...list]
+      return [{ name: 'desk', path: `${project}/desk`, shows: 'final_FINAL_sting2.wav' }, ...between, ...list]
     case 'guest':
       return [
         { name: 'sign-in', path: '/sign-in', shows: 'Forgot password?' },
@@ -114,7 +131,7 @@ function troubles(page: Page): string[] {
     if (message.type() === 'error') found.push(message.text())
   })
   page.on('request', (request) => {
-    if (!/^(http:\/\/127\.0\.0\.1:|blob:|data:)/.test(request.url())) found.push(`queued ${request.url()}`)
+    if (!/^(http:\/\/127\.0\.0\.1:|blob:|data:)/.test(request.url())) found.push(`asked for ${request.url()}`)
   })
   return found
 }

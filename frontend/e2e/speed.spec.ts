@@ -83,8 +83,8 @@ function report(name: string, loaded: Loaded): void {
 }
 
 for (const { name, part, path, shows } of [
-  { name: 'sign-in', part: 'producer', path: () => '/sign-in', shows: 'Forgotten password' },
-  { name: 'Today', part: 'approver', path: (project: string) => `${project}/today`, shows: 'With others' },
+  { name: 'sign-in', part: 'producer', path: () => '/sign-in', shows: 'Forgot password?' },
+  { name: 'Today', part: 'approver', path: (project: string) => `${project}/today`, shows: 'Waiting on others' },
   { name: 'Review', part: 'approver', path: (project: string) => `${project}/review`, shows: 'Match level' },
   { name: 'desk', part: 'designer', path: (project: string) => `${project}/desk`, shows: 'Your desk' },
 ]) {
@@ -126,9 +126,9 @@ test('small files take one request each, and the lists few', async ({ server, pa
   test.setTimeout(300_000)
   const context = page.context()
   await page.goto(`${server.url}/sign-up`)
-  await page.getByLabel('Name of the studio').fill('Lantern Games')
+  await page.getByLabel('Studio name').fill('Lantern Games')
   await page.getByLabel('Your name').fill('Producer')
-  await page.getByLabel('Mail address').fill('producer@lantern.example')
+  await page.getByLabel('Email').fill('producer@lantern.example')
   await page.getByLabel('Password', { exact: true }).fill('quiet reactor hum')
   await page.keyboard.press('Enter')
   await expect(page.getByRole('heading', { name: 'New project' })).toBeVisible()

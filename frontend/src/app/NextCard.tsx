@@ -30,7 +30,7 @@ export function NextCard({ steps, projectId }: { steps: readonly NextStep[]; pro
         </div>
         <ButtonLink
           component={Link}
-          to={path as LinkProps['to']}
+          to={path}
           variant="primary"
           data-stop
           aria-label={`${act}: ${head}`}

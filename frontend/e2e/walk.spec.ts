@@ -1,0 +1,240 @@
+import { mkdir, writeFile } from 'node:fs/promises'
+import { dirname, join } from 'node:path'
+
+import { expect, type Locator, type Page, test as base } from '@playwright/test'
+
+import { ask } from './api'
+import { visit } from './atWork'
+import { test } from './fixtures'
+import { wav } from './sounds'
+
+const PASSWORD = 'quiet reactor hum'
+const CUES = 60
+
+/** Figures of the walk that a change may not exceed. */
+const MOST = {
+  producer: { clicks: 30, fields: 12, requests: 260 },
+  designer: { clicks: 10, fields: 4, requests: 120 },
+}
+
+/** One person's browser, which counts what they do in it. */
+class Hand {
+  clicks = 0
+  fields = 0
+  keys = 0
+  requests = 0
+
+  constructor(readonly page: Page) {
+    page.on('request', (request) => {
+      if (new URL(request.url()).pathname.startsWith('/v1/')) this.requests += 1
+    })
+  }
+
+  async click(what: Locator): Promise<void> {
+    this.clicks += 1
+    await what.click()
+  }
+
+  async type(field: Locator, text: string): Promise<void> {
+    this.fields += 1
+    await field.fill(text)
+  }
+
+  async press(key: string): Promise<void> {
+    this.keys += 1
+    await this.page.keyboard.press(key)
+  }
+
+  report(name: string): void {
+    const description = `${this.clicks} clicks, ${this.fields} fields, ${this.keys} keys, ${this.requests} requests`
+    base.info().annotations.push({ type: name, description })
+    console.log(`${name}: ${description}`)
+  }
+}
+
+const nameOf = (index: number): string =>
+  `${['laser', 'door', 'step', 'bell'][index % 4]}_${'abcdefghijklmno'[index >> 2]}`
+const SHEET = [
+  'Name\tKind\tPrio\tDur',
+  ...Array.from({ length: CUES }, (_, index) => `${nameOf(index)}\tui\thigh\t0.3`),
+].join('\n')
+
+/** What designers call their files, and the cue that each is for. */
+const MESSY: Record<string, string> = {
+  'LASER_A_FINAL.wav': 'laser_a',
+  'Door A v03.wav': 'door_a',
+  'step-a (1).wav': 'step_a',
+  'BellA_final_FINAL2.wav': 'bell_a',
+  'old mixes/laser b copy.wav': 'laser_b',
+  'UI/door.b.wav': 'door_b',
+  '2026-11-23_step_b.wav': 'step_b',
+  'df_bell_b_48k.wav': 'bell_b',
+}
+const WRONG: Record<string, Buffer> = {
+  'laser_c.wav': Buffer.concat([Buffer.from('ID3\x04\x00\x00\x00\x00\x00\x00', 'latin1'), Buffer.alloc(2_000, 0x55)]),
+  'notes.txt': Buffer.from('remember the doors'),
+}
+
+const badge = (page: Page, tab: string) =>
+  page.getByRole('navigation', { name: 'Screens' }).getByRole('link', { name: new RegExp(`^${tab}`) })
+const next = (page: Page, head: string | RegExp) => page.getByRole('region', { name: head })
+
+async function linkFor(page: Page, url: string, recipient: string): Promise<string> {
+  const { studios } = await ask<{ studios: { id: string }[] }>(page.context(), `${url}/v1/me`)
+  let link = ''
+  await expect(async () => {
+    const outbox = `${url}/v1/studios/${studios[0]?.id}/outbox`
+    const { mails } = await ask<{ mails: { recipient: string; link: string | null }[] }>(page.context(), outbox)
+    link = mails.find((mail) => mail.recipient === recipient)?.link ?? ''
+    expect(link).not.toBe('')
+  }).toPass({ timeout: 30_000 })
+  return link
+}
+
+test('from sign-up to a signed contract, a messy delivery and the verdicts, counted', async ({
+  server: { url },
+  browser,
+}, testInfo) => {
+  test.setTimeout(400_000)
+  const producer = new Hand(await visit(browser))
+  const designer = new Hand(await visit(browser))
+  const { page } = producer
+
+  await test.step('a producer signs up and lists 60 cues', async () => {
+    await page.goto(`${url}/sign-up`)
+    await producer.type(page.getByLabel('Studio name'), 'Lantern Games')
+    await producer.type(page.getByLabel('Your name'), 'Producer')
+    await producer.type(page.getByLabel('Email'), 'producer@lantern.example')
+    await producer.type(page.getByLabel('Password', { exact: true }), PASSWORD)
+    await producer.press('Enter')
+    await producer.type(page.getByLabel('Game title'), 'Deep Field')
+    await producer.press('Enter')
+    await expect(page.getByText('The sound list is empty')).toBeVisible()
+    await producer.click(badge(page, 'Today'))
+    await producer.click(next(page, 'Add the sounds that the game needs').getByRole('link').first())
+    await producer.type(page.getByLabel('Pasted rows'), SHEET)
+    await producer.click(page.getByRole('button', { name: `Import ${CUES} cues` }))
+    await expect(page.getByText(`${CUES} cues added`)).toBeVisible()
+  })
+
+  await test.step('Today says to invite a designer, and then whom it waits for', async () => {
+    await producer.click(badge(page, 'Today'))
+    await producer.click(next(page, 'Invite a sound designer').getByRole('link').first())
+    const invite = page.getByRole('form', { name: 'Invite a designer' })
+    await producer.type(invite.getByLabel('Email'), 'designer@tones.example')
+    await producer.press('Enter')
+    await expect(page.getByText('Invitation sent to designer@tones.example.')).toBeVisible()
+    const link = await linkFor(page, url, 'designer@tones.example')
+    await designer.page.goto(link)
+    await designer.click(designer.page.getByRole('button', { name: 'Start delivering' }))
+    await designer.type(designer.page.getByLabel('Your name'), 'Ada Tones')
+    await designer.type(designer.page.getByLabel('New password', { exact: true }), PASSWORD)
+    await designer.press('Enter')
+    await expect(designer.page.getByRole('heading', { name: 'Your desk' })).toBeVisible()
+  })
+
+  await test.step('a contract over all cues is drafted, planned, sent and signed', async () => {
+    await producer.click(badge(page, 'Contract'))
+    await producer.click(page.getByRole('button', { name: 'Create draft' }))
+    await expect(page.getByRole('button', { name: 'Save as a version' })).toBeVisible()
+    await producer.click(page.getByRole('link', { name: /^Back to contract|^Discard/ }))
+    await producer.click(page.getByRole('link', { name: /[Pp]lan milestones|^Plan/ }))
+    await producer.press('n')
+    await producer.type(page.getByLabel('Name', { exact: true }), 'All sounds')
+    await producer.type(page.getByLabel(/^Amount/), '6000')
+    await producer.click(page.getByRole('combobox', { name: `Assign these ${CUES} cues to` }))
+    await producer.click(page.getByRole('option', { name: 'All sounds' }))
+    await producer.click(page.getByRole('button', { name: 'Save plan' }))
+    await producer.click(page.getByRole('button', { name: 'Send to Ada Tones' }))
+    for (const [hand, name] of [
+      [designer, 'Ada Tones'],
+      [producer, 'Pat Producer'],
+    ] as const) {
+      await hand.page.goto(url)
+      await hand.click(
+        next(hand.page, /^Sign /)
+          .getByRole('link')
+          .first(),
+      )
+      const form = hand.page.getByRole('form', { name: 'Accept' })
+      await hand.type(form.getByLabel('Your full name'), name)
+      await hand.press('Enter')
+      await expect(form).toBeHidden()
+    }
+  })
+  producer.report('producer, from sign-up to a signed contract')
+  designer.report('designer, from the invitation to a signed contract')
+  for (const [hand, most] of [
+    [producer, MOST.producer],
+    [designer, MOST.designer],
+  ] as const) {
+    expect(hand.clicks).toBeLessThanOrEqual(most.clicks)
+    expect(hand.fields).toBeLessThanOrEqual(most.fields)
+    expect(hand.requests).toBeLessThanOrEqual(most.requests)
+  }
+
+  const desk = designer.page
+  const tray = desk.getByRole('region', { name: 'Unmatched files' })
+  await test.step('messy names find their cues; headline, tray and badge count the same', async () => {
+    await desk.goto(`${url}/desk`)
+    const folder = testInfo.outputPath('delivery')
+    let pitchHz = 300
+    for (const name of [...Object.keys(MESSY), 'something else.wav']) {
+      await mkdir(dirname(join(folder, name)), { recursive: true })
+      await writeFile(join(folder, name), wav({ seconds: 0.3, pitchHz: (pitchHz += 41) }))
+    }
+    for (const [name, bytes] of Object.entries(WRONG)) await writeFile(join(folder, name), bytes)
+    await desk.getByLabel('Folder to deliver').setInputFiles(folder)
+    await expect(desk.getByText('This is an MP3 named .wav.')).toBeVisible({ timeout: 30_000 })
+    await expect(tray.getByText('1 file without a cue')).toBeVisible({ timeout: 60_000 })
+    await expect(desk.getByText(/^One file has no cue yet/)).toBeVisible({ timeout: 30_000 })
+    await expect(badge(desk, 'Desk')).toHaveText(/^Desk\s*1/)
+    const projectId = /\/projects\/([0-9a-f-]{36})/.exec(page.url())?.[1] ?? ''
+    const takes = await ask<{ items: { file_name: string; cue: { name: string } | null }[] }>(
+      desk.context(),
+      `${url}/v1/projects/${projectId}/takes?unmatched=false`,
+    )
+    const found = takes.items.map(({ file_name: name, cue }) => [name.split('/').at(-1), cue?.name])
+    expect(Object.fromEntries(found)).toEqual(
+      Object.fromEntries(Object.entries(MESSY).map(([name, cue]) => [name.split('/').at(-1), cue])),
+    )
+  })
+
+  await test.step('Ctrl K finds a cue, a file, a person and a contract from any page', async () => {
+    await page.goto(`${url}/studio`)
+    for (const [typed, section, title] of [
+      ['bell_c', 'Sounds', 'bell_c'],
+      ['something else', 'Files', 'something else.wav'],
+      ['ada tones', 'People and contracts', 'Ada Tones'],
+    ] as const) {
+      await producer.press('Control+k')
+      await page.getByRole('combobox', { name: 'Search or run a command' }).fill(typed)
+      const results = page.getByRole('listbox', { name: 'Results' })
+      await expect(results.getByRole('group', { name: section })).toContainText(title)
+      await producer.press('Escape')
+    }
+    await producer.press('Control+k')
+    await page.getByRole('combobox', { name: 'Search or run a command' }).fill('bell_c')
+    await expect(page.getByRole('option').first()).toContainText('bell_c')
+    await producer.press('Enter')
+    await expect(page.getByRole('heading', { level: 1, name: 'bell_c' })).toBeVisible()
+  })
+
+  await test.step('every sound is judged by one key, as fast as they come', async () => {
+    const many = Object.keys(MESSY).length
+    await expect(async () => {
+      await page.goto(`${url}/projects/${/\/projects\/([0-9a-f-]{36})/.exec(page.url())?.[1]}/review`)
+      await expect(page.getByText(`${many} waiting`).first()).toBeAttached({ timeout: 3_000 })
+    }).toPass({ timeout: 120_000 })
+    const judged = new Set<string>()
+    for (let left = many; left > 0; left -= 1) {
+      const head = page.getByRole('heading', { level: 1 })
+      await expect(head).not.toHaveText([...judged].at(-1) ?? '')
+      judged.add(await head.innerText())
+      await expect(page.getByRole('button', { name: /^Approve/ })).toBeVisible()
+      await producer.press('a')
+    }
+    await expect(page.getByRole('heading', { name: 'Nothing to review' })).toBeVisible()
+    expect(judged.size).toBe(many)
+  })
+})
