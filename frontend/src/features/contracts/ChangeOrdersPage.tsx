@@ -18,6 +18,7 @@ import { DifferenceView } from './DifferenceView'
 import { ProposeChange } from './ProposeChange'
 import { Refusal } from './Refusal'
 import { Text } from './Text'
+import { Warning } from './Warning'
 import { sentence } from './words'
 
 /** The change orders of a contract: what each changes, who has signed it, and a new one. */
@@ -87,13 +88,11 @@ function Order({ order, all }: { order: ChangeOrder; all: ChangeOrders }) {
       <div className={classes.form}>
         <p>{order.reason}</p>
         {order.problems.map((problem) => (
-          <State key={problem} kind="warning">
-            {sentence(problem)}
-          </State>
+          <Warning key={problem}>{sentence(problem)}</Warning>
         ))}
         {order.difference !== null && <DifferenceView difference={order.difference} currency={all.currency} />}
         {order.begins_at_once && (
-          <State kind="warning">{`Work may begin before both have signed, at the risk of the ${order.party}.`}</State>
+          <Warning>{`Work may begin before both have signed, at the risk of the ${order.party}.`}</Warning>
         )}
         {order.close_reason !== '' && order.closed_at !== null && (
           <p className="mid">{`${word} on ${day(order.closed_at)}: ${order.close_reason}`}</p>

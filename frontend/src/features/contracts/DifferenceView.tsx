@@ -1,9 +1,9 @@
 import { amount, money } from '@/money/words'
 import { plural, shortDay } from '@/ui/format'
-import { State } from '@/ui/State'
 
 import type { Difference } from './api'
 import classes from './Contracts.module.css'
+import { Warning } from './Warning'
 
 /** Scope, price and dates before and after, and what that does to the plan. */
 export function DifferenceView({ difference, currency }: { difference: Difference; currency: string }) {
@@ -77,10 +77,10 @@ export function DifferenceView({ difference, currency }: { difference: Differenc
         </table>
       </div>
       {[...difference.warnings, ...difference.advice].map(({ code, message, why }) => (
-        <State key={`${code} ${message}`} kind="warning">{`${message} ${why}`}</State>
+        <Warning key={`${code} ${message}`}>{`${message} ${why}`}</Warning>
       ))}
       {difference.advice_gone.map(({ message }) => (
-        <State key={message} kind="passed">{`No longer so: ${message}`}</State>
+        <Warning key={message} good>{`No longer so: ${message}`}</Warning>
       ))}
     </>
   )

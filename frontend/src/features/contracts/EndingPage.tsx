@@ -16,6 +16,7 @@ import { State, type StateKind } from '@/ui/State'
 import { type Ending, endingQuery, type StatedCue, useEnding } from './api'
 import classes from './Contracts.module.css'
 import { Refusal } from './Refusal'
+import { Warning } from './Warning'
 
 /** What a contract comes to if it ends early: a forecast, then a statement that both see, then what was settled. */
 export function EndingPage() {
@@ -161,6 +162,9 @@ function Statement({ ending }: { ending: Ending }) {
             />
             {ending.rounds_minor !== 0 && (
               <Sum head="Rounds" note="beyond those included" minor={ending.rounds_minor} one={one} />
+            )}
+            {ending.extra_minor !== 0 && (
+              <Sum head="Other work" note="by change orders" minor={ending.extra_minor} one={one} />
             )}
             {ending.days_minor !== 0 && (
               <Sum head="Days" note="worked and agreed" minor={ending.days_minor} one={one} />
@@ -338,14 +342,14 @@ function Before({ ending }: { ending: Ending }) {
       <Rows aria-label="Before you sign">
         {waiting.length > 0 && (
           <Row className={classes.row}>
-            <State kind="warning">
+            <Warning>
               {`${plural(waiting.length, 'cue waits', 'cues wait')} for approval. Accepted, they owe ${amount(more, currency)} more.`}
-            </State>
+            </Warning>
           </Row>
         )}
         {ending.open_points.map(({ kind, text, amount_minor: minor }) => (
           <Row key={`${kind} ${text}`} className={classes.row}>
-            <State kind="warning">{`Not counted until the studio agrees: ${text}, ${amount(minor, currency)}`}</State>
+            <Warning>{`Not counted until the studio agrees: ${text}, ${amount(minor, currency)}`}</Warning>
           </Row>
         ))}
       </Rows>

@@ -6,12 +6,12 @@ import { DraftNote, useDraft } from '@/app/drafts'
 import { minorOf } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { State } from '@/ui/State'
 
 import { type Change, type ChangeOrders, changePreviewQuery, useChangeOrder } from './api'
 import classes from './Contracts.module.css'
 import { DifferenceView } from './DifferenceView'
 import { Refusal } from './Refusal'
+import { Warning } from './Warning'
 import { sentence } from './words'
 
 type Kind = Change['kind']
@@ -54,9 +54,7 @@ export function ProposeChange({ all }: { all: ChangeOrders }) {
       <OneChange all={all} onAdd={(change) => setChanges([...changes, change])} />
       <form onSubmit={submit} className={classes.form} aria-label="Propose a change order">
         {problems.map((problem) => (
-          <State key={problem} kind="warning">
-            {sentence(problem)}
-          </State>
+          <Warning key={problem}>{sentence(problem)}</Warning>
         ))}
         {changes.length > 0 && preview?.difference && (
           <DifferenceView difference={preview.difference} currency={all.currency} />
@@ -88,7 +86,7 @@ export function ProposeChange({ all }: { all: ChangeOrders }) {
 }
 
 function OneChange({ all, onAdd }: { all: ChangeOrders; onAdd: (change: Change) => void }) {
-  const [kind, setKind] = useState<Kind>('add_cue')
+  const [kind, setKind] = useState<Kind>(all.cues_to_add.length > 0 ? 'add_cue' : 'reprice_cue')
   const [cueId, setCueId] = useState('')
   const [milestoneId, setMilestoneId] = useState('')
   const [price, setPrice] = useState('')

@@ -1,0 +1,13 @@
+import { Icon } from '@/ui/Icon'
+
+import classes from './Contracts.module.css'
+
+/** A sentence worth reading before one signs. */
+export function Warning({ children, good = false }: { children: string; good?: boolean }) {
+  return (
+    <p className={`${classes.warning} ${good ? classes.good : ''}`}>
+      <Icon name={good ? 'tick' : 'triangle'} />
+      <span>{children}</span>
+    </p>
+  )
+}

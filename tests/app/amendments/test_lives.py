@@ -1,0 +1,190 @@
+"""Random lawful lives of several contracts: the ledger equals a plain model that is written apart from it.
+
+The model keeps no lines. From the cues and what was agreed it reckons what must be owed, each sum rounded once.
+"""
+
+from dataclasses import replace
+from fractions import Fraction
+from uuid import UUID, uuid4
+
+from hypothesis import settings
+from hypothesis import strategies as st
+from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, rule
+
+from app.agreements.rules import ReleaseClause, WorkState
+from app.agreements.terms import KillFees
+from app.money.ending import statement_of
+from app.money.figures import figures_of
+from app.money.ledger_book import Entry, LedgerBook, Line, PayRules, PricedCue, settle_shares
+from app.money.rules import LineKind
+
+DEPOSIT_MINOR, ROUND_BP = 77_777, 1_250
+PARTS = {"not_begun": 333, "in_work": 5_000, "delivered": 7_501}
+FEES = KillFees(*PARTS.values())
+CONTRACTS, CUES = 2, 5
+
+
+def rounded(amount_minor: int, part_bp: int) -> int:
+    """Round half away from zero, by fractions: the model's own reckoning."""
+    exact = Fraction(amount_minor * part_bp, 10_000)
+    return int(exact + Fraction(1, 2))
+
+
+class Life:
+    """One contract: what the server keeps of it, and what the model knows."""
+
+    def __init__(self, release: ReleaseClause, holdback_bp: int, prices: list[int], *, is_set_off: bool) -> None:
+        self.rules = PayRules(release, holdback_bp, FEES)
+        self.is_set_off = is_set_off
+        self.milestones = [uuid4(), uuid4()]
+        self.cues = [PricedCue(uuid4(), self.milestones[place % 2], price) for place, price in enumerate(prices)]
+        self.lines: list[Line] = []
+        self.write([Entry(LineKind.DEPOSIT, DEPOSIT_MINOR, "payment_plan", milestone_id=uuid4())])
+        self.extras: list[int] = []
+        self.is_ended = False
+
+    @property
+    def book(self) -> LedgerBook:
+        return LedgerBook(self.lines, "EUR")
+
+    def write(self, entries: list[Entry]) -> None:
+        self.lines += [Line(**vars(entry), id=uuid4(), person_id=UUID(int=1)) for entry in entries]
+
+    def change(self, place: int, **facts: object) -> None:
+        self.cues[place] = replace(self.cues[place], **facts)
+        self.settle()
+
+    def settle(self) -> None:
+        self.write(settle_shares(self.book, self.cues, self.rules))
+
+    def owed_by_the_model(self) -> int:
+        """Return what must be owed by what happened, without any line."""
+        deposit = 0 if self.is_ended and self.is_set_off else DEPOSIT_MINOR
+        return deposit + sum(self.extras) + sum(map(self._share, self.cues))
+
+    def _share(self, cue: PricedCue) -> int:
+        if cue.cut_in is not None:
+            return rounded(cue.amount_minor, PARTS[cue.cut_in.value])
+        if not cue.is_accepted:
+            return 0
+        siblings = [one for one in self.cues if one.milestone_id == cue.milestone_id]
+        held = rounded(cue.amount_minor, self.rules.holdback_bp)
+        is_released = self.rules.release is ReleaseClause.PER_CUE or all(one.is_settled for one in siblings)
+        return (cue.amount_minor - held if is_released else 0) + (
+            held if all(one.is_settled for one in self.cues) else 0
+        )
+
+
+class Lives(RuleBasedStateMachine):
+    """Whatever the parties of some contracts may lawfully do, in any order."""
+
+    @initialize(
+        releases=st.lists(st.sampled_from(ReleaseClause), min_size=CONTRACTS, max_size=CONTRACTS),
+        holdbacks=st.lists(st.sampled_from([0, 999, 3_333]), min_size=CONTRACTS, max_size=CONTRACTS),
+        prices=st.lists(st.lists(st.integers(0, 99_999), min_size=CUES, max_size=CUES), min_size=2, max_size=2),
+        set_off=st.lists(st.booleans(), min_size=CONTRACTS, max_size=CONTRACTS),
+    )
+    def agree(self, releases, holdbacks, prices, set_off):
+        self.lives = [
+            Life(*given, is_set_off=is_set_off)
+            for *given, is_set_off in zip(releases, holdbacks, prices, set_off, strict=True)
+        ]
+
+    def running(self, which: int) -> Life | None:
+        life = self.lives[which % CONTRACTS]
+        return None if life.is_ended else life
+
+    def open_cue(self, life: Life, place: int) -> int | None:
+        place %= len(life.cues)
+        return None if life.cues[place].is_settled else place
+
+    @rule(which=st.integers(0, 1), place=st.integers(0, 20))
+    def accept(self, which, place):
+        if (life := self.running(which)) and (at := self.open_cue(life, place)) is not None:
+            life.change(at, is_accepted=True)
+
+    @rule(which=st.integers(0, 1), place=st.integers(0, 20))
+    def reverse(self, which, place):
+        life = self.running(which)
+        if life and life.cues[place % len(life.cues)].cut_in is None:
+            life.change(place % len(life.cues), is_accepted=False)
+
+    @rule(which=st.integers(0, 1), place=st.integers(0, 20), state=st.sampled_from(list(PARTS)))
+    def cut(self, which, place, state):
+        """Cut a cue on the list, or take it out by a change order: the ledger gets the same line."""
+        if (life := self.running(which)) and (at := self.open_cue(life, place)) is not None:
+            life.change(at, cut_in=WorkState(state))
+
+    @rule(which=st.integers(0, 1), price=st.integers(0, 99_999), milestone=st.integers(0, 1))
+    def add_cue(self, which, price, milestone):
+        """A change order adds a cue; a milestone that is complete takes none."""
+        if life := self.running(which):
+            milestone_id = life.milestones[milestone]
+            if any(not cue.is_settled for cue in life.cues if cue.milestone_id == milestone_id):
+                life.cues.append(PricedCue(uuid4(), milestone_id, price))
+                life.settle()
+
+    @rule(which=st.integers(0, 1), place=st.integers(0, 20), price=st.integers(0, 99_999))
+    def reprice(self, which, place, price):
+        if (life := self.running(which)) and (at := self.open_cue(life, place)) is not None:
+            life.change(at, amount_minor=price)
+
+    @rule(which=st.integers(0, 1), place=st.integers(0, 20))
+    def add_round(self, which, place):
+        life = self.running(which)
+        if life and (at := self.open_cue(life, place)) is not None:
+            cue, price = life.cues[at], rounded(life.cues[at].amount_minor, ROUND_BP)
+            if price:
+                life.extras.append(price)
+                number = len(life.extras)
+                life.write([Entry(LineKind.EXTRA_ROUND, price, "rates", cue.cue_id, cue.milestone_id, None, number)])
+
+    @rule(which=st.integers(0, 1), price=st.integers(1, 50_000))
+    def add_work(self, which, price):
+        if life := self.running(which):
+            life.extras.append(price)
+            life.write([Entry(LineKind.EXTRA_WORK, price, "changes", milestone_id=life.milestones[0])])
+
+    @rule(which=st.integers(0, 1), states=st.lists(st.sampled_from(list(PARTS)), min_size=20, max_size=20))
+    def end(self, which, states):
+        """Settle: what the statement says, then exactly that in the ledger."""
+        if not (life := self.running(which)):
+            return
+        of = {cue.cue_id: WorkState(states[place % 20]) for place, cue in enumerate(life.cues) if not cue.is_settled}
+        beside = DEPOSIT_MINOR
+        statement = statement_of(
+            life.book, life.cues, of, life.rules, beside_cues_minor=beside, deposit_is_set_off=life.is_set_off
+        )
+        before = len(life.lines)
+        life.write(list(statement.entries))
+        life.cues = [cue if cue.is_settled else replace(cue, cut_in=of[cue.cue_id]) for cue in life.cues]
+        life.is_ended = True
+        assert figures_of(life.book, life.cues, beside, is_ended=True) == statement.figures
+        parts = (statement.cues_minor, statement.deposit_minor, statement.rounds_minor, statement.extra_minor)
+        assert sum(parts) == statement.figures.accepted_minor
+        assert [one.owed_minor for one in statement.cues] == [life._share(cue) for cue in life.cues]
+        life.settle()
+        assert len(life.lines) == before + len(statement.entries), "settled once, there is nothing more to write"
+
+    @invariant()
+    def the_ledger_is_what_the_model_says(self):
+        for life in self.lives:
+            owed = sum(line.amount_minor for line in life.book.owed)
+            assert owed == life.owed_by_the_model()
+            assert owed >= 0
+
+    @invariant()
+    def every_cent_is_somewhere(self):
+        for life in self.lives:
+            figures = figures_of(life.book, life.cues, DEPOSIT_MINOR, is_ended=life.is_ended)
+            together = figures.paid_minor + figures.due_minor + figures.open_minor + figures.saved_minor
+            whole = DEPOSIT_MINOR + sum(cue.amount_minor for cue in life.cues) + sum(life.extras)
+            assert together == figures.agreed_minor == whole
+            assert figures.open_minor >= 0
+            assert figures.saved_minor >= 0
+            if life.is_ended:
+                assert figures.open_minor == 0
+
+
+Lives.TestCase.settings = settings(max_examples=60, stateful_step_count=30)
+TestLives = Lives.TestCase
