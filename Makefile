@@ -14,7 +14,7 @@ export PYTHONPATH := $(CURDIR)
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup run dev hooks test test-all check coverage fix unit unit-postgres frontend-test e2e kill attack large-zip false-alarms audit audit-levels fuzz parity bench weights docs openapi constraints audit-dependencies pins clean
+.PHONY: help setup run dev hooks test test-all check coverage fix unit unit-postgres frontend-test e2e kill planted-bugs attack large-zip false-alarms audit audit-levels fuzz parity bench weights docs openapi constraints audit-dependencies pins clean
 
 help:  ## List these commands
 	@grep -hE '^[a-z0-9-]+:.*##' $(MAKEFILE_LIST) | awk -F':.*## ' '{printf "  make %-14s %s\n", $$1, $$2}'
@@ -73,6 +73,9 @@ e2e: setup .make/browser .make/postgresql  ## Walk the product in a real browser
 kill: setup .make/postgresql .make/caddy  ## Kill real processes at every named point, 20 times each
 	$(BIN)/pytest -n 3 tests/kill --kill-runs 20
 
+planted-bugs: setup  ## Plant bugs in every room, one at a time, and name those that its tests miss (EACH=2, SEED=1)
+	@$(BIN)/python -m tests.planted_bugs --each $(or $(EACH),2) --seed $(or $(SEED),1)
+
 attack: setup .make/postgresql  ## Attack a real server and name what broke it (SECONDS=300, DATABASE=sqlite or postgres)
 	$(BIN)/python -m tests.attack --seconds $(or $(SECONDS),300) --database $(or $(DATABASE),sqlite)
 
@@ -99,10 +102,10 @@ parity: setup  ## Ask server, command line and Python about 1,000 sounds by 6 sp
 bench: setup .make/peers  ## Measure speed and quality against peers
 	$(BIN)/python -m benchmarks
 
-weights: setup  ## Train the weights of judgements (needs ffmpeg; SOUNDS_DIR= adds real recordings, RECORDED_DIR= tries others; an hour)
+weights: setup  ## Train the weights of judgements (needs ffmpeg; SOUNDS_DIR= adds real recordings, RECORDED_DIR= adds others in measured rooms; an hour)
 	$(BIN)/uv pip install --quiet --python $(BIN)/python --constraint constraints.txt --editable '.[training]'
 	$(BIN)/python -m training.reverb
-	test -z "$(RECORDED_DIR)" || $(BIN)/python -m training.reverb_recorded
+	test -z "$(RECORDED_DIR)" || { $(BIN)/python -m training.reverb_recorded && $(BIN)/python -m training.reverb --tables-only; }
 	$(BIN)/python -m training.reversed
 	$(BIN)/python -m training.upsampled
 	$(BIN)/python -m training.lossy
