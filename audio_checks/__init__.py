@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from audio_checks.audit.fingerprint import FINGERPRINT_VERSION
     from audio_checks.audit.fingerprinted import FingerprintedFile
     from audio_checks.audit.manifest import manifest_entry, manifest_of, read_manifest, write_manifest
+    from audio_checks.audit.played import with_plays, with_project
     from audio_checks.audit.report import Audit
     from audio_checks.errors import (
         AudioChecksError,
@@ -40,6 +41,8 @@ if TYPE_CHECKING:
     from audio_checks.matching.index import ListedCue, NameIndex
     from audio_checks.measure.average_spectrum import BandLevels
     from audio_checks.measure.waveform import WaveShape
+    from audio_checks.middleware.project import read_project
+    from audio_checks.middleware.values import PlayedSound, Project
     from audio_checks.placeholders.make import Placeholder, make_placeholder, make_placeholders
     from audio_checks.placeholders.speech import synthesize_speech
     from audio_checks.render.key import render_key
@@ -95,6 +98,8 @@ __all__ = [
     "NameIndex",
     "Offer",
     "Placeholder",
+    "PlayedSound",
+    "Project",
     "Provenance",
     "RenderRefused",
     "Rendered",
@@ -143,6 +148,7 @@ __all__ = [
     "parse_spec",
     "preview",
     "read_manifest",
+    "read_project",
     "read_sound_list",
     "read_toml",
     "rehearse_check",
@@ -157,6 +163,8 @@ __all__ = [
     "stems_of",
     "synthesize_speech",
     "wave_shapes",
+    "with_plays",
+    "with_project",
     "write_manifest",
     "write_rehearsal_sound",
     "write_sound_list",
@@ -168,7 +176,10 @@ _HOMES = {
     "audio_checks.audit.fingerprint": ("FINGERPRINT_VERSION",),
     "audio_checks.audit.fingerprinted": ("FingerprintedFile",),
     "audio_checks.audit.manifest": ("manifest_entry", "manifest_of", "read_manifest", "write_manifest"),
+    "audio_checks.audit.played": ("with_plays", "with_project"),
     "audio_checks.audit.report": ("Audit",),
+    "audio_checks.middleware.project": ("read_project",),
+    "audio_checks.middleware.values": ("PlayedSound", "Project"),
     "audio_checks.judge.compare.dry_stem": ("compare_reverb_with_dry",),
     "audio_checks.errors": (
         "AudioChecksError",

@@ -1,4 +1,4 @@
-"""Which change set a property of a project, as Git knows it: a commit, its day and its subject, and no person."""
+"""Which change set a property of a project, as Git or Perforce knows it: id, day and subject, and no person."""
 
 from __future__ import annotations
 
@@ -18,8 +18,11 @@ from audio_checks.system.text_files import read_text
 
 MOST_ASKED = 64  # questions to Git in one audit
 MOST_SECONDS = 10.0
+P4_NAMES = ("P4CLIENT", "P4CONFIG", "P4PORT")
 MOST_LINES = 4  # from a property's name to its value, where that stands below it
 LONGEST_SUBJECT = 200
+_ANNOTATED = re.compile(r"(\d{1,10}): ")
+_CHANGE = re.compile(r"Change (\d{1,10}) on (\d{4}/\d{2}/\d{2})")
 _UNCOMMITTED = re.compile(r"0{40,64}")
 
 
@@ -37,12 +40,13 @@ class Changelist:
 
 
 class Changelists:
-    """The changes of one project's files; nothing where Git does not know them.
+    """The changes of one project's files; nothing where neither Git nor Perforce knows them.
 
     Parameters
     ----------
     root : str
-        The project's folder.
+        The project's folder. Perforce is asked only where the environment names a server or a client, and Git knows
+        no repository.
     """
 
     def __init__(self, root: str) -> None:
@@ -50,6 +54,7 @@ class Changelists:
         self._texts: dict[str, str] = {}
         self._known: dict[tuple[str, int], Changelist | None] = {}
         self._git = installed_program("git")
+        self._p4 = installed_program("p4") if any(os.environ.get(name) for name in P4_NAMES) else None
 
     def of(self, file: str, anchor: str, name: str) -> Changelist | None:
         """Return the newest change among the lines of a property; None where it is not known or not committed.
@@ -61,7 +66,7 @@ class Changelists:
         anchor, name : str
             Text that begins the object, and the property's name.
         """
-        if self._git is None or not file or Path(file).is_absolute() or ".." in Path(file).parts:
+        if not file or Path(file).is_absolute() or ".." in Path(file).parts:
             return None
         line, count = lines_of(self._text(file), anchor, name)
         key = file, line
@@ -78,18 +83,41 @@ class Changelists:
         return self._texts[file]
 
     def _blame(self, file: str, line: int, count: int) -> Changelist | None:
-        command = [
-            self._git or "git", *SAFELY, "-C", self._root, "--no-pager", "blame", "--line-porcelain",
-            "-L", f"{line},+{count}", "--", file,
-        ]  # fmt: skip
+        return self._by_git(file, line, count) or (self._by_perforce(file, line, count) if self._p4 else None)
+
+    def _by_perforce(self, file: str, line: int, count: int) -> Changelist | None:
+        """Return the newest of the changelists that `p4 annotate -c` names for the lines."""
+        said = self._run([self._p4 or "p4", "annotate", "-c", "-q", file])
+        numbers = [int(one[1]) for one in map(_ANNOTATED.match, said[line - 1 : line - 1 + count]) if one is not None]
+        if not numbers:
+            return None
+        for answer in self._run([self._p4 or "p4", "changes", "-m", "1", f"@{max(numbers)},{max(numbers)}"]):
+            if found := _CHANGE.match(answer):
+                day = found[2].replace("/", "-")
+                return Changelist(found[1], day, "")
+        return Changelist(str(max(numbers)), "", "")
+
+    def _by_git(self, file: str, line: int, count: int) -> Changelist | None:
+        if self._git is None:
+            return None
+        return _newest(
+            self._run(
+                [
+                    self._git, *SAFELY, "--no-pager", "blame", "--line-porcelain", "-L", f"{line},+{count}", "--", file,
+                ]
+            )
+        )  # fmt: skip
+
+    def _run(self, command: list[str]) -> list[str]:
+        """Return the lines that a program says in the project's folder; none where it refuses or takes too long."""
         try:
             done = subprocess.run(
-                command, capture_output=True, check=False, stdin=subprocess.DEVNULL, timeout=MOST_SECONDS,
-                env={**os.environ, **ENVIRONMENT},
+                command, cwd=self._root, capture_output=True, check=False, stdin=subprocess.DEVNULL,
+                timeout=MOST_SECONDS, env={**os.environ, **ENVIRONMENT},
             )  # fmt: skip
         except (OSError, subprocess.TimeoutExpired):
-            return None
-        return _newest(done.stdout.decode("utf-8", "replace").split("\n")) if done.returncode == 0 else None
+            return []
+        return done.stdout.decode("utf-8", "replace").split("\n") if done.returncode == 0 else []
 
 
 def lines_of(text: str, anchor: str, name: str) -> tuple[int, int]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from audio_checks.audit.changelists import Changelists
+from audio_checks.audit.changelists import Changelist, Changelists
 from audio_checks.audit.fingerprinted import FingerprintedFile
 from audio_checks.audit.plays import MovedPart, Play, approved_plays, held_to, sounds_by_path
 from audio_checks.audit.report import Audit, Entry
@@ -133,13 +133,19 @@ def _with_changelists(entry: Entry, changelists: Changelists, limit_db: float) -
     known = {part.changelist for play in plays for part in play.moved if part.changelist is not None}
     if not known:
         return replace(entry, plays=plays)
-    words = ", ".join(sorted(f"{one.id} of {one.on}" if one.id else one.subject for one in known)[:SHOWN_PARTS])
+    words = ", ".join(sorted(_in_words(one) for one in known)[:SHOWN_PARTS])
     return replace(
         entry,
         plays=plays,
         message=f"{entry.message} ({words})",
         played_message=f"{entry.played_message} ({words})",
     )
+
+
+def _in_words(changelist: Changelist) -> str:
+    if not changelist.id:
+        return changelist.subject
+    return f"{changelist.id} of {changelist.on}" if changelist.on else changelist.id
 
 
 def _with_changelist(part: MovedPart, changelists: Changelists) -> MovedPart:

@@ -1,4 +1,4 @@
-"""Writes the table of planted gains in docs/audit.md: `MIDDLEWARE_DIR=... make audit-levels`.
+"""Writes the table of planted gains in docs/audit-levels.md: `MIDDLEWARE_DIR=... make audit-levels`.
 
 Gains are planted at every level of the tree, in generated projects and in copies of the real ones below MIDDLEWARE_DIR.
 Right means that the sound file is said to be louder by what was planted, with the property that moved; false is a file
@@ -25,7 +25,7 @@ from audio_checks.middleware.values import Project
 from benchmarks.audits.projects import KINDS
 from benchmarks.audits.real_projects import BY_DB, PLANTS
 
-PAGE = Path("docs/audit.md")
+PAGE = Path("docs/audit-levels.md")
 BEGIN, END = (
     ("<!-- planted gains: made by `MIDDLEWARE_DIR=... make audit-levels` -->\n"),
     "<!-- end of planted gains -->\n",

@@ -14,6 +14,13 @@ from audio_checks.middleware.values import PlayedSound, Project
 from benchmarks.audits.projects import KINDS
 from tests.support.waves import placeholder_mark, write_wav
 
+P4 = """#!/bin/sh
+case "$1 $2 $3" in
+"annotate -c -q") awk '{ print (/volume_db = 6/ ? "48211" : "47000") ": " $0 }' "$4" ;;
+"changes -m 1") [ "$4" = "@48211,48211" ] && echo "Change 48211 on 2026/12/04 by someone@game 'Raise the footsteps'" ;;
+*) exit 1 ;;
+esac
+"""
 GIT = ("git", "-c", "user.name=x", "-c", "user.email=x@example.com", "-c", "commit.gpgsign=false")
 
 
@@ -235,6 +242,25 @@ class TestChangelists:
         assert part["changelist"]["subject"] == "Change 1"
         assert part["changelist"]["on"] == datetime.now(UTC).date().isoformat()
         assert part["changelist"]["id"] in entries["snd_0000.wav"]["message"]
+
+    def test_perforce_names_the_changelist(self, game, monkeypatch, tmp_path):
+        """By a substitute for `p4` that answers two documented commands; no Perforce server was asked."""
+        game.write("godot")
+        game.change({("player", 0): 6.0})
+        place = tmp_path / "bin"
+        place.mkdir()
+        program = place / "p4"
+        program.write_text(P4)
+        program.chmod(0o755)
+        monkeypatch.setenv("PATH", f"{place}:/usr/bin:/bin")
+        monkeypatch.setenv("P4CLIENT", "game")
+        _, entries, _, _ = game.audit()
+        (part,) = entries["snd_0000.wav"]["plays"][0]["moved"]
+        assert part["changelist"] == {"id": "48211", "on": "2026-12-04", "subject": ""}
+        assert "(48211 of 2026-12-04)" in entries["snd_0000.wav"]["message"]
+        monkeypatch.delenv("P4CLIENT")
+        _, entries, _, _ = game.audit()
+        assert entries["snd_0000.wav"]["plays"][0]["moved"][0]["changelist"] is None
 
     def test_what_is_not_committed_is_said(self, game):
         game.write("godot")
