@@ -4,13 +4,17 @@ from datetime import datetime
 from typing import Annotated
 from uuid import UUID
 
-from pydantic import BeforeValidator, Field
+from pydantic import BeforeValidator, Field, StringConstraints
 
 from app.accounts.schemas import PersonBrief, Prose
 from app.deliveries.rules import ArchiveState, TakesActKind, TakeState, shown_name
 from app.kit.http import Schema, Whole
 
-GivenName = Annotated[str, Field(min_length=1, max_length=100_000, description="Never used as a path.")]
+GivenName = Annotated[
+    str,
+    StringConstraints(strip_whitespace=True, min_length=1, max_length=100_000),
+    Field(description="Never used as a path."),
+]
 ShownName = Annotated[str, BeforeValidator(shown_name)]
 
 

@@ -185,7 +185,8 @@ def charge_round(session: Session, contract: Contract, proposed: ExtraRound, *, 
         milestone_id=covered.milestone_id,
         round_number=proposed.number,
     )
-    write(session, contract, [entry], person_id=person_id)
+    # A cue that was priced anew meanwhile may owe nothing for it.
+    write(session, contract, [entry] if entry.amount_minor else [], person_id=person_id)
 
 
 def drop_extra_round(session: Session, actor: Actor, extra_round_id: UUID) -> ExtraRound:

@@ -49,6 +49,13 @@ def test_the_same_bytes_again_are_the_same_take(world: World) -> None:
     assert first.json()["id"] == again.json()["id"]
 
 
+@pytest.mark.parametrize("name", ["", "\t", " \n "])
+def test_a_file_has_a_name(world: World, name: str) -> None:
+    answer = send(world.designer, open_delivery(world), file_name=name)
+    assert (answer.status_code, answer.json()["code"]) == (422, "invalid-request")
+    assert uploads_of(world) == 0
+
+
 def test_a_cue_may_be_given(world: World) -> None:
     [laser] = add_cues(world, {"name": "Laser fire"})
     answer = send(world.designer, open_delivery(world), file_name="stray.wav", cue_id=laser["id"])

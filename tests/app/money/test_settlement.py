@@ -4,7 +4,9 @@ from typing import Any
 from uuid import UUID
 
 import pytest
+import sqlalchemy as sa
 
+from app.agreements.models import ContractCue
 from app.agreements.queries import events_of
 from app.agreements.rules import ReleaseClause
 from app.deliveries.rules import TakeState
@@ -171,6 +173,15 @@ def test_a_round_too_many_is_priced_and_due_once_agreed(agreed: Agreed) -> None:
     assert agreed.figures()["agreed_minor"] == 243_000 + 7_875
     assert refused(agreed.world.producer.post(f"/v1/extra-rounds/{extra}/agree")) == (409, "round-already-settled")
     assert refused(agreed.world.designer.post(f"/v1/extra-rounds/{extra}/drop")) == (409, "round-already-settled")
+
+
+def test_a_round_whose_price_has_become_nothing_is_agreed_without_a_charge(agreed: Agreed) -> None:
+    missile = two_milestones(agreed)[3]
+    extra = three_rounds(agreed, missile)
+    priced_anew = sa.update(ContractCue).where(ContractCue.cue_id == missile).values(amount_minor=1)
+    agreed.world.server.in_database(lambda session: session.execute(priced_anew))
+    assert told(agreed.world.producer.post(f"/v1/extra-rounds/{extra}/agree"))["state"] == "agreed"
+    assert agreed.owed()[1:] == []
 
 
 def test_the_designer_may_let_a_round_go_and_not_agree_for_the_studio(agreed: Agreed) -> None:
