@@ -46,6 +46,7 @@ class Target:
 
     def __post_init__(self) -> None:
         """Fill a project, so that addresses lead somewhere."""
+        operations()  # reads the OpenAPI document once, for as long as an attack may last
         self.cue_ids = [
             cue["id"] for cue in add_cues(self.world, {"name": "Laser fire"}, {"name": "aaaaaaaaaaaaaaaaaaaaaaaa"})
         ]
