@@ -54,8 +54,10 @@ def _measured(options: argparse.Namespace) -> str:
         raise UsageError(f"{options.folder}: no audio found")
     jobs = process_count(paths) if options.jobs is None else options.jobs
     with progress_over(len(paths), options) as progress:
-        made = spec_from(paths, name=Path(options.folder).resolve().name, jobs=jobs, done=progress.step)
-    for path, why in made.measured.unreadable:
+        made = spec_from(
+            paths, name=Path(options.folder).resolve().name, jobs=jobs, done=lambda one: progress.step(one.path)
+        )
+    for path, why in made.unreadable:
         note(printable(f"{path}: cannot be read, and is not measured: {why}"))
-    note(f"{len(made.measured.facts)} files measured; by this spec none has an error, {made.warned} have a warning")
+    note(f"{made.measured} files measured; by this spec none has an error, {made.warned} have a warning")
     return made.text
