@@ -27,8 +27,7 @@ JUDGEMENT = "reverb"
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     """Only where the spec names reverb or this check, and not for a cue that asks for a designed tail."""
-    asked = "reverb" in spec.engine.adds or "baked-reverb" in spec.checks
-    return asked and (cue is None or cue.reverb != "designed-tail")
+    return spec.asks_for_dry_sound(cue)
 
 
 def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterator[Finding]:

@@ -95,6 +95,11 @@ class DeliverySpec:
     # Cached views: a run over many files needs the same few.
     _views: dict[str, "DeliverySpec"] = field(default_factory=dict, init=False, repr=False, compare=False)
 
+    def asks_for_dry_sound(self, cue: CueFacts | None) -> bool:
+        """Return whether reverb is a fault: the game adds it or the check is named; no designed tail is asked."""
+        is_asked = "reverb" in self.engine.adds or "baked-reverb" in self.checks
+        return is_asked and (cue is None or cue.reverb != "designed-tail")
+
     @cached_property
     def sha256(self) -> str:
         """The hash of the canonical JSON of the tables; `[files]` says where, not what, and is left out."""
