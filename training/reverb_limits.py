@@ -7,7 +7,7 @@ can distinguish from a burst in a room, are between both.
 
 import io
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -30,7 +30,7 @@ Table = dict[str, dict[str, dict[str, tuple[float, float]]]]  # of limits, by ki
 # That thresholds aim at, under the 2 and 5 % that are allowed: who is blamed for what is not there, trusts no more.
 FALSE_ALARMS = {"event": 0.012, "natural-decay": 0.004, "unknown": 0.001}
 MOST_WRONG = 0.45  # of the sounds that are decided by a hair; of all that are decided far fewer are
-FEWEST = 150  # sounds, of at least two families, that a threshold of its own takes
+FEWEST = 60  # sounds, of at least two families, that a threshold of its own takes
 FEWEST_FAMILIES = 3  # from which on it may call reverb sooner than where the kind is unsaid
 BURST_RATE_HZ = 48_000
 BURSTS = [(rt60_s, seed) for rt60_s in (1.2, 1.5, 2.0, 2.5) for seed in range(12)]
@@ -47,24 +47,31 @@ class AtTheEdge:
     is_undecidable: bool
 
 
-def thresholds(some: Set, scores: Floats, rt60_s: Floats) -> Table:
-    """Return by kind, layout and length under which score a sound is dry, and from which on it has reverb."""
+def thresholds(
+    some: Set, scores: Floats, rt60_s: Floats, aims: Mapping[str, float] = FALSE_ALARMS, most_wrong: float = MOST_WRONG
+) -> Table:
+    """Return by kind, layout and length under which score a sound is dry, and from which on it has reverb.
+
+    `aims` are the shares of dry sounds that may be called reverberant, by kind; `most_wrong` is the share of sounds of
+    just a limit's score that may be called wrongly.
+    """
     wet, kinds, layouts = some.wet, some.column(lambda one: one.kind), layouts_of(some)
     families, real = some.column(lambda one: one.source), some.column(lambda one: one.is_real)
     is_long = rt60_s >= reverb.LONG_FROM_S
-    counts = {kind: len(set(families[~real & (kinds == kind)])) for kind in KINDS}
+    counted = ~real | real.all()  # of recordings alone, each repository is a family
+    counts = {kind: len(set(families[counted & (kinds == kind)])) for kind in KINDS}
     table: Table = {kind: {} for kind in KINDS}
     for layout in LAYOUTS:
         here = layouts == layout
         rows_of = {kind: here & (kinds == kind) for kind in KINDS}
         known = [kind for kind in KINDS if rows_of[kind].sum() >= FEWEST and counts[kind] > 1]
         for kind in known:
-            aim, rows = FALSE_ALARMS.get(kind, FALSE_ALARMS["event"]), rows_of[kind]
-            table[kind][layout] = limits(scores[rows], wet[rows], is_long[rows], aim)
+            aim, rows = aims.get(kind, aims["event"]), rows_of[kind]
+            table[kind][layout] = limits(scores[rows], wet[rows], is_long[rows], aim, most_wrong)
         # An unknown kind may be any, a long natural decay too: it needs the limits of the hardest one.
-        unsaid = limits(scores[here], wet[here], is_long[here], FALSE_ALARMS["unknown"])
+        unsaid = limits(scores[here], wet[here], is_long[here], aims["unknown"], most_wrong)
         surest = max(
-            *(np.quantile(scores[rows_of[kind] & ~wet], 1 - FALSE_ALARMS["unknown"]) for kind in known),
+            *(np.quantile(scores[rows_of[kind] & ~wet], 1 - aims["unknown"]) for kind in known),
             *(reverb_from for kind in known for _, reverb_from in table[kind][layout].values()),
         )
         for kind in KINDS:
@@ -81,11 +88,15 @@ def thresholds(some: Set, scores: Floats, rt60_s: Floats) -> Table:
 
 
 def limits(
-    scores: Floats, wet: NDArray[np.bool_], is_long: NDArray[np.bool_], false_alarms: float
+    scores: Floats,
+    wet: NDArray[np.bool_],
+    is_long: NDArray[np.bool_],
+    false_alarms: float,
+    most_wrong: float = MOST_WRONG,
 ) -> dict[str, tuple[float, float]]:
     """Return by length of decay the score under which sounds are dry, and the one from which on they have reverb.
 
-    Of the sounds of just such a score and length no more than MOST_WRONG are called wrongly. Of all dry ones no more
+    Of the sounds of just such a score and length no more than `most_wrong` are called wrongly. Of all dry ones no more
     than a share of `false_alarms` is called reverberant; the lengths share these so that most reverb is found.
     """
     likely, reverb_from = {}, {}
@@ -93,20 +104,20 @@ def limits(
     found = np.zeros(len(allowed))
     for length, rows, mistaken in (("short", ~is_long, allowed[::-1]), ("long", is_long, allowed)):
         known, has_reverb = scores[rows], wet[rows]
-        likely[length], from_likely = _likely(known, has_reverb)
+        likely[length], from_likely = _likely(known, has_reverb, most_wrong)
         reverb_from[length] = np.maximum(from_likely, _over_all_but(known[~has_reverb], mistaken))
         found -= np.searchsorted(np.sort(known[has_reverb]), reverb_from[length])  # but for these all are found
     best = found.argmax()
     return {length: (likely[length], float(reverb_from[length][best])) for length in likely}
 
 
-def _likely(scores: Floats, wet: NDArray[np.bool_]) -> tuple[float, float]:
+def _likely(scores: Floats, wet: NDArray[np.bool_], most_wrong: float) -> tuple[float, float]:
     """Return up to which score few have reverb, and from which on most do."""
     if not len(scores):
         return 0.0, 1.0
     known = np.sort(scores)
     shares = IsotonicRegression().fit(scores, wet).predict(known)  # of sounds with reverb among those of a score
-    dry, reverberant = known[shares <= MOST_WRONG], known[shares >= 1 - MOST_WRONG]
+    dry, reverberant = known[shares <= most_wrong], known[shares >= 1 - most_wrong]
     return float(max(dry, default=0.0)), float(min(reverberant, default=1.0))
 
 
@@ -143,7 +154,8 @@ def scored(some: Iterable[AtTheEdge], numbers: dict[str, Any]) -> Iterator[tuple
     """Yield each sound with its score and the length of its decay, as estimated by the models."""
     trees, nets, rt60_trees = Trees(numbers["reverb"]), Nets(numbers["nets"]), Trees(numbers["rt60"])
     for one in some:
-        score = reverb.score_by(trees, nets, numbers["nets_share"], one.features)
+        first = reverb.logit_by(trees, nets, numbers["nets_share"], one.features)
+        score = reverb.score_on_top(Trees(numbers["recorded"]), numbers["recorded_share"], first, one.features)
         yield one, score, "long" if reverb.rt60_by(rt60_trees, one.features) >= reverb.LONG_FROM_S else "short"
 
 

@@ -15,7 +15,6 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from audio_checks.checks import baked_reverb
 from audio_checks.judge import CANNOT_TELL, score_in_words
 from audio_checks.report.findings import Finding
 
@@ -26,23 +25,24 @@ SEVERITY = "warning"
 OVER_FILES = True
 NOT_FIXED = "Reverb cannot be taken off a file: export the sounds again without it."
 FIGURES = ()
-FEWEST = 4
+FEWEST, MANY = 4, 8
 MOST_LOGIT = 4.0  # of one sound: none outweighs three others
-REVERB_FROM = 0.75
+REVERB_FROM, REVERB_FROM_OF_MANY = 0.85, 0.8
 
 
 def check_set(files: "Sequence[JudgedFile]") -> Iterator[tuple[int, Finding]]:
     """Yield `reverb-set:heard` for each sound of a reverberant set that is undecided alone."""
     by_folder: dict[str, list[int]] = defaultdict(list)
     for place, one in enumerate(files):
-        if baked_reverb.applies(one.spec, one.cue) and _reverb(one).get("score") is not None:
+        if one.spec.asks_for_dry_sound(one.cue) and _reverb(one).get("score") is not None:
             by_folder[os.path.dirname(one.path)].append(place)
     for places in by_folder.values():
         score = score_together([_reverb(files[place])["score"] for place in places])
-        if len(places) >= FEWEST and score >= REVERB_FROM:
+        limit = REVERB_FROM_OF_MANY if len(places) >= MANY else REVERB_FROM
+        if len(places) >= FEWEST and score >= limit:
             for place in places:
                 if _reverb(files[place])["verdict"] == CANNOT_TELL:
-                    yield place, _finding(len(places), score)
+                    yield place, _finding(len(places), score, limit)
 
 
 def score_together(scores: Sequence[float]) -> float:
@@ -57,12 +57,12 @@ def _reverb(one: "JudgedFile") -> dict[str, object]:
     return one.report.judgements.get("reverb", {})
 
 
-def _finding(count: int, score: float) -> Finding:
+def _finding(count: int, score: float, limit: float) -> Finding:
     return Finding(
         code="reverb-set:heard",
         message=f"{count} sounds that came together have reverb (score {score_in_words(score)} of 1), this one perhaps",
         fix="listen to them one after another; take the reverb off, or say in the sound list that it is meant",
         measured=score,
-        limit=REVERB_FROM,
+        limit=limit,
         unit="of 1",
     )

@@ -2,8 +2,9 @@
 
 Goes by how the bands of the sound fall (never faster than a room lets them), by what its tail is made of
 compared with its head (smoother, alike in spectrum, less alike left and right), and by how full its gaps are.
-Boosted trees and small nets weigh these; both were learned from sounds and rooms made by our own code (`make weights`).
-How sure they must be is set for each kind of sound, for mono and stereo, and for short and long decay times.
+Boosted trees and small nets weigh these, learned from sounds and rooms made by our own code; further trees, learned
+from recordings in measured rooms, weigh the same and what the first models say (`make weights`). How sure they must be
+is set for each kind of sound, for mono and stereo, and for short and long decay times.
 
 A single burst of noise may be its own tail: for mono bursts and long natural decays the answer is often
 "cannot tell". `docs/judgements.md` has the table of how often it is right, and where it fails.
@@ -68,12 +69,23 @@ def limits_of(kind: str | None, layout: str, rt60_s: float) -> tuple[float, floa
 
 def score_of(features: NDArray[np.float64]) -> float:
     """Return how certainly a sound of these features has reverb, 0..1."""
-    return score_by(_trees("reverb"), _nets(), weights()["nets_share"], features)
+    first = logit_by(_trees("reverb"), _nets(), weights()["nets_share"], features)
+    return score_on_top(_trees("recorded"), weights()["recorded_share"], first, features)
 
 
-def score_by(trees: Trees, nets: Nets, nets_share: float, features: NDArray[np.float64]) -> float:
-    """Return the score, 0..1, to which the nets add their share (0..1) and the trees the rest."""
-    return 1 / (1 + math.exp(-(1 - nets_share) * trees.sum(features) - nets_share * nets.mean(features)))
+def score_on_top(trees: Trees, share: float, first: float, features: NDArray[np.float64]) -> float:
+    """Return the score, 0..1, to which the trees add their share (0..1) and the logit of the first models the rest."""
+    return logistic((1 - share) * first + share * trees.sum(np.append(features, first)))
+
+
+def logit_by(trees: Trees, nets: Nets, nets_share: float, features: NDArray[np.float64]) -> float:
+    """Return the logit of the first models, to which the nets add their share (0..1) and the trees the rest."""
+    return (1 - nets_share) * trees.sum(features) + nets_share * nets.mean(features)
+
+
+def logistic(logit: float) -> float:
+    """Return a logit as a score, 0..1."""
+    return 1 / (1 + math.exp(-logit))
 
 
 def rt60_of(features: NDArray[np.float64]) -> float:

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
+from training import reverb_recorded
 from training.dataset import Known
-from training.reverb_recorded import as_table, by_repository, figures_on
+from training.reverb_recorded import as_table, by_repository, figures_on, left_out, said_by_others
 from training.sets import Set
 
 KNOWN = [
@@ -43,3 +44,50 @@ def test_the_worst_repository_comes_first():
     _, _, first, second, mean = by_repository(Set(known, np.zeros((24, 1))), scores).splitlines()
     assert (first, second) == ("| b | 12 | 0.000 |", "| a | 12 | 1.000 |")
     assert mean == "| mean of these | | 0.500 |"
+
+
+class Memory:
+    """A model that says 0.9 of a repository which it was learned from, and 0.1 of all others."""
+
+    def __init__(self, some, _):
+        self.met = {one.source for one in some.known}
+
+
+@pytest.fixture
+def repositories(monkeypatch):
+    known = [
+        Known(name, "event", True, bool(number % 2), "", 1.0, 0.0, 1 + number // 2 % 2)
+        for name in "abc"
+        for number in range(8)
+    ]
+    monkeypatch.setattr(reverb_recorded, "learned", Memory)
+    monkeypatch.setattr(
+        reverb_recorded,
+        "scores_by",
+        lambda model, some, _: np.array([0.9 if one.source in model.met else 0.1 for one in some.known]),
+    )
+    return Set(known, np.zeros((24, 1)))
+
+
+def test_scores_come_from_models_that_never_met_the_repository(repositories):
+    assert said_by_others(repositories, np.zeros(24)) == pytest.approx(np.full(24, 0.1))
+    without = said_by_others(repositories, np.zeros(24), without="b")
+    assert np.isnan(without).tolist() == [one.source == "b" for one in repositories.known]
+
+
+def test_so_do_limits(repositories, monkeypatch):
+    set_on = []
+
+    def thresholds(some, scores, *_):
+        set_on.append({one.source for one in some.known})
+        assert scores == pytest.approx(np.full(len(scores), 0.1))
+        both = {layout: {"short": (0.2, 0.8), "long": (0.2, 0.8)} for layout in ("mono", "stereo")}
+        return {"event": both, "unknown": both}
+
+    monkeypatch.setattr(reverb_recorded, "thresholds", thresholds)
+    monkeypatch.setattr(reverb_recorded, "first_logits", lambda some: np.zeros(len(some.known)))
+    monkeypatch.setattr(reverb_recorded, "decay_times", lambda some: np.zeros(len(some.known)))
+    scores, limits = left_out(repositories, repositories, np.zeros(24))
+    assert scores == pytest.approx(np.full(24, 0.1))
+    assert set_on == [{"b", "c"}, {"a", "c"}, {"a", "b"}]
+    assert limits["kind said"].tolist() == [[0.2, 0.8]] * 24

@@ -3,7 +3,7 @@
 import pytest
 
 from audio_checks import check_files
-from audio_checks.checks.reverb_set import REVERB_FROM, score_together
+from audio_checks.checks.reverb_set import REVERB_FROM, REVERB_FROM_OF_MANY, score_together
 from audio_checks.report.findings import FileReport
 from audio_checks.report.judged import JudgedFile
 from audio_checks.run.sets import set_findings
@@ -24,11 +24,17 @@ def codes(files):
 
 
 def test_four_undecided_sounds_show_it_together():
-    (first, *_) = found = set_findings([judged(f"step_{number}.wav", 0.85) for number in range(4)])
+    (first, *_) = found = set_findings([judged(f"step_{number}.wav", 0.88) for number in range(4)])
     assert [[one.code for one in findings] for findings in found] == [["reverb-set:heard"]] * 4
     assert first[0].severity == "warning"
-    assert first[0].measured == pytest.approx(0.85)
-    assert "4 sounds that came together have reverb (score 0.85 of 1)" in first[0].message
+    assert first[0].measured == pytest.approx(0.88)
+    assert "4 sounds that came together have reverb (score 0.88 of 1)" in first[0].message
+
+
+def test_of_eight_sounds_less_is_enough():
+    for score, heard in ((REVERB_FROM_OF_MANY - 0.01, []), (REVERB_FROM_OF_MANY + 0.01, ["reverb-set:heard"])):
+        assert codes([judged(f"{number}.wav", score) for number in range(8)]) == [heard] * 8
+    assert codes([judged(f"{number}.wav", REVERB_FROM_OF_MANY + 0.01) for number in range(7)]) == [[]] * 7
 
 
 def test_three_are_too_few_and_four_below_the_limit_no_reverb():
@@ -37,8 +43,8 @@ def test_three_are_too_few_and_four_below_the_limit_no_reverb():
 
 
 def test_what_is_decided_alone_counts_and_is_not_named_again():
-    others = [judged("a.wav", 0.99, "reverb"), judged("b.wav", 0.3, "dry"), judged("c.wav", 0.95, "reverb")]
-    assert codes([*others, judged("d.wav", 0.8)]) == [[], [], [], ["reverb-set:heard"]]
+    others = [judged("a.wav", 0.99, "reverb"), judged("b.wav", 0.4, "dry"), judged("c.wav", 0.98, "reverb")]
+    assert codes([*others, judged("d.wav", 0.97)]) == [[], [], [], ["reverb-set:heard"]]
 
 
 def test_one_sound_does_not_outweigh_three():
