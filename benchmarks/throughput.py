@@ -52,7 +52,7 @@ WARM_WITHIN_S = 120.0
 POLL_EVERY_S = 0.25
 UPLOADS = 60
 SECONDS, RATE_HZ, BITS = 3, 48_000, 24
-JUDGING = {"without": worker_without_judgements.COMMAND, "with judgements": ("-m", "app", "worker")}
+JUDGING = {"with judgements": ("-m", "app", "worker"), "without": worker_without_judgements.COMMAND}
 HEAD = ["workers", "takes/s", "CPU, ms a take", "worker", "sandbox", "database"]
 
 
