@@ -52,6 +52,14 @@ def test_a_damaged_cue_chunk(content):
         read_cue(content, {})
 
 
+def test_a_note_beyond_midi_is_none():
+    def of(note: int) -> bytes:
+        return struct.pack("<9I", 0, 0, 0, note, 0, 0, 0, 0, 0)
+
+    assert read_smpl(of(127)).unity_note == 127
+    assert read_smpl(of(128)).unity_note is None
+
+
 def test_notes():
     assert read_smpl(payload(smpl([(0, 9)]))) == Instrument(unity_note=60, fine_tune_cents=0.0)
     assert read_inst(payload(chunks.inst(48, -12, -6, (40, 60), (1, 100)))) == Instrument(

@@ -63,6 +63,12 @@ class TestToSpec:
         for one in made(tmp_path, spec=held):
             assert check_file(one.path, held, checks=["loudness", "true-peak", "sample-peak"]).findings == ()
 
+    @pytest.mark.parametrize("limit", ["sample_peak_dbfs", "true_peak_dbtp"])
+    def test_a_low_limit_of_peaks_is_held_alone(self, tmp_path, limit):
+        held = parse_spec(f"format = 1\n[limits]\n{limit} = -20.0\n")
+        for one in made(tmp_path, spec=held):
+            assert check_file(one.path, held, checks=["true-peak", "sample-peak"]).findings == ()
+
     @pytest.mark.parametrize(
         ("accept", "facts"),
         [
