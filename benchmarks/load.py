@@ -58,7 +58,7 @@ CALM_S = 5.0  # before anything is timed
 WARM_UP, ALONE = 6, 15  # answers of each kind before the load; psycopg prepares a statement at its sixth time
 TYPED = ("laser", "door close", "SC-77", "water", "too bright", "wing_land", "zzz", "metal hull", "music", "step")
 WEB_PROCESSES = 2 * (os.cpu_count() or 1)  # as docs/settings.md says
-WORKER_NICENESS = 19  # as in deploy/systemd: whoever waits for an answer goes first
+WORKER_NICENESS = 19  # as in deploy/systemd: people who wait for an answer go first
 HEADER_BYTES, SAMPLE_BYTES = 44, 3
 Answered = Coroutine[Any, Any, Answer]
 
