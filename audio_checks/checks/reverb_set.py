@@ -13,7 +13,7 @@ import math
 import os
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from audio_checks.judge import CANNOT_TELL, score_in_words
 from audio_checks.report.findings import Finding
@@ -53,8 +53,9 @@ def score_together(scores: Sequence[float]) -> float:
     return 1 / (1 + math.exp(-mean))
 
 
-def _reverb(one: "JudgedFile") -> dict[str, object]:
-    return one.report.judgements.get("reverb", {})
+def _reverb(one: "JudgedFile") -> dict[str, Any]:
+    judged: dict[str, Any] = one.report.judgements.get("reverb", {})
+    return judged
 
 
 def _finding(count: int, score: float, limit: float) -> Finding:
