@@ -8601,7 +8601,7 @@ export interface components {
             subject: string;
             /**
              * Who
-             * @description The other side, where the step is owed to somebody.
+             * @description The other side, where there is one.
              * @default
              */
             who: string;

@@ -79,7 +79,7 @@ export function wordsOf(step: NextStep, projectId: string): Words {
     case 'name_approver':
       return {
         head: 'Name an approver, if it is not you',
-        why: 'You approve every sound until somebody else is named.',
+        why: 'You approve every sound until someone else is named.',
         act: 'Name an approver',
         path: `${project}/people`,
       }
