@@ -214,7 +214,8 @@ def bands_of(filters: Floats) -> Bands:
 def _in_lanes(values: NDArray[np.complex64]) -> Singles:
     """Return values of lines, shape (lines, values), as (groups, values, 2, 8): real and imaginary parts by lane."""
     grouped = values.reshape(-1, LINES_AT_ONCE, values.shape[1]).transpose(0, 2, 1)
-    return np.ascontiguousarray(np.stack((grouped.real, grouped.imag), axis=2))
+    lanes: Singles = np.ascontiguousarray(np.stack((grouped.real, grouped.imag), axis=2))
+    return lanes
 
 
 @cache
