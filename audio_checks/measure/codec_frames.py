@@ -222,7 +222,8 @@ def _in_lanes(values: NDArray[np.complex64]) -> Singles:
 def _turns() -> Singles:
     points = EXCERPT_FRAMES // PLACES_APART
     turns = np.exp(-2j * np.pi * np.arange(points) / points)
-    return turns.astype(np.complex64).view(np.float32)
+    singles: Singles = turns.astype(np.complex64).view(np.float32)
+    return singles
 
 
 def _spectrum(samples: Floats) -> Singles:
