@@ -223,13 +223,14 @@ def verify(
         list[Path] | None, typer.Argument(help="Records that a party has kept, to hold ours against.")
     ] = None,
 ) -> None:
-    """Look whether the records of contracts, their texts and their PDFs are the ones that were written."""
+    """Look whether the records of contracts, their texts, PDFs and tables are the ones that were written."""
     from app.agreements import record
+    from app.amendments import verification
 
     runtime = _opened(_settings())
     records = entries = wrong = 0
     with runtime.database.reading() as session:
-        for contract, faults in record.faults_of_all(session, runtime.store):
+        for contract, faults in verification.faults_of_all(session, runtime.store):
             records, entries, wrong = records + 1, entries + contract.record_length, wrong + bool(faults)
             for fault in faults:
                 typer.echo(f"{contract.id} {contract.title}: {fault}", err=True)
