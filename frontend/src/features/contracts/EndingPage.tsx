@@ -142,8 +142,8 @@ function Statement({ ending }: { ending: Ending }) {
                   </State>
                 </td>
                 <td className={classes.names}>{of.map(({ cue }) => cue.name).join(', ')}</td>
-                <td className={classes.number}>{one(first.price_minor)}</td>
-                <td className={classes.number}>{percent(first.part_bp)}</td>
+                <td className={`${classes.number} ${classes.each}`}>{one(first.price_minor)}</td>
+                <td className={`${classes.number} ${classes.each}`}>{percent(first.part_bp)}</td>
                 <td className={classes.number}>{one(of.reduce((sum, each) => sum + each.owed_minor, 0))}</td>
               </tr>
             ))}
