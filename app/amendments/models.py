@@ -82,7 +82,9 @@ class AmendmentAcceptance(Base):
     """One party's yes to the text of a statement or change order: who gave it, under which name, when, from where."""
 
     __tablename__ = "contracts_amendment_acceptances"
-    __table_args__ = (UniqueConstraint("contract_id", "text_sha256", "party"),)
+    __table_args__ = (
+        UniqueConstraint("contract_id", "text_sha256", "party", name="uq_contracts_amendment_acceptances_party"),
+    )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)

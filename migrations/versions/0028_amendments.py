@@ -121,9 +121,7 @@ def upgrade() -> None:
         sa.Column("address", sa.String(), nullable=False),
         sa.Column("accepted_at", instant(), nullable=False),
         person(acceptances, "person_id"),
-        sa.UniqueConstraint(
-            "contract_id", "text_sha256", "party", name=op.f(f"uq_{acceptances}_contract_id_text_sha256_party")
-        ),
+        sa.UniqueConstraint("contract_id", "text_sha256", "party", name=f"uq_{acceptances}_party"),
     )
     index_tenants(acceptances)
 
