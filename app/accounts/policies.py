@@ -58,7 +58,7 @@ class Allowed(Authentication):
         return LazyAuthentication(request, partial(self._who, request, background))
 
     def authenticate(self, request: Request) -> Actor:
-        """Return who asks, where the policy lets them in at all; services check the project and the role."""
+        """Return the caller if the policy admits them; services check the project and the role."""
         return self._admit(request).actor
 
     def _who(self, request: Request, background: BackgroundTasks) -> Actor:
@@ -132,7 +132,7 @@ def policy_of(endpoint: Callable[..., Any], dependencies: list[Any]) -> Policy |
 
 
 def demo_part_of(request: Request) -> tuple[str, tuple[str, ...]] | None:
-    """Return whom the demo's visitor plays and whom they could; None for everybody who signed in."""
+    """Return the person that a visitor of the demo acts as, and the choices; None for people who signed in."""
     try:
         part = authenticate(request).demo_part
     except (NotSignedIn, CsrfMismatch):

@@ -74,7 +74,7 @@ def reset_attempts(session: Session, request: Request, account: str) -> None:
     """Forget the guesses at an account's password, now that it was right."""
     with bypass_row_policies(session):  # the counts are the server's own
         for limit, whom in _sign_in_limits(request, account):
-            if limit is not rate_limits.SIGN_INS_FROM_NETWORK:  # who owns one account must not guess at others for ever
+            if limit is not rate_limits.SIGN_INS_FROM_NETWORK:  # an account must not reset guesses at others
                 rate_limits.reset(session, limit, whom)
 
 
@@ -85,7 +85,7 @@ def ensure_invitation_allowed(session: Session, actor: Actor) -> None:
 
 
 def ensure_mail_allowed(request: Request, whom: str) -> None:
-    """Count one mail about an account that anybody can ask for; raise TooManyAttempts for too many."""
+    """Count one mail that anyone can request for an account; raise TooManyAttempts for too many."""
     ensure_within_limits(
         request,
         (rate_limits.MAILS_FROM_NETWORK, network_of(request)),

@@ -18,7 +18,7 @@ from app.amendments.models import AmendmentAcceptance
 
 
 def locked_for_party(session: Session, actor: Actor, contract_id: UUID) -> tuple[Contract, Party]:
-    """Return a locked contract and the caller's party in it; raise NotYourContract for everybody else who sees it."""
+    """Return a locked contract and the caller's party in it; raise NotYourContract for others who see it."""
     contract = visible_contract(session, actor, contract_id)
     party = party_of(actor, contract)
     if party is None:

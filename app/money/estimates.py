@@ -61,7 +61,7 @@ def estimates(session: Session, actor: Actor, contract_id: UUID) -> schemas.Esti
 
 
 def estimates_of(session: Session, contract: Contract) -> schemas.EstimatesRead:
-    """Return what was estimated in a contract that the caller is a party to, and what came of it."""
+    """Return estimates and actuals of a contract that the caller is a party to."""
     milestones = plan_queries.milestones_of(session, contract.id)
     cues = plan_queries.cues_of(session, contract.id)
     worked = queries.worked_minutes(session, [contract.id])

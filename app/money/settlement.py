@@ -65,7 +65,7 @@ def add_accepted_cue(session: Session, contract_id: UUID, cue_id: UUID, *, perso
 
 
 def record_reminder(session: Session, contract_id: UUID, cue_id: UUID, *, to_id: UUID, last_day: date) -> None:
-    """Write into a contract's record that somebody was reminded of a cue, and until when its verdict is waited for."""
+    """Record that a person was reminded of a cue, and the last day for its verdict."""
     covered = plan_queries.cue_of(session, contract_id, cue_id)
     if covered is None:
         return
@@ -185,7 +185,7 @@ def charge_round(session: Session, contract: Contract, proposed: ExtraRound, *, 
         milestone_id=covered.milestone_id,
         round_number=proposed.number,
     )
-    # A cue that was priced anew meanwhile may owe nothing for it.
+    # After a price change the cue may owe nothing for it.
     write(session, contract, [entry] if entry.amount_minor else [], person_id=person_id)
 
 

@@ -50,7 +50,7 @@ job("renders.draw_take")(make_renders)
 
 
 def _make_renders(runtime: Runtime, take_id: UUID, workspace: TakeWorkspace) -> None:
-    """Make what a take lacks and put it on record; what moves on meanwhile is asked for by whoever moves it."""
+    """Make and record what a take lacks; a change made meanwhile schedules its own job."""
     with runtime.database.reading() as session:
         order = service.order_renders_and_drawing(session, take_id)
     if order is None:

@@ -37,6 +37,7 @@ SERVER_COMMANDS = {
     "openapi",
     "mails",
     "quota",
+    "sign-out",
 }
 
 

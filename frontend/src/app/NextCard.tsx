@@ -28,13 +28,7 @@ export function NextCard({ steps, projectId }: { steps: readonly NextStep[]; pro
           </h2>
           <p className="mid">{why}</p>
         </div>
-        <ButtonLink
-          component={Link}
-          to={path}
-          variant="primary"
-          data-stop
-          aria-label={`${act}: ${head}`}
-        >
+        <ButtonLink component={Link} to={path} variant="primary" data-stop aria-label={`${act}: ${head}`}>
           {act}
         </ButtonLink>
       </div>
