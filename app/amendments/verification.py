@@ -42,7 +42,15 @@ def faults_of_all(session: Session, store: Store) -> Iterator[tuple[Contract, li
     """
     for contract, faults in record.faults_of_all(session, store):
         is_whole = not any(record.faults_of(session, contract))
-        yield contract, [*faults, *(table_faults(session, contract) if is_whole else ())]
+        yield contract, [*faults, *(_table_faults_or_why_not(session, contract) if is_whole else ())]
+
+
+def _table_faults_or_why_not(session: Session, contract: Contract) -> list[str]:
+    """Return the faults of tables; of a record that was rewritten with entries of another form, what they lack."""
+    try:
+        return list(table_faults(session, contract))
+    except (KeyError, TypeError, ValueError) as error:
+        return [f"an entry of the record has another form than this software writes: {error!r}"]
 
 
 def table_faults(session: Session, contract: Contract) -> Iterator[str]:

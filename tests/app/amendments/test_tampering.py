@@ -14,7 +14,7 @@ from app.agreements.rules import ContractState
 from app.amendments.models import AmendmentAcceptance, ChangeOrder, Notice
 from app.amendments.rules import ChangeOrderState
 from app.amendments.verification import faults_of_all
-from app.kit.record import START
+from app.kit.record import START, link
 from app.money.models import LedgerLine, Payment
 from tests.app.agreements.conftest import Contracts
 from tests.app.money.agreed import TODAY, deposit, milestone
@@ -151,9 +151,24 @@ def add_a_line(session: Session, contract_id: UUID) -> None:
     session.add(LedgerLine(**facts | {"id": uuid4()}))
 
 
+def chain_empty_entries(session: Session, contract_id: UUID) -> None:
+    """Empty what an entry says, and write the chain after it again."""
+    contract, previous = session.get_one(Contract, contract_id), START
+    for event in session.scalars(
+        sa.select(ContractEvent).where(ContractEvent.contract_id == contract_id).order_by(ContractEvent.seq)
+    ):
+        payload = "{}" if event.kind == "sent" else event.payload
+        at = event.at.isoformat(timespec="microseconds")
+        entry = link(previous, of=str(contract_id), seq=event.seq, at=at, kind=event.kind, payload=payload)
+        event.payload, event.previous_sha256, event.sha256 = payload, previous, entry.sha256
+        previous = entry.sha256
+    contract.record_sha256 = previous
+
+
 @pytest.mark.parametrize(
     ("deed", "words"),
     [
+        (chain_empty_entries, "has another form than this software writes"),
         (empty_the_record, "the contract is ended, and the record says draft"),
         (roll_back, "the contract is ended, and the record says agreed"),
         (add_a_line, "is in no entry"),

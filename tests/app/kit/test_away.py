@@ -161,15 +161,15 @@ def test_whoever_waits_too_long_for_a_seat_is_told_so(world: World, monkeypatch:
     def open_one(_number: int) -> httpx.Response:
         return world.designer.post(f"/v1/projects/{world.project_id}/deliveries", json={})
 
-    with ThreadPoolExecutor(concurrency.MAX_CONCURRENT + 1) as crowd:
+    with ThreadPoolExecutor(concurrency.MAX_CONCURRENT_OF_CALLER + 1) as crowd:
         with world.server.runtime.database.writing() as session:
             session.execute(held, {"id": world.project_id})  # whoever has a seat waits for this row
-            coming = [crowd.submit(open_one, number) for number in range(concurrency.MAX_CONCURRENT + 1)]
+            coming = [crowd.submit(open_one, number) for number in range(concurrency.MAX_CONCURRENT_OF_CALLER + 1)]
             turned_away = next(as_completed(coming, timeout=WITHIN_S)).result()
             assert world.designer.get("/v1/projects").status_code == 200, "who reads has other seats"
         statuses = sorted(one.result(WITHIN_S).status_code for one in coming)
     assert (turned_away.json()["code"], turned_away.headers["Retry-After"]) == ("overloaded", "5")
-    assert statuses == [201] * concurrency.MAX_CONCURRENT + [503]
+    assert statuses == [201] * concurrency.MAX_CONCURRENT_OF_CALLER + [503]
     assert open_one(0).status_code == 201, "the seats are free again"
 
 
