@@ -146,7 +146,7 @@ for (const part of ['producer', 'approver', 'designer', 'guest'] as const) {
         ])
         await page.setViewportSize(SIZES[size])
         await page.goto(`${demo.url}/sign-in`)
-        await expect(page.getByText('This is the demo, which needs no account')).toBeVisible()
+        await expect(page.getByText('This is the demo. You need no account:')).toBeVisible()
         const broken = troubles(page)
         for (const { name, path, shows } of await placesOf(part, context, demo, size)) {
           await test.step(name, async () => {

@@ -21,7 +21,7 @@ for (const scheme of ['light', 'dark'] as const) {
       const broken: string[] = []
       page.on('pageerror', (error) => broken.push(error.message))
       page.on('request', (request) => {
-        if (!/^(http:\/\/127\.0\.0\.1|blob:|data:)/.test(request.url())) broken.push(`queued ${request.url()}`)
+        if (!/^(http:\/\/127\.0\.0\.1|blob:|data:)/.test(request.url())) broken.push(`asked for ${request.url()}`)
       })
       await open(page, scheme, size)
       await expectAccessible(page)

@@ -99,7 +99,7 @@ test('an upload goes on where it was after the line dropped and the web process 
   await send(page, file, testInfo)
 
   await sent(0.2 * file.length)
-  await expect(row(page)).toContainText('Sending')
+  await expect(row(page)).toContainText('Uploading')
   line.cut()
   await expect(row(page)).toContainText('Reconnecting')
   await expect(row(page)).toContainText(/Connection lost at .+ MB\. The upload resumes by itself\./)

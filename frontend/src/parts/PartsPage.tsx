@@ -51,7 +51,7 @@ export function PartsPage() {
     { id: 'ask', label: 'Ask about shield_hit', icon: 'question', keys: 'q', run: () => showToast('Asked.') },
   ])
   useSearchProvider({
-    id: 'sounds',
+    id: 'parts',
     title: 'Sounds',
     search: (query) =>
       Promise.resolve(

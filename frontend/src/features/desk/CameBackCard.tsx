@@ -78,7 +78,7 @@ export function CameBackCard({ projectId, back, count, player, playing, onSendOw
         end={<FixAll projectId={projectId} />}
       />
       {open !== undefined && (
-        <p className={`${classes.note} small dim wide-only`}>Automatic returns don’t count as revision rounds.</p>
+        <p className={`${classes.roundNote} small dim wide-only`}>Automatic returns don’t count as revision rounds.</p>
       )}
       {open === undefined && (
         <div className={classes.empty}>
