@@ -176,7 +176,7 @@ function Statement({ ending }: { ending: Ending }) {
               <th scope="row">To pay</th>
               <td colSpan={3} className="small mid">
                 {ending.state === 'settled'
-                  ? 'without tax; invoices say when'
+                  ? 'excluding tax; due dates are on the invoices'
                   : `${one(ending.due_now_minor)} is due already; ${one(figures.due_minor - ending.due_now_minor)} by the settlement`}
               </td>
               <td className={`title ${classes.number}`}>{money(figures.due_minor, currency)}</td>

@@ -34,6 +34,11 @@ function grouped(blocks: readonly Block[]): (Block | Block[])[] {
   return groups
 }
 
+/** The column heads of a table, by which one table is distinguished from the next. */
+function wordsOf(head: readonly Span[][]): string {
+  return head.map((cell) => cell.map(({ text }) => text).join('')).join(', ')
+}
+
 function One({ block }: { block: Block }) {
   if (block.kind === 'head') {
     const Head = block.level === 1 ? 'h2' : 'h3'
@@ -48,7 +53,7 @@ function One({ block }: { block: Block }) {
     return (
       // A table wider than a telephone is moved by itself, by keys too.
       // eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex
-      <div className={classes.table} tabIndex={0} role="region" aria-label="Table">
+      <div className={classes.table} tabIndex={0} role="region" aria-label={`Table: ${wordsOf(head)}`}>
         <table>
           <thead>
             <tr>

@@ -129,7 +129,7 @@ function PaymentRow({ payment, invoice, isProducer }: PaymentRowProps) {
           <Button
             variant="quiet"
             onClick={() => setReturning(true)}
-            aria-label={`Record a refund of ${reference}, invoice ${number}`}
+            aria-label={`Record refund of ${reference}, invoice ${number}`}
           >
             Record refund
           </Button>

@@ -243,7 +243,7 @@ describe('a producer', () => {
     const effects = within(screen.getByRole('region', { name: 'Effects, Sound designer' }))
     expect(await effects.findByText(/TX 41, 260.00 after refunds/)).toBeVisible()
     expect(effects.queryByRole('button', { name: /refund of R 1/ })).toBeNull()
-    await userEvent.click(effects.getByRole('button', { name: 'Record a refund of TX 41, invoice 1' }))
+    await userEvent.click(effects.getByRole('button', { name: 'Record refund of TX 41, invoice 1' }))
     const form = within(effects.getByRole('form', { name: 'Refund of TX 41, invoice 1' }))
     const typed = form.getByLabelText('Amount, USD')
     expect(typed).toHaveFocus()

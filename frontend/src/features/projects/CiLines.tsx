@@ -27,7 +27,7 @@ export function CiCard({ projectId }: { projectId: string }) {
       {data && (
         // A long line scrolls, so the keyboard must reach it.
         // eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex
-        <pre className={classes.script} tabIndex={0} role="region" aria-label="CI commands">
+        <pre className={classes.script} tabIndex={0} role="region" aria-label="Commands to copy">
           {data.lines.join('\n')}
         </pre>
       )}
