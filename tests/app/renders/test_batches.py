@@ -13,7 +13,7 @@ from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
 from app.kit import queue
 from app.kit.db import new_id
-from app.renders import batches, jobs
+from app.renders import batch_jobs, batches
 from app.renders.models import BatchItem, Render, RenderSet
 from app.renders.rules import BatchState, ItemState
 from app.sound_lists.models import Cue, Stem
@@ -73,7 +73,7 @@ def begin(world: World, **body: Any) -> dict[str, Any]:
 @contextmanager
 def paused(world: World) -> Iterator[None]:
     """Let batches be planned, and nothing of them be made, until the block is over."""
-    original = jobs.render_next_of_batch
+    original = batch_jobs.render_next_of_batch
     queue._handlers[batches.RENDER_NEXT] = lambda *_: None
     try:
         yield

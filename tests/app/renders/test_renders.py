@@ -23,7 +23,7 @@ from app.kit.db import new_id
 from app.kit.queue import queue_of
 from app.projects.models import Spec
 from app.projects.queries import current_spec
-from app.renders import drawing, jobs, queries, service
+from app.renders import children, drawing, making, queries, service, take_jobs
 from app.renders.models import Picture, Render, RenderSet
 from app.sound_lists.models import Cue
 from tests.app.renders.making import add_cue, deliver, deliver_sound
@@ -193,7 +193,7 @@ def test_jobs_that_run_twice_change_nothing(world: World) -> None:
     add_cue(world, "beep")
     take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
     before = sounds(world, take_id)
-    jobs.make_renders(world.server.runtime, {"take_id": take_id})
+    take_jobs.make_renders(world.server.runtime, {"take_id": take_id})
     assert sounds(world, take_id) == before
     assert count(world.server, Render.take_id == UUID(take_id)) == 2
     # Of the master and of two game files.
@@ -281,7 +281,7 @@ def test_a_spec_that_moved_on_meanwhile_leaves_the_set_open(world: World) -> Non
     server.in_database(lambda session: session.execute(update(Take).where(Take.id == take_id).values(edition=7)))
     completed = server.in_database(lambda session: session.get(RenderSet, take_id).edition)
     assert completed == 1
-    jobs.make_renders(server.runtime, {"take_id": str(take_id)})
+    take_jobs.make_renders(server.runtime, {"take_id": str(take_id)})
     assert server.in_database(lambda session: session.get(RenderSet, take_id).edition) == 7
 
     order = server.in_database(lambda session: service.order_renders(session, take_id))
@@ -369,7 +369,7 @@ class FailingTogether(audio_checks.SandboxChild):
 
 
 def test_what_fails_together_is_made_one_by_one(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
-    sandbox = jobs._sandbox()
+    sandbox = children.sandbox()
     monkeypatch.setattr(sandbox, "child", lambda **given: FailingTogether(sandbox, timeout_s=60.0, **given))
     FailingTogether.asked.clear()
     add_cue(world, "beep")
@@ -421,12 +421,12 @@ def test_a_picture_that_an_earlier_version_asked_for_is_drawn(world: World) -> N
 def test_a_renderer_that_fails_three_times_is_said_to_be_our_fault(
     world: World, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(jobs, "TIMEOUT_S", 0.001)
+    monkeypatch.setattr(making, "TIMEOUT_S", 0.001)
     add_cue(world, "beep")
     take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
     heard = sounds(world, take_id)
     assert heard["master"]["state"] == "undrawable"
-    assert {one["refusal"] for one in heard["renders"]} == {jobs.OUR_FAULT}
+    assert {one["refusal"] for one in heard["renders"]} == {making.OUR_FAULT}
     queue = world.approver.get("/v1/review-queue", params={"project_id": str(world.project_id)}).json()
     assert [take["id"] for item in queue["items"] for take in item["takes"]] == [take_id]
 

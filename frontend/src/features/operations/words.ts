@@ -5,6 +5,7 @@ import type { JobCount, JobState, Lane, Scope } from './api'
 
 /** What each job does, for people; one without words here is called by its own name. */
 const JOBS: Partial<Record<string, string>> = {
+  'amendments.settle_ended': 'Settle contracts whose notice is over',
   'builds.fingerprint_pack': 'Analyse sounds missing from a manifest',
   'builds.fingerprint_take': 'Analyse an approved version',
   'builds.seal_pack': 'Seal a pack',
