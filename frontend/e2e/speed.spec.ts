@@ -44,6 +44,7 @@ async function load(page: Page, url: string, isShown: () => Promise<void>): Prom
   const requests = new Map<string, Loaded['requests'][number]>()
   devtools.on('Network.requestWillBeSent', ({ requestId, request }) => {
     const path = new URL(request.url).pathname
+    if (path === '/v1/events') return // open as long as the page
     requests.set(requestId, { path, kind: kindOf(path), bytes: 0, endedAt: Infinity })
   })
   devtools.on('Network.loadingFinished', ({ requestId, encodedDataLength }) => {
@@ -94,8 +95,8 @@ for (const { name, part, path, shows } of [
       expect(page.getByText(shows).first()).toBeAttached({ timeout: 30_000 }),
     )
     report(name, loaded)
-    expect.soft(bytesOf(loaded, 'script'), 'compressed script').toBeLessThan(240_000)
-    expect.soft(bytesOf(loaded, 'style'), 'compressed styles').toBeLessThan(30_000)
+    expect.soft(bytesOf(loaded, 'script'), 'compressed script').toBeLessThan(290_000)
+    expect.soft(bytesOf(loaded, 'style'), 'compressed styles').toBeLessThan(40_000)
     expect.soft(loaded.shift, 'layout shift').toBeLessThanOrEqual(0.05)
   })
 }
@@ -105,6 +106,7 @@ test('Review asks for no sound before its peaks are here, and for one at a time'
   const asked: { path: string; at: number; endedAt: number }[] = []
   page.on('request', (request) => {
     const one = { path: new URL(request.url()).pathname, at: performance.now(), endedAt: Infinity }
+    if (one.path === '/v1/events') return // open as long as the page
     asked.push(one)
     void request
       .response()
@@ -172,6 +174,6 @@ test('small files take one request each, and the lists few', async ({ server, pa
   const seconds = (performance.now() - startedAt) / 1_000
   console.log(`${FILES} files: ${seconds.toFixed(1)} s, ${asked.length} requests`)
   expect(asked.filter((one) => one.startsWith('POST') && one.endsWith('/files'))).toHaveLength(FILES)
-  // Five lists every 2 s, and what is polled every second or less often.
-  expect(asked.length).toBeLessThan(FILES + 20 + 8 * seconds)
+  // Five lists every 2 s, what is polled every second or less often, and what the tray shows of each file's sound.
+  expect(asked.length).toBeLessThan(3 * FILES + 20 + 8 * seconds)
 })

@@ -44,7 +44,7 @@ const cueOf = ({ cue_id, name }: Guess) => ({ id: cue_id, name })
 /** One file of the tray: what it sounds like, and which cue it is for or may be for. */
 export function UnmatchedFile(props: FileProps) {
   const { take, current, chosen, player, playing, busy, onToggle } = props
-  const { data: sounds } = useSounds(take.id)
+  const { data: sounds } = useSounds(take)
   const url = sounds?.master.preview_url ?? null
   const sounding = playing.sourceId === take.id && playing.status === 'playing'
   const name = baseOf(take)

@@ -228,12 +228,13 @@ export function useReply(takeId: string) {
   })
 }
 
-/** What can be seen and heard of one take; asked again while it is being drawn. */
-export const useSounds = (takeId: string) =>
+/** What can be seen and heard of one take, once it was checked; asked again while it is being drawn. */
+export const useSounds = ({ id, state }: Pick<Take, 'id' | 'state'>) =>
   useQuery({
-    queryKey: keys.sounds(takeId),
-    queryFn: () => answered(api.GET('/v1/takes/{take_id}/sounds', { params: { path: { take_id: takeId } } })),
-    refetchInterval: ({ state: { data } }) => (data?.master.state === 'drawing' ? POLL_MS : false),
+    queryKey: keys.sounds(id),
+    queryFn: () => answered(api.GET('/v1/takes/{take_id}/sounds', { params: { path: { take_id: id } } })),
+    enabled: state !== 'received',
+    refetchInterval: ({ state: { data } }) => (data?.master.state === 'drawing' ? SLOW_POLL_MS : false),
   })
 
 export const useCues = (projectId: string, enabled = true) =>
