@@ -102,7 +102,11 @@ for (const { name, part, path, shows } of [
 }
 
 // A preview is requested 0.9 s before the peaks have arrived since two versions can be compared.
-test.fixme('Review asks for no sound before its peaks are here, and for one at a time', async ({ demo, context, page }) => {
+test.fixme('Review asks for no sound before its peaks are here, and for one at a time', async ({
+  demo,
+  context,
+  page,
+}) => {
   await context.addCookies([{ name: 'soundlist_demo_part', value: 'approver', url: demo.url }])
   const asked: { path: string; at: number; endedAt: number }[] = []
   page.on('request', (request) => {
