@@ -101,7 +101,7 @@ for (const { name, part, path, shows } of [
   })
 }
 
-// A preview is requested 0.9 s before the peaks have arrived since two versions can be compared.
+// Fails: a preview is requested about 0.9 s before the peaks have arrived; the cause is not known.
 test.fixme('Review asks for no sound before its peaks are here, and for one at a time', async ({
   demo,
   context,
