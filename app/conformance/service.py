@@ -31,7 +31,8 @@ from app.conformance.set_findings import findings_of_sets, same_sounds, with_set
 from app.deliveries import queries as deliveries
 from app.deliveries.models import Take
 from app.deliveries.rules import CHECKABLE, TakeState, base_name, shown_name
-from app.deliveries.service import change_state, name_checked, note_take, start_recheck, take_for
+from app.deliveries.service import name_checked, take_for
+from app.deliveries.take_states import change_state, note_take, start_recheck
 from app.kit import clock
 from app.kit.events import publish
 from app.kit.queue import BULK

@@ -1,8 +1,7 @@
 """Deliveries: how finished uploads become takes, and how takes find their cue."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from datetime import datetime
 from typing import Any
 from uuid import UUID
 
@@ -21,21 +20,17 @@ from app.deliveries.errors import (
 from app.deliveries.models import Archive, Delivery, Take
 from app.deliveries.rules import (
     CHECKABLE,
-    ReviewClock,
-    TakeState,
     alternate_of,
     ensure_kept,
-    ensure_may_become,
     named_for,
     stored_name,
 )
 from app.deliveries.schemas import CueBrief, TakeAdded, TakeRead
 from app.deliveries.slots import Matching, Slot, guess_of, matching_for, slot_given, slot_named
+from app.deliveries.take_states import note_delivered, place_take
 from app.kit import clock
 from app.kit.events import publish
-from app.kit.queue import NORMAL
 from app.kit.uploads import FinishedUpload
-from app.money.settlement import record_work
 from app.projects.errors import ProjectNotFound
 from app.projects.models import Project
 from app.projects.service import ProjectAccess, access_from_facts, project_access
@@ -220,7 +215,7 @@ def add_take(
     session.add(take)
     session.flush()
     update_cue_sums(session, take.cue_id)
-    _note_delivered(session, take, by=sender_id or take.designer_id)
+    note_delivered(session, take, by=sender_id or take.designer_id)
     publish(session, "take.received", studio_id=take.studio_id, take_id=take.id)
     return take, False
 
@@ -296,82 +291,6 @@ def match_take(
     ensure_kept(take.discarded_at)
     place_take(session, take, slot, by=actor.person)
     return take, access
-
-
-def place_take(session: Session, take: Take, slot: Slot, *, by: UUID) -> None:
-    """Give a take its place in the list; it gets a number there and is checked again as that cue."""
-    ensure_may_become(take.state, TakeState.RECEIVED)
-    number = queries.next_number(session, slot.cue.id, slot.variation)
-    note_moved_away(session, take, by=by)
-    take.conforming_since = take.returned_since = None
-    update_cue_sums(session, slot.cue.id)
-    take.cue_id, take.variation, take.number = slot.cue.id, slot.variation, number
-    take.alternate = slot.alternate
-    session.flush()
-    session.refresh(take, ["cue"])
-    _note_delivered(session, take, by=by)
-    start_recheck(session, take, by=by)
-
-
-def note_moved_away(session: Session, take: Take, *, by: UUID) -> None:
-    """Record that a take leaves its cue, if it has one, and have the cue's sums worked out without it."""
-    note_take(session, take, "moved_away", {"file": take.file_name}, by=by, on_behalf_of=take.designer_id)
-    update_cue_sums(session, take.cue_id)
-
-
-def _note_delivered(session: Session, take: Take, *, by: UUID) -> None:
-    facts = {"file": take.file_name, "sha256": take.master_sha256}
-    note_take(session, take, "delivered", facts, by=by, on_behalf_of=take.designer_id)
-
-
-def note_take(
-    session: Session,
-    take: Take,
-    kind: str,
-    facts: Mapping[str, object],
-    *,
-    by: UUID | None,
-    on_behalf_of: UUID | None = None,
-) -> None:
-    """Record a take's new state in the contract that covers its cue, if there is one."""
-    if take.cue_id is not None and take.number is not None:
-        entry = {"variation": take.variation, "version": take.number, **facts}
-        record_work(session, take.cue_id, take.designer_id, kind, entry, by=by, on_behalf_of=on_behalf_of)
-
-
-def start_recheck(session: Session, take: Take, *, by: UUID | None, priority: int = NORMAL) -> None:
-    """Set a take back to received, and schedule its check; the result of a running check no longer counts.
-
-    `by` is the person whose act asks for it; None: the server.
-    """
-    change_state(session, take, TakeState.RECEIVED)
-    take.edition += 1
-    take.rechecked_by = by
-    session.flush()
-    publish(session, "take.received", studio_id=take.studio_id, priority=priority, take_id=take.id)
-
-
-def change_state(session: Session, take: Take, wanted: TakeState) -> None:
-    """Take a take from state to state; raise WrongState where that cannot be."""
-    ensure_may_become(take.state, wanted)
-    now = clock.now()
-    _run_review_clock(session, take, wanted, now)
-    return_to_received(session, take, wanted, now)
-
-
-def _run_review_clock(session: Session, take: Take, wanted: TakeState, now: datetime) -> None:
-    of = take
-    if wanted is TakeState.CONFORMING and take.conforming_since is None and take.cue_id is not None:
-        of = queries.same_bytes_beside(session, take) or take
-    review_clock = ReviewClock(of.conforming_since, of.returned_since).at(wanted, now)
-    take.conforming_since, take.returned_since = review_clock.conforming_since, review_clock.returned_since
-
-
-def return_to_received(session: Session, take: Take, state: TakeState, since: datetime) -> None:
-    """Restore a take to an earlier state."""
-    take.state, take.state_since = state, since
-    session.flush()
-    update_cue_sums(session, take.cue_id)
 
 
 def check_name(session: Session, take: Take) -> str:

@@ -8,7 +8,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
-from app.deliveries import queries, service
+from app.deliveries import queries, take_states
 from app.deliveries.errors import AlreadyUndone, TakeNotFound, TakesActNotFound
 from app.deliveries.models import Take, TakesAct
 from app.deliveries.rules import CHECKABLE, TakesActKind, TakeState, ensure_kept, ensure_no_verdict, named_for
@@ -45,7 +45,7 @@ def accept_sure(session: Session, actor: Actor, project_id: UUID, take_ids: Coll
             continue
         before.append(_place_of(take))
         cue = session.get_one(Cue, sure.cue_id)
-        service.place_take(session, take, Slot(cue, sure.variation, sure.alternate), by=actor.person)
+        take_states.place_take(session, take, Slot(cue, sure.variation, sure.alternate), by=actor.person)
     return _record(session, access, TakesActKind.MATCHED, takes, before)
 
 
@@ -60,7 +60,7 @@ def move_takes(session: Session, actor: Actor, project_id: UUID, moves: Sequence
         ensure_no_verdict(take.state)
         ensure_kept(take.discarded_at)
         before.append(_place_of(take))
-        service.place_take(session, take, slot, by=actor.person)
+        take_states.place_take(session, take, slot, by=actor.person)
     return _record(session, access, TakesActKind.MOVED, takes, before)
 
 
@@ -100,7 +100,7 @@ def restore_takes(session: Session, actor: Actor, project_id: UUID, take_ids: Se
         if take.discarded_at is not None:
             before.append(_place_of(take))
             take.discarded_at = None
-            service.start_recheck(session, take, by=actor.person)
+            take_states.start_recheck(session, take, by=actor.person)
     return _record(session, access, TakesActKind.RESTORED, takes, before)
 
 
@@ -138,14 +138,14 @@ def _put_back(session: Session, take: Take, place: dict[str, Any], *, by: UUID) 
     cue = session.get(Cue, UUID(place["cue_id"])) if place["cue_id"] else None
     take.discarded_at = None
     if cue is not None:
-        service.place_take(session, take, Slot(cue, place["variation"], place["alternate"]), by=by)
+        take_states.place_take(session, take, Slot(cue, place["variation"], place["alternate"]), by=by)
         return True
     _leave_cue(session, take, by=by)
     take.alternate = place["alternate"]
     if place["is_discarded"]:
         take.discarded_at = clock.now()
     else:
-        service.start_recheck(session, take, by=by)
+        take_states.start_recheck(session, take, by=by)
     return True
 
 
@@ -171,13 +171,13 @@ def _takes_named(
 def _leave_cue(session: Session, take: Take, *, by: UUID) -> None:
     """Remove a take from its cue; the result of a running check no longer counts."""
     if take.cue_id is not None:
-        service.note_moved_away(session, take, by=by)
+        take_states.note_moved_away(session, take, by=by)
         take.cue = take.cue_id = take.number = None
         take.variation = 1
         take.conforming_since = take.returned_since = None
     take.edition += 1
     if take.state is not TakeState.RECEIVED:
-        service.return_to_received(session, take, TakeState.RECEIVED, clock.now())
+        take_states.return_to_received(session, take, TakeState.RECEIVED, clock.now())
     session.flush()
 
 

@@ -7,7 +7,7 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.deliveries.rules import TakeState
-from app.deliveries.service import change_state
+from app.deliveries.take_states import change_state
 from app.kit.db import new_id
 from app.kit.events import publish
 from app.kit.http import Page, cursor_of, uuid_cursor

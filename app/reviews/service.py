@@ -10,7 +10,8 @@ from app.agreements.deemed_acceptance import CLAUSE as SILENCE
 from app.agreements.rules import AcceptedBy
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.deliveries.service import change_state, return_to_received, take_for
+from app.deliveries.service import take_for
+from app.deliveries.take_states import change_state, return_to_received
 from app.kit import clock, kill_points
 from app.kit.db import new_id
 from app.kit.events import publish

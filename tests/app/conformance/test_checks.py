@@ -15,7 +15,7 @@ from app.conformance.models import CheckRun
 from app.conformance.workspaces import SandboxPool
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.deliveries.service import change_state
+from app.deliveries.take_states import change_state
 from app.kit import kill_points
 from app.renders import take_jobs
 from app.renders.take_jobs import prepare_take

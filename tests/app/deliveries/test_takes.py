@@ -9,7 +9,7 @@ from sqlalchemy import select
 
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.deliveries.service import change_state
+from app.deliveries.take_states import change_state
 from app.kit import clock
 from app.kit.db import new_id
 from app.kit.uploads import Upload
