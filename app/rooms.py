@@ -61,7 +61,9 @@ JOB_MODULES = (
     "app.reviews.jobs",
     "app.builds.jobs",
     "app.amendments.jobs",
+    "app.notifications.contract_jobs",
     "app.notifications.jobs",
+    "app.notifications.mail_jobs",
 )
 PARSERS = (
     "app.sound_lists.sheets",

@@ -16,7 +16,7 @@ from app.kit.queue import Payload, job, job_names
 from app.kit.runtime import Runtime
 from app.kit.uploads import Uploads
 from app.kit.workers import Worker
-from app.notifications.jobs import send_pending
+from app.notifications.mail_jobs import send_pending
 
 CHORES_EVERY_S = 300
 JOBS_KEPT_FOR = timedelta(days=30)  # so long their keys detect repeated jobs

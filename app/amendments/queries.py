@@ -1,7 +1,6 @@
 """Notices, yeses and the state of work under a contract, read from the database; callers have checked who looks."""
 
-from collections import defaultdict
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from datetime import date
 from uuid import UUID
 
@@ -10,9 +9,6 @@ from sqlalchemy.orm import Session, joinedload
 
 from app.agreements.models import ContractAcceptance
 from app.amendments.models import AmendmentAcceptance, ChangeOrder, Notice
-from app.deliveries.models import Take
-from app.deliveries.rules import TakeState
-from app.kit.in_array import in_array
 
 
 def standing_notice(session: Session, contract_id: UUID) -> Notice | None:
@@ -46,20 +42,6 @@ def acceptances_of(session: Session, contract_id: UUID, text_sha256: str) -> Seq
         .where(AmendmentAcceptance.contract_id == contract_id, AmendmentAcceptance.text_sha256 == text_sha256)
         .order_by(AmendmentAcceptance.id)
     ).all()
-
-
-def variation_states(
-    session: Session, cue_ids: Collection[UUID], designer_id: UUID
-) -> dict[UUID, dict[int, set[TakeState]]]:
-    """Return in which states a designer's takes of cues are, by cue and variation."""
-    states: dict[UUID, dict[int, set[TakeState]]] = defaultdict(lambda: defaultdict(set))
-    query = select(Take.cue_id, Take.variation, Take.state).where(
-        in_array(Take.cue_id, cue_ids), Take.designer_id == designer_id
-    )
-    for cue_id, variation, state in session.execute(query):
-        if cue_id is not None:
-            states[cue_id][variation].add(state)
-    return states
 
 
 def change_orders_of(session: Session, contract_id: UUID) -> Sequence[ChangeOrder]:

@@ -11,7 +11,7 @@ from aiosmtpd.controller import Controller
 from aiosmtpd.smtp import SMTP, Envelope
 from aiosmtpd.smtp import Session as SmtpSession
 
-from app.notifications import jobs
+from app.notifications import mail_jobs
 from tests.support.server import RunningServer
 
 
@@ -33,7 +33,7 @@ class MailServer:
         """Return the mails that an address received, the oldest first."""
         if not self.refuses:  # the job of a mail that is refused waits to try again
             self.server.wait_for_jobs()
-        jobs.send_pending(self.server.runtime)
+        mail_jobs.send_pending(self.server.runtime)
         return [
             message_from_bytes(envelope.content or b"", policy=policy.default).get_content()
             for envelope in self.received

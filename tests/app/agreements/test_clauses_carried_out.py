@@ -33,7 +33,7 @@ def terms_of_the_code() -> set[str]:
     silence = {"silence_days", "silence_reminder_days"}
     assert DeemedAcceptance.of(dict.fromkeys(silence, 5)) is not None
     assert all(DeemedAcceptance.of({name: 5}) is None for name in silence)
-    looked_up = re.findall(r'_number\(terms, "(\w+)"\)', (ROOT / "app/amendments/change_orders.py").read_text())
+    looked_up = re.findall(r'_number\(terms, "(\w+)"\)', (ROOT / "app/amendments/change_order_review.py").read_text())
     return money | silence | set(looked_up)
 
 

@@ -22,7 +22,7 @@ from app.conformance import service as conformance
 from app.deliveries.queries import take_by_id
 from app.kit import clock
 from app.kit.runtime import Runtime
-from app.notifications import jobs, service
+from app.notifications import jobs, mail_jobs, service
 from app.notifications.errors import MailBusy
 from app.notifications.models import Mail
 from tests.support.deliver import add_cues, deliver
@@ -102,8 +102,8 @@ def test_once_a_server_is_set_what_waited_goes_out_once(world: World, mailbox: M
     invite(world, address)
     shown = str(outbox(world)[0]["link"])
     runtime = with_smtp(world.server.runtime, smtp_url)
-    jobs.send_pending(runtime)
-    jobs.send_pending(runtime)
+    mail_jobs.send_pending(runtime)
+    mail_jobs.send_pending(runtime)
     (text,) = mailbox.texts_for(address)
     (mailed,) = re.findall(r"http\S+/invitation/[\w-]+", text.replace("=\r\n", "").replace("=3D", "="))
     assert mailed != shown, "a link that somebody saw proves nothing about the address"
@@ -120,11 +120,11 @@ def test_a_server_that_refuses_loses_nothing(world: World, mailbox: Mailbox, smt
     outbox(world)
     runtime = with_smtp(world.server.runtime, smtp_url)
     mailbox.refuses = True
-    jobs.send_pending(runtime)
+    mail_jobs.send_pending(runtime)
     (mail,) = [each for each in outbox(world) if each["recipient"] == address]
     assert (mail["sent_at"], "451" in str(mail["failure"])) == (None, True)
     mailbox.refuses = False
-    jobs.send_pending(runtime)
+    mail_jobs.send_pending(runtime)
     assert len(mailbox.texts_for(address)) == 1
 
 
@@ -135,12 +135,12 @@ def test_many_workers_send_one_mail(world: World, mailbox: Mailbox, smtp_url: st
     runtime = with_smtp(world.server.runtime, smtp_url)
     mailbox.takes_s = 0.3
     with ThreadPoolExecutor(4) as workers:
-        tried = [workers.submit(jobs.send_mail, runtime, {"mail_id": mail["id"]}) for _ in range(4)]
+        tried = [workers.submit(mail_jobs.send_mail, runtime, {"mail_id": mail["id"]}) for _ in range(4)]
     failures = [attempt.exception() for attempt in tried]
     assert len(mailbox.texts_for(address)) == 1
     assert failures.count(None) == 1
     assert {type(failure) for failure in failures} == {type(None), MailBusy}, "the others come again later"
-    jobs.send_mail(runtime, {"mail_id": mail["id"]})
+    mail_jobs.send_mail(runtime, {"mail_id": mail["id"]})
     assert len(mailbox.texts_for(address)) == 1
 
 
@@ -151,13 +151,13 @@ def test_a_mail_whose_worker_died_goes_out_later(world: World, mailbox: Mailbox,
     runtime, mail_id = with_smtp(world.server.runtime, smtp_url), UUID(str(mail["id"]))
     world.server.in_database(lambda session: service.claim(session, mail_id))  # and is heard of no more
     with pytest.raises(MailBusy):
-        jobs.send_mail(runtime, {"mail_id": str(mail_id)})
+        mail_jobs.send_mail(runtime, {"mail_id": str(mail_id)})
 
     def let_time_pass(session: Session) -> None:
         session.get_one(Mail, mail_id).claimed_until = clock.now()
 
     world.server.in_database(let_time_pass)
-    jobs.send_mail(runtime, {"mail_id": str(mail_id)})
+    mail_jobs.send_mail(runtime, {"mail_id": str(mail_id)})
     assert len(mailbox.texts_for(address)) == 1
 
 
@@ -248,8 +248,8 @@ def test_an_event_told_twice_stands_in_the_mail_once(world: World):
         "recipient": "twice@example.test", "link": "http://x/invitation/1", "subject_name": "Shield Wing",
         "from_name": "Producer", "note": "",
     }  # fmt: skip
-    jobs.mail_link(world.server.runtime, payload)
-    jobs.mail_link(world.server.runtime, payload)
+    mail_jobs.mail_link(world.server.runtime, payload)
+    mail_jobs.mail_link(world.server.runtime, payload)
     assert [mail["recipient"] for mail in outbox(world)].count("twice@example.test") == 1
 
 

@@ -1,0 +1,98 @@
+"""What a change order does to a contract once both have accepted it."""
+
+from uuid import UUID
+
+from pydantic import TypeAdapter
+from sqlalchemy.orm import Session
+
+from app.agreements import record
+from app.agreements.models import ContractCue
+from app.amendments import schemas
+from app.amendments.change_order_review import Review, Reviewer
+from app.amendments.models import ChangeOrder
+from app.amendments.rules import ChangeOrderState
+from app.amendments.work import work_states
+from app.kit import clock
+from app.kit.events import publish
+from app.money import queries as money_queries
+from app.money.ledger import write
+from app.money.ledger_book import CLAUSES, Entry
+from app.money.models import ExtraRound
+from app.money.rules import LineKind
+from app.money.settlement import charge_round, settle, take_out
+from app.reviews.queries import round_counts
+
+CHANGES: TypeAdapter[list[schemas.Change]] = TypeAdapter(list[schemas.Change])
+
+
+def apply(session: Session, reviewer: Reviewer, order: ChangeOrder, review: Review, *, person_id: UUID) -> None:
+    """Put an accepted change order in force: plan, price and ledger follow it."""
+    contract = reviewer.contract
+    order.state, order.closed_at = ChangeOrderState.AGREED, clock.now()
+    session.flush()
+    facts = {
+        "change_order": order.number,
+        "changes": review.difference.changes if review.difference else [],
+        "text_sha256_of_amendment": order.text_sha256,
+    }
+    record.append(session, contract.id, "changed", facts, by=person_id)
+    states = work_states(session, contract)
+    position = max((one.position for one in reviewer.covered.values()), default=0)
+    entries: list[Entry] = []
+    for change in CHANGES.validate_python(order.changes):
+        match change.kind:
+            case "add_cue":
+                position += 1
+                reviewer.milestones[change.milestone_id].amount_minor += change.price_minor
+                session.add(
+                    ContractCue(
+                        studio_id=contract.studio_id,
+                        project_id=contract.project_id,
+                        contract_id=contract.id,
+                        milestone_id=change.milestone_id,
+                        cue_id=change.cue_id,
+                        position=position,
+                        price_minor=change.price_minor,
+                        amount_minor=change.price_minor,
+                        estimate_min=change.estimate_min,
+                    )
+                )
+            case "cut_cue":
+                take_out(session, reviewer.covered[change.cue_id], state=states[change.cue_id], person_id=person_id)
+            case "reprice_cue":
+                covered = reviewer.covered[change.cue_id]
+                milestone = reviewer.milestones[covered.milestone_id]
+                milestone.amount_minor += change.price_minor - (covered.amount_minor or 0)
+                covered.price_minor = covered.amount_minor = change.price_minor
+            case "add_round":
+                _agree_round(session, reviewer, change.cue_id, person_id=person_id)
+            case "move_date":
+                reviewer.milestones[change.milestone_id].due_on = change.due_on
+            case "add_work":
+                kind = LineKind.EXTRA_WORK
+                entries.append(Entry(kind, change.amount_minor, CLAUSES[kind], milestone_id=change.milestone_id))
+    session.flush()
+    write(session, contract, entries, person_id=person_id)
+    settle(session, contract.id, person_id)
+    publish(session, "change_order.agreed", studio_id=contract.studio_id, contract_id=contract.id)
+
+
+def _agree_round(session: Session, reviewer: Reviewer, cue_id: UUID, *, person_id: UUID) -> None:
+    """Agree to a cue's next round: the one that was proposed, else the one after those included and counted."""
+    contract = reviewer.contract
+    known = [one for one in money_queries.extra_rounds_of(session, contract.id) if one.cue_id == cue_id]
+    proposed = next((one for one in known if one.agreed_at is None and one.dropped_at is None), None)
+    if proposed is None:
+        counted = round_counts(session, [cue_id]).get(cue_id, 0)
+        number = max([reviewer.terms.rounds_included, counted, *(one.number for one in known)]) + 1
+        proposed = ExtraRound(
+            studio_id=contract.studio_id,
+            project_id=contract.project_id,
+            contract_id=contract.id,
+            cue_id=cue_id,
+            number=number,
+            proposed_by=person_id,
+        )
+        session.add(proposed)
+        session.flush()
+    charge_round(session, contract, proposed, person_id=person_id)

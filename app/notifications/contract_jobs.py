@@ -1,0 +1,138 @@
+"""Mails about contracts: their states, signatures, invoices and acceptance without a decision."""
+
+from datetime import date
+from uuid import UUID
+
+from app.agreements.facts import in_words
+from app.agreements.models import Contract
+from app.agreements.rules import ContractState, Party
+from app.kit.money import money
+from app.kit.queue import Payload, job
+from app.kit.runtime import Runtime
+from app.money.models import Invoice
+from app.notifications import queries
+from app.notifications.notifier import Notifier, cue_label
+from app.projects.models import Project
+from app.sound_lists.models import Cue
+
+
+@job("notifications.notify_contract")
+def notify_contract(runtime: Runtime, payload: Payload) -> None:
+    """Notify the party whose step is next of a contract's new state, and both once it is agreed."""
+    with runtime.database.writing() as session:
+        contract = session.get_one(Contract, UUID(payload["contract_id"]))
+        project = session.get_one(Project, contract.project_id)
+        designer = queries.address_of(session, contract.designer_id)
+        producers = queries.producer_addresses(session, project.studio_id)
+        title = contract.title
+        recipients, subject, line = {
+            "contract.sent": (
+                {designer},
+                "a contract needs your signature",
+                f"{title} needs your signature: read it, then sign it or request a change.",
+            ),
+            "contract.change_requested": (
+                producers,
+                "a change to a contract is requested",
+                f"{title}: {payload.get('text') or ''}",
+            ),
+            "contract.notice_given": (
+                producers | {designer},
+                "notice was given on a contract",
+                f"{title}: notice was given. Its page Ending early says what each cue is owed.",
+            ),
+            "change_order.proposed": (
+                {designer} if payload.get("party") == "studio" else producers,
+                "a change order is proposed",
+                f"{title}: a change order is proposed. Read what it changes, then sign or refuse it.",
+            ),
+            "change_order.agreed": (
+                producers | {designer},
+                "a change order is in force",
+                f"{title}: both sides have signed a change order, and it is in force.",
+            ),
+            "contract.settled": (
+                producers | {designer},
+                "a contract has ended",
+                f"{title}: it is settled and has ended. What is owed is due.",
+            ),
+            "contract.agreed": (producers | {designer}, "a contract is signed", f"{title}: both sides have signed."),
+        }[payload["event"]]
+        notifier = Notifier(runtime, session, project, payload["event_id"])
+        if payload["event"] == "contract.agreed" and (deposit := queries.deposit_of(session, contract.id)):
+            due = f"The deposit of {money(deposit, contract.currency)} is due: issue the invoice for it."
+            notifier.notify(designer, "deposit", "the deposit is due", due, page="money")
+        for recipient in recipients:
+            notifier.notify(recipient, f"contract:{payload['event']}", subject, line, page=f"contracts/{contract.id}")
+
+
+@job("notifications.notify_signature")
+def notify_signature(runtime: Runtime, payload: Payload) -> None:
+    """Notify the other party that a contract needs its signature too."""
+    with runtime.database.writing() as session:
+        contract = session.get_one(Contract, UUID(payload["contract_id"]))
+        if contract.state is not ContractState.SENT:
+            return  # signed by both, or recalled meanwhile
+        project = session.get_one(Project, contract.project_id)
+        recipients = {queries.address_of(session, contract.designer_id)}
+        if payload["party"] == Party.DESIGNER.value:
+            recipients = queries.producer_addresses(session, project.studio_id)
+        notifier = Notifier(runtime, session, project, payload["event_id"])
+        line = f"{contract.title} is signed by the other side and needs your signature."
+        for recipient in recipients:
+            notifier.notify(
+                recipient, "contract:signed", "a contract needs your signature", line, page=f"contracts/{contract.id}"
+            )
+
+
+@job("notifications.notify_invoice")
+def notify_invoice(runtime: Runtime, payload: Payload) -> None:
+    """Notify the producers of an invoice: its sum, and the day until which it is to be paid."""
+    with runtime.database.writing() as session:
+        invoice = session.get_one(Invoice, UUID(payload["invoice_id"]))
+        project = session.get_one(Project, invoice.project_id)
+        contract = session.get_one(Contract, invoice.contract_id)
+        notifier = Notifier(runtime, session, project, payload["event_id"])
+        line = (
+            f"Invoice {invoice.number} for {contract.title}: {payload['total']}, to be paid by "
+            f"{in_words(invoice.due_on)}. Record the payment once it is made."
+        )
+        for recipient in queries.producer_addresses(session, project.studio_id):
+            notifier.notify(recipient, "invoices", "an invoice to pay", line, page="money")
+
+
+@job("notifications.notify_reminder")
+def notify_reminder(runtime: Runtime, payload: Payload) -> None:
+    """Remind the approver of the day after which a cue is deemed accepted."""
+    with runtime.database.writing() as session:
+        cue = session.get_one(Cue, UUID(payload["cue_id"]))
+        project = session.get_one(Project, cue.project_id)
+        last_day = date.fromisoformat(payload["last_day"])
+        line = (
+            f"{cue_label(project, cue)} needs your review. "
+            f"Without a response it is accepted automatically after {in_words(last_day)}, as agreed in its contract."
+        )
+        approver = queries.address_of(session, UUID(payload["approver_id"]))
+        notifier = Notifier(runtime, session, project, payload["event_id"])
+        notifier.notify(approver, "reminders", "sounds to review soon", line, page="review")
+
+
+@job("notifications.notify_deemed_acceptance")
+def notify_deemed_acceptance(runtime: Runtime, payload: Payload) -> None:
+    """Notify designer, approver and producers that a cue was deemed accepted."""
+    with runtime.database.writing() as session:
+        cue = session.get_one(Cue, UUID(payload["cue_id"]))
+        project = session.get_one(Project, cue.project_id)
+        contract = session.get_one(Contract, UUID(payload["contract_id"]))
+        line = (
+            f"{cue_label(project, cue)} was accepted automatically: no response within {payload['days']} working days, "
+            f"as agreed in {contract.title}. It is paid like any other accepted cue."
+        )
+        people = {
+            queries.address_of(session, contract.designer_id),
+            queries.approver_address(session, project),
+            *queries.producer_addresses(session, project.studio_id),
+        }
+        notifier = Notifier(runtime, session, project, payload["event_id"])
+        for recipient in people:
+            notifier.notify(recipient, "silence", "sounds auto-accepted", line, page="sound-list")
