@@ -56,12 +56,18 @@ def approved_takes(session: Session, cue_id: UUID) -> Sequence[Take]:
     ).all()
 
 
-def variation_states(session: Session, cue_id: UUID) -> dict[int, set[TakeState]]:
-    """Return in which states the takes of a cue are, by variation; what was set aside counts as work too."""
-    states: dict[int, set[TakeState]] = defaultdict(set)
-    for variation, state in session.execute(select(Take.variation, Take.state).where(Take.cue_id == cue_id)):
-        states[variation].add(state)
-    return dict(states)
+def variation_states(
+    session: Session, cue_ids: Collection[UUID], designer_id: UUID
+) -> dict[UUID, dict[int, set[TakeState]]]:
+    """Return in which states a designer's takes of cues are, by cue and variation; set aside ones count as work too."""
+    states: dict[UUID, dict[int, set[TakeState]]] = defaultdict(lambda: defaultdict(set))
+    query = select(Take.cue_id, Take.variation, Take.state).where(
+        in_array(Take.cue_id, cue_ids), Take.designer_id == designer_id
+    )
+    for cue_id, variation, state in session.execute(query):
+        if cue_id is not None:
+            states[cue_id][variation].add(state)
+    return states
 
 
 def accepted_takes(session: Session, project_id: UUID) -> list[tuple[Cue, int, Take]]:

@@ -15,7 +15,7 @@ from app.deliveries.take_states import change_state, return_to_received
 from app.kit import clock, kill_points
 from app.kit.db import new_id
 from app.kit.events import publish
-from app.money.settlement import record_work, settle_cut
+from app.money.settlement import record_work
 from app.projects.errors import ProducerNeeded
 from app.projects.service import ProjectAccess
 from app.reviews import queries
@@ -46,7 +46,7 @@ from app.reviews.schemas import (
     VerdictGiven,
     VerdictUndone,
 )
-from app.reviews.settlement import settle_acceptance, state_of_work
+from app.reviews.settlement import settle_acceptance, settle_cut
 from app.sound_lists.errors import CueIsCut
 from app.sound_lists.models import Cue
 from app.sound_lists.queries import lock_list
@@ -385,7 +385,7 @@ def cut_cue(session: Session, actor: Actor, cue_id: UUID, *, reason: str) -> Cue
         session, ChangeRequest.cue_id == cue.id, ChangeRequest.feedback_id.is_(None)
     ):
         session.delete(draft)
-    settle_cut(session, cue.id, state=state_of_work(session, cue), person_id=actor.person)
+    settle_cut(session, cue, person_id=actor.person)
     cut_from_list(session, actor, cue, reason)
     publish(session, "cue.cut", studio_id=cue.studio_id, cue_id=cue.id)
     return cue

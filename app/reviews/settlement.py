@@ -1,10 +1,12 @@
 """Applies decisions on a cue to its contract, in the same transaction."""
 
+from collections.abc import Sequence
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.agreements.models import Contract
+from app.agreements import plan_queries
+from app.agreements.models import Contract, ContractCue
 from app.agreements.rules import AcceptedBy, WorkState
 from app.money import settlement
 from app.reviews import queries
@@ -37,6 +39,19 @@ def add_accepted_cue(session: Session, contract_id: UUID, cue_id: UUID) -> None:
         settlement.add_accepted_cue(session, contract_id, cue_id, person_id=person_id)
 
 
-def state_of_work(session: Session, cue: Cue) -> WorkState:
-    """Return how far the work on a cue is, as its kill fee goes by it."""
-    return work_state(cue.variations, queries.variation_states(session, cue.id))
+def work_states(session: Session, contract: Contract, covered: Sequence[ContractCue]) -> dict[UUID, WorkState]:
+    """Return how far the work of a contract's own designer is on cues that it covers, as kill fees go by it."""
+    states = queries.variation_states(session, [one.cue_id for one in covered], contract.designer_id)
+    found = {one.cue_id: work_state(one.cue.variations, states[one.cue_id]) for one in covered}
+    for cue_id, state in found.items():
+        if state is WorkState.ACCEPTED and plan_queries.is_accepted_elsewhere(session, contract.id, cue_id):
+            found[cue_id] = WorkState.NOT_BEGUN  # it was paid for there
+    return found
+
+
+def settle_cut(session: Session, cue: Cue, *, person_id: UUID) -> None:
+    """Settle a cut cue under the contract that covers it, by how far its designer's work is."""
+    covered = plan_queries.running_cue(session, cue.id, None)
+    if covered is not None:
+        states = work_states(session, session.get_one(Contract, covered.contract_id), [covered])
+        settlement.settle_cut(session, cue.id, state=states[cue.id], person_id=person_id)

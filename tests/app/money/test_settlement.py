@@ -138,6 +138,13 @@ def test_a_cut_cue_is_owed_by_its_state(agreed: Agreed, state: TakeState | None,
     assert figures["open_minor"] == 99_000 - 31_500
 
 
+def test_takes_of_another_designer_are_no_work_under_this_contract(agreed: Agreed) -> None:
+    mine = two_milestones(agreed)[2]
+    agreed.take(mine, state=TakeState.CONFORMING, designer_id=agreed.world.other_designer_id)
+    assert cut(agreed, mine).status_code == 200
+    assert agreed.figures()["due_minor"] == 144_000, "only the deposit: its designer had not begun"
+
+
 def test_a_cut_cue_that_was_accepted_is_owed_whole(agreed: Agreed) -> None:
     mine = two_milestones(agreed)[2]
     agreed.approve(agreed.take(mine))
