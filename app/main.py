@@ -13,11 +13,12 @@ from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 from app import rooms
 from app.accounts.authentication import DEMO_COOKIE, SESSION_COOKIE
 from app.dashboards.watching import GRANTING, sights_of
-from app.kit import events, health, http
+from app.kit import error_responses, events, health
 from app.kit.api_document import ApiDocument
 from app.kit.change_feed import ChangeFeed
 from app.kit.changes import forget_old_changes
 from app.kit.compression import CompressedAnswers, PrecompressedFiles
+from app.kit.http import PROBLEM_TYPE
 from app.kit.idempotency import delete_expired_responses
 from app.kit.response_headers import WithResponseHeaders, security_headers
 from app.kit.runtime import Runtime
@@ -55,7 +56,7 @@ def create_app(runtime: Runtime) -> FastAPI:
     app.state.readiness = health.Readiness(runtime, {**health.PROBES, "migrations": ensure_at_head})
     runtime.parsers.connect(rooms.PARSERS)
     events.connect(rooms.SUBSCRIBERS, handlers=rooms.HANDLERS, low_priority=rooms.LOW_PRIORITY_JOBS)
-    http.install(app, credential_cookies=(SESSION_COOKIE, DEMO_COOKIE), rights_of=rights_of)
+    error_responses.install(app, credential_cookies=(SESSION_COOKIE, DEMO_COOKIE), rights_of=rights_of)
     for router in rooms.ROUTERS:
         app.include_router(router)
     app.include_router(health.router)
@@ -92,7 +93,7 @@ def _serve_frontend(app: FastAPI, folder: Path) -> None:
         if path.startswith("v1/") or not (folder / "index.html").is_file():
             detail = f"nothing is at /{path}" if path.startswith("v1/") else "the frontend is not built; run make"
             problem = {"title": "Not found", "status": 404, "code": "not-found", "detail": detail}
-            return JSONResponse(problem, 404, media_type=http.PROBLEM_TYPE)
+            return JSONResponse(problem, 404, media_type=PROBLEM_TYPE)
         named = _file_in(folder, path)
         if named is not None:
             return FileResponse(named)

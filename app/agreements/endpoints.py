@@ -11,7 +11,7 @@ from starlette.concurrency import run_in_threadpool
 from app.accounts.policies import allows, client_address
 from app.accounts.rules import Actor, Audience
 from app.accounts.schemas import PersonBrief
-from app.agreements import comparison, lifecycle, queries, record, schemas
+from app.agreements import comparison, lifecycle, queries, record, schemas, versions
 from app.agreements.access import party_of, visible_contract
 from app.agreements.documents import PDF, TextPdf
 from app.agreements.errors import (
@@ -80,8 +80,8 @@ def _brief(contract: Contract, actor: Actor, accepted: Sequence[Party]) -> dict[
 
 
 def _contract(session: DbSession, actor: Actor, contract: Contract) -> schemas.ContractRead:
-    versions = lifecycle.visible_versions(session, actor, contract)
-    shown, is_team = versions[0], bool(actor.roles_in(contract.studio_id))
+    seen = versions.visible_versions(session, actor, contract)
+    shown, is_team = seen[0], bool(actor.roles_in(contract.studio_id))
     acceptances = queries.acceptances_of(session, shown.id) if contract.state is not ContractState.DRAFT else []
     accepted = [each.party for each in acceptances]
     party, state = party_of(actor, contract), contract.state
@@ -296,7 +296,7 @@ def list_contract_versions(
 ) -> Sequence[ContractVersion]:
     """Return the versions that the caller may see, the newest first."""
     contract = visible_contract(session, actor, contract_id)
-    return lifecycle.visible_versions(session, actor, contract)
+    return versions.visible_versions(session, actor, contract)
 
 
 @router.get(
@@ -307,7 +307,7 @@ def read_contract_version(
 ) -> schemas.VersionRead:
     """Return one version of the text."""
     contract = visible_contract(session, actor, contract_id)
-    found = lifecycle.visible_version(session, actor, contract, version)
+    found = versions.visible_version(session, actor, contract, version)
     return _version(found, is_team=bool(actor.roles_in(contract.studio_id)))
 
 
@@ -328,7 +328,7 @@ def download_contract_pdf(
 ) -> Response:
     """Return the PDF of a version that was sent: the bytes that both saw."""
     contract = visible_contract(session, actor, contract_id)
-    found = lifecycle.visible_version(session, actor, contract, version)
+    found = versions.visible_version(session, actor, contract, version)
     if found.pdf_sha256 is None:
         raise ContractVersionNotFound(f"version {version} was not sent, so there is no PDF of it")
     pdf = runtime.store.read(contract.studio_id, found.pdf_sha256)
@@ -348,8 +348,8 @@ def compare_contract_versions(
 ) -> schemas.ComparisonRead:
     """Return two versions word by word."""
     contract = visible_contract(session, actor, contract_id)
-    earlier = lifecycle.visible_version(session, actor, contract, from_version)
-    later = lifecycle.visible_version(session, actor, contract, to_version)
+    earlier = versions.visible_version(session, actor, contract, from_version)
+    later = versions.visible_version(session, actor, contract, to_version)
     with COMPARISONS.of(actor.person):
         lines = comparison.compare(earlier.text, later.text)
         return schemas.ComparisonRead(

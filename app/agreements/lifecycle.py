@@ -13,11 +13,10 @@ from app.agreements import clauses as clause_rules
 from app.agreements import queries, record
 from app.agreements.access import contract_for_producer, contract_to_change, party_of, visible_contract
 from app.agreements.clauses import Clause, Terms, render, terms_in_force
-from app.agreements.documents import TextPdf, sha256_of
+from app.agreements.documents import TextPdf
 from app.agreements.errors import (
     AlreadyAccepted,
     BadDraft,
-    ContractVersionNotFound,
     DraftChanged,
     FrameworkNeeded,
     NotYourContract,
@@ -40,6 +39,7 @@ from app.agreements.rules import (
     ensure_state,
     ensure_under_framework,
 )
+from app.agreements.versions import add_version, newest_of, text_now
 from app.kit import clock
 from app.kit.db import Database
 from app.kit.errors import FieldProblem
@@ -120,7 +120,7 @@ def create_contract(
     session.add(contract)
     session.flush()
     whole = visible_contract(session, actor, contract.id)
-    _add_version(session, actor, whole, clauses, terms, note=f"Begun as a {KIND_WORDS[kind]}")
+    add_version(session, actor, whole, clauses, terms, note=f"Begun as a {KIND_WORDS[kind]}")
     return whole
 
 
@@ -148,7 +148,7 @@ def save_draft(
     """Save a draft as its next version; the same text again is the version that it was."""
     contract = contract_to_change(session, actor, contract_id)
     ensure_state(contract.state, {ContractState.DRAFT}, "recall it first; then change it and send it again")
-    newest = _newest(session, contract)
+    newest = newest_of(session, contract)
     if newest.number != based_on_version:
         raise DraftChanged(
             f"{newest.author.name} saved version {newest.number}; yours began from version {based_on_version}",
@@ -156,7 +156,7 @@ def save_draft(
         )
     _ensure_whole(draft)
     _put(contract, draft)
-    return _add_version(session, actor, contract, draft.clauses, draft.terms, note=note)
+    return add_version(session, actor, contract, draft.clauses, draft.terms, note=note)
 
 
 def preview(session: Session, actor: Actor, contract_id: UUID, draft: Draft) -> tuple[str, list[FieldProblem]]:
@@ -172,7 +172,7 @@ def pdf_to_send(database: Database, actor: Actor, contract_id: UUID) -> TextPdf:
     with database.reading(actor.reach) as session:
         contract = contract_for_producer(session, actor, contract_id)
         newest, clauses = _sendable(session, contract)
-        text = _text_now(session, contract, clauses, newest.terms)
+        text = text_now(session, contract, clauses, newest.terms)
     return TextPdf.of(contract.title, text)
 
 
@@ -182,8 +182,9 @@ def send(
     """Put the text before both parties as it reads now; raise DraftChanged where the PDF is of another text."""
     contract = contract_to_change(session, actor, contract_id)
     newest, clauses = _sendable(session, contract)
-    anew = newest.sent_at is not None
-    version = _add_version(session, actor, contract, clauses, newest.terms, note="As sent", anew=anew)
+    version = add_version(
+        session, actor, contract, clauses, newest.terms, note="As sent", is_needed=newest.sent_at is not None
+    )
     if version.text_sha256 != pdf.text_sha256:
         raise DraftChanged("the text changed while its PDF was made", fix="read it again, then send it")
     stored = store.put(contract.studio_id, [pdf.content])
@@ -197,7 +198,7 @@ def send(
 
 def _sendable(session: Session, contract: Contract) -> tuple[ContractVersion, list[Clause]]:
     ensure_state(contract.state, {ContractState.DRAFT}, "recall it first; then change it and send it again")
-    newest = _newest(session, contract)
+    newest = newest_of(session, contract)
     return newest, [Clause.of(row) for row in newest.clauses]
 
 
@@ -246,7 +247,7 @@ def accept(
         raise NotYourContract("only a producer of the studio and the contract's designer can sign it")
     contract = queries.lock_contract(session, contract.id)
     ensure_state(contract.state, {ContractState.SENT}, "a contract can be signed once it was sent")
-    version = _newest(session, contract)
+    version = newest_of(session, contract)
     ensure_same_text(text_sha256, version.text_sha256)
     given = queries.acceptances_of(session, version.id)
     if any(each.party is party for each in given):
@@ -328,27 +329,6 @@ def mark_ended(session: Session, contract: Contract, *, reason: str) -> None:
     session.flush()
 
 
-def visible_versions(session: Session, actor: Actor, contract: Contract) -> Sequence[ContractVersion]:
-    """Return the versions that the caller may see, the newest first: the designer sees what was sent."""
-    is_team = bool(actor.roles_in(contract.studio_id))
-    return [each for each in queries.versions_of(session, contract.id) if is_team or each.sent_at is not None]
-
-
-def visible_version(session: Session, actor: Actor, contract: Contract, number: int) -> ContractVersion:
-    """Return one version that the caller may see; raise ContractVersionNotFound for any other."""
-    version = queries.version_by_number(session, contract.id, number)
-    if version is None or not (actor.roles_in(contract.studio_id) or version.sent_at is not None):
-        raise ContractVersionNotFound(f"this contract has no version {number}")
-    return version
-
-
-def _newest(session: Session, contract: Contract) -> ContractVersion:
-    newest = queries.newest_version(session, contract.id)
-    if newest is None:
-        raise ContractVersionNotFound("this contract has no text")
-    return newest
-
-
 def _put(contract: Contract, draft: Draft) -> None:
     contract.title, contract.currency, contract.release_clause = draft.title, draft.currency, draft.release_clause
     contract.holdback_bp = draft.holdback_bp
@@ -364,46 +344,6 @@ def _ensure_whole(draft: Draft) -> None:
     if problems := _problems(draft):
         first = problems[0]
         raise BadDraft(f"nothing was saved; {first['where']}: {first['message']}", errors=problems)
-
-
-def _add_version(
-    session: Session,
-    actor: Actor,
-    contract: Contract,
-    clauses: Sequence[Clause],
-    terms: Terms,
-    *,
-    note: str,
-    anew: bool = False,
-) -> ContractVersion:
-    """Add the text as a version, unless it equals the newest version and no new version is required."""
-    session.flush()
-    text = _text_now(session, contract, clauses, terms)
-    newest = queries.newest_version(session, contract.id)
-    rows = [clause.as_row() for clause in clauses]
-    if newest and not anew and (newest.text, newest.clauses, newest.terms) == (text, rows, terms):
-        return newest
-    version = ContractVersion(
-        studio_id=contract.studio_id,
-        project_id=contract.project_id,
-        contract_id=contract.id,
-        number=newest.number + 1 if newest else 1,
-        clauses=rows,
-        terms=dict(terms),
-        text=text,
-        text_sha256=sha256_of(text),
-        note=note,
-        created_by=actor.person,
-        author=session.get_one(Person, actor.person),
-    )
-    session.add(version)
-    session.flush()
-    return version
-
-
-def _text_now(session: Session, contract: Contract, clauses: Sequence[Clause], terms: Terms) -> str:
-    facts = facts_of(session, contract, terms_in_force(clauses, terms))
-    return render(contract.title, clauses, terms, facts, contract.currency)
 
 
 def _note(

@@ -36,7 +36,7 @@ from app.kit.http import (
     problems,
     uuid_cursor,
 )
-from app.projects import approvers, engagements, queries, schemas, service
+from app.projects import approvers, engagements, overviews, queries, schemas, service, tokens
 from app.projects.errors import (
     AlreadyEngaged,
     CannotApprove,
@@ -57,7 +57,7 @@ router = Router(prefix="/v1", tags=["projects"], route_class=RateLimitedRoute)
 _unsaved_router = APIRouter(route_class=UnsavedResponseRoute)
 
 
-def _project(view: service.ProjectOverview) -> schemas.ProjectRead:
+def _project(view: overviews.ProjectOverview) -> schemas.ProjectRead:
     project, own = view.project, view.own_engagement
     return schemas.ProjectRead(
         id=project.id,
@@ -93,7 +93,7 @@ def list_projects(
     """Return the projects of the caller's studios and engagements, newest first."""
     found = queries.projects_seen(session, actor, before=uuid_cursor(cursor), limit=PAGE_ROWS + 1, archived=archived)
     shown = found[:PAGE_ROWS]
-    items = [_project(view) for view in service.overviews(session, actor, shown)]
+    items = [_project(view) for view in overviews.overviews(session, actor, shown)]
     return Page(items=items, next=cursor_of(shown[-1].id) if len(found) > PAGE_ROWS else None)
 
 
@@ -111,13 +111,13 @@ def create_project(
         cue_prefix=body.cue_prefix,
         preset=body.preset,
     )
-    return _project(service.overview(session, actor, project.id))
+    return _project(overviews.overview(session, actor, project.id))
 
 
 @router.get("/projects/{project_id}", responses=problems(ProjectNotFound))
 def read_project(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> schemas.ProjectRead:
     """Return a project as its page heads it."""
-    return _project(service.overview(session, actor, project_id))
+    return _project(overviews.overview(session, actor, project_id))
 
 
 @router.patch("/projects/{project_id}", responses=problems(ProjectNotFound, ProducerNeeded))
@@ -135,7 +135,7 @@ def change_project(
         archived=body.archived,
         nda_needed=body.nda_needed,
     )
-    return _project(service.overview(session, actor, project_id))
+    return _project(overviews.overview(session, actor, project_id))
 
 
 @router.put(
@@ -147,7 +147,7 @@ def add_liaison(
 ) -> schemas.ProjectRead:
     """Make a member of the studio a liaison of this project."""
     service.add_liaison(session, actor, project_id, person_id)
-    return _project(service.overview(session, actor, project_id))
+    return _project(overviews.overview(session, actor, project_id))
 
 
 @router.delete(
@@ -159,7 +159,7 @@ def remove_liaison(
 ) -> schemas.ProjectRead:
     """Remove a liaison."""
     service.remove_liaison(session, actor, project_id, person_id)
-    return _project(service.overview(session, actor, project_id))
+    return _project(overviews.overview(session, actor, project_id))
 
 
 @router.put(
@@ -171,7 +171,7 @@ def name_approver(
 ) -> schemas.ProjectRead:
     """Make a liaison the approver, or become it as a producer; the reason is kept."""
     service.name_approver(session, actor, project_id, person_id=body.person_id, reason=body.reason)
-    return _project(service.overview(session, actor, project_id))
+    return _project(overviews.overview(session, actor, project_id))
 
 
 @router.post(
@@ -300,7 +300,7 @@ def change_engagement(
 )
 def list_tokens(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)) -> Sequence[Token]:
     """Return the keys of the project's builds, without their secrets."""
-    return service.tokens_of(session, actor, project_id)
+    return tokens.tokens_of(session, actor, project_id)
 
 
 @_unsaved_router.post(
@@ -310,7 +310,7 @@ def create_token(
     project_id: UUID, body: schemas.TokenAdd, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.TokenMade:
     """Make a key for the project's builds; its secret is shown this once."""
-    token, secret = service.create_token(session, actor, project_id, name=body.name, scopes=body.scopes)
+    token, secret = tokens.create_token(session, actor, project_id, name=body.name, scopes=body.scopes)
     return schemas.TokenMade(**schemas.TokenRead.model_validate(token).model_dump(), secret=secret)
 
 
@@ -323,7 +323,7 @@ def revoke_token(
     project_id: UUID, token_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> None:
     """Revoke a token at once."""
-    service.revoke_token(session, actor, project_id, token_id)
+    tokens.revoke_token(session, actor, project_id, token_id)
 
 
 router.include_router(_unsaved_router)

@@ -1,7 +1,6 @@
 """Projects: access to them, and the steps that change them."""
 
-from collections import defaultdict
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from uuid import UUID
 
@@ -9,11 +8,10 @@ from sqlalchemy.orm import Session
 
 import audio_checks
 from app.accounts.authentication import sha256_of
-from app.accounts.models import Person, Token
-from app.accounts.queries import membership, project_token, project_tokens
+from app.accounts.queries import membership
 from app.accounts.quotas import QuotaKind, ensure_room
-from app.accounts.rules import Actor, Role, Scope
-from app.accounts.service import add_token, ensure_producer_of
+from app.accounts.rules import Actor, Role
+from app.accounts.service import ensure_producer_of
 from app.kit import clock
 from app.kit.db import bypass_row_policies, widen_reach
 from app.kit.events import publish
@@ -31,7 +29,6 @@ from app.projects.errors import (
     SpecChanged,
     SpecVersionNotFound,
     TeamNeeded,
-    TokenNotFound,
 )
 from app.projects.models import ApproverChange, Engagement, Liaison, Project, ProjectInvitation, Spec
 from app.projects.rules import ensure_can_approve
@@ -141,76 +138,6 @@ def access_from_facts(actor: Actor, facts: queries.AccessFacts, *, before_nda: b
         is_approver=bool(roles) and facts.approver_id == actor.person_id,
         engagement=engagement,
     )
-
-
-@dataclass(frozen=True)
-class ProjectOverview:
-    """A project as its page's header shows it; a designer sees only their own engagement."""
-
-    project: Project
-    approver: Person
-    liaisons: Sequence[Person]
-    engagements: Sequence[Engagement]
-    spec_version: int
-    roles: frozenset[Role]
-    person_id: UUID
-
-    @property
-    def is_producer(self) -> bool:
-        """Whether the caller runs the project and its money."""
-        return Role.PRODUCER in self.roles
-
-    @property
-    def is_liaison(self) -> bool:
-        """Whether the caller acts for the team."""
-        return bool(self.roles) and any(person.id == self.person_id for person in self.liaisons)
-
-    @property
-    def is_approver(self) -> bool:
-        """Whether the caller is the approver."""
-        return bool(self.roles) and self.approver.id == self.person_id
-
-    @property
-    def own_engagement(self) -> Engagement | None:
-        """The caller's running engagement."""
-        running = (one for one in self.engagements if one.designer_id == self.person_id and one.ended_at is None)
-        return next(running, None)
-
-
-def overviews(session: Session, actor: Actor, projects: Sequence[Project]) -> list[ProjectOverview]:
-    """Return projects that the caller sees as their pages head them, in the given order."""
-    ids = [project.id for project in projects]
-    approvers = queries.approvers_of(session, projects)
-    versions = queries.spec_versions_of(session, ids)
-    liaisons: defaultdict[UUID, list[Person]] = defaultdict(list)
-    for liaison in queries.liaisons_of(session, ids):
-        liaisons[liaison.project_id].append(liaison.person)
-    engagements: defaultdict[UUID, list[Engagement]] = defaultdict(list)
-    for engagement in queries.engagements_of(session, ids):
-        engagements[engagement.project_id].append(engagement)
-    return [
-        ProjectOverview(
-            project=project,
-            approver=approvers[project.id],
-            liaisons=liaisons[project.id],
-            engagements=[
-                engagement
-                for engagement in engagements[project.id]
-                if actor.roles_in(project.studio_id) or engagement.designer_id == actor.person
-            ],
-            spec_version=versions[project.id],
-            roles=actor.roles_in(project.studio_id),
-            person_id=actor.person,
-        )
-        for project in projects
-    ]
-
-
-def overview(session: Session, actor: Actor, project_id: UUID) -> ProjectOverview:
-    """Return one project as its page heads it."""
-    access = project_access(session, actor, project_id, before_nda=True)
-    session.refresh(access.project, ["studio"])
-    return overviews(session, actor, [access.project])[0]
 
 
 def create_project(
@@ -377,50 +304,3 @@ def invitation_by_secret(session: Session, secret: str) -> ProjectInvitation:
         raise InvitationNotFound("this invitation is unknown, withdrawn or expired", fix="ask the studio for a new one")
     widen_reach(session, Reach(project_id=invitation.project_id))
     return invitation
-
-
-def create_token(
-    session: Session, actor: Actor, project_id: UUID, *, name: str, scopes: Collection[Scope]
-) -> tuple[Token, str]:
-    """Make a key for the project's builds; its secret is shown this once."""
-    access = project_access(session, actor, project_id)
-    access.ensure_producer()
-    return add_token(
-        session,
-        studio_id=access.project.studio_id,
-        project_id=project_id,
-        created_by=actor.person,
-        name=name,
-        scopes=scopes,
-    )
-
-
-def issue_token(session: Session, project_id: UUID, *, name: str, scopes: Collection[Scope]) -> str:
-    """Make a key for the project's builds from the server's own command line, and return its secret."""
-    project = queries.project_by_id(session, project_id)
-    if project is None:
-        raise ProjectNotFound(f"no project {project_id}")
-    _, secret = add_token(
-        session,
-        studio_id=project.studio_id,
-        project_id=project_id,
-        created_by=project.created_by,
-        name=name,
-        scopes=scopes,
-    )
-    return secret
-
-
-def tokens_of(session: Session, actor: Actor, project_id: UUID) -> Sequence[Token]:
-    """Return the project's tokens, without their secrets."""
-    project_access(session, actor, project_id).ensure_producer()
-    return project_tokens(session, project_id)
-
-
-def revoke_token(session: Session, actor: Actor, project_id: UUID, token_id: UUID) -> None:
-    """Revoke a token at once."""
-    project_access(session, actor, project_id).ensure_producer()
-    token = project_token(session, project_id, token_id)
-    if token is None:
-        raise TokenNotFound(f"no token {token_id} in this project")
-    token.revoked_at = token.revoked_at or clock.now()

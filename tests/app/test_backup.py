@@ -11,8 +11,8 @@ import pytest
 from anyio.from_thread import start_blocking_portal
 from typer.testing import CliRunner
 
-from app import cli
 from app.backup import BackupRefused, back_up, restore
+from app.cli import cli
 from app.kit.db import new_id
 from app.kit.runtime import Runtime
 from app.main import create_app
@@ -142,7 +142,7 @@ def test_nothing_is_put_over_what_is_there(opened: Opened, tmp_path: Path):
 
 def test_the_commands_say_what_they_did(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     def ran(*command: str) -> Any:
-        return CliRunner().invoke(cli.cli, [*command])
+        return CliRunner().invoke(cli, [*command])
 
     monkeypatch.setenv("SOUNDLIST_DATA_DIR", str(tmp_path / "old"))
     assert ran("migrate").exit_code == 0

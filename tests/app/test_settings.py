@@ -8,7 +8,7 @@ import pytest
 from click.testing import Result
 from typer.testing import CliRunner
 
-from app import cli
+from app.cli import cli
 from app.settings import Settings, SettingsWrong, read_settings
 
 
@@ -88,7 +88,7 @@ def test_figures_of_several_web_processes_want_a_port_for_each(environment):
 
 
 def started(*command: str) -> Result:
-    return CliRunner().invoke(cli.cli, command)
+    return CliRunner().invoke(cli, command)
 
 
 @pytest.mark.parametrize("command", ["serve", "worker"])

@@ -18,7 +18,8 @@ import pytest
 import yaml
 from typer.testing import CliRunner
 
-from app.cli import STOP_WITHIN_S, cli
+from app.cli import cli
+from app.cli.running import STOP_WITHIN_S
 from app.deliveries.rules import MAX_ARCHIVE_BYTES
 from app.kit import bodies, serving
 from app.settings import Settings, bucket_address

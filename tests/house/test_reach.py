@@ -8,7 +8,7 @@ NO_REQUEST = (
     "app/*/*jobs.py",
     "app/conformance/checking.py",
     "app/worker.py",
-    "app/cli.py",
+    "app/cli/*.py",
     "app/demo/*.py",
     "app/migrate.py",
 )

@@ -14,7 +14,8 @@ import uvicorn.lifespan.on
 import uvicorn.loops.auto
 import uvicorn.protocols.http.auto  # noqa: F401  what uvicorn imports when it starts
 
-from app import cli, main, migrate, rooms, row_security, worker  # noqa: F401
+from app import main, migrate, rooms, row_security, worker  # noqa: F401
+from app.cli import cli
 from app.kit.permissions import keep_new_files_private
 
 
@@ -28,7 +29,7 @@ def start(arguments: list[str], environment: dict[str, str], log: str) -> None:
     os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
     signal.set_wakeup_fd(-1)
     keep_new_files_private()
-    cli.cli(arguments)
+    cli(arguments)
 
 
 def poll(pid: int) -> int | None:

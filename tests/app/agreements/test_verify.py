@@ -12,8 +12,8 @@ from click.testing import Result
 from sqlalchemy.orm import Session
 from typer.testing import CliRunner
 
-from app import cli
 from app.agreements.models import Contract, ContractEvent, ContractVersion
+from app.cli import cli, keeping
 from app.kit.record import START, link
 from app.kit.runtime import Runtime
 from app.migrate import migrate
@@ -28,8 +28,8 @@ def agreed(contracts: Contracts) -> dict[str, Any]:
 
 
 def verify(monkeypatch: pytest.MonkeyPatch, settings: Settings, *paths: Path) -> Result:
-    monkeypatch.setattr(cli, "_settings", lambda: settings)
-    return CliRunner().invoke(cli.cli, ["verify", *map(str, paths)])
+    monkeypatch.setattr(keeping, "read_settings_or_exit", lambda: settings)
+    return CliRunner().invoke(cli, ["verify", *map(str, paths)])
 
 
 def lines_on(result: Result, name: object) -> list[str]:

@@ -10,7 +10,7 @@ from fastapi import APIRouter, Depends, FastAPI, Request
 from fastapi.testclient import TestClient
 from pydantic import BaseModel, model_serializer
 
-from app.kit import http
+from app.kit import error_responses
 from app.kit.errors import Refused
 from app.kit.single_thread_route import LazyAuthentication, LazySession, SingleThreadRoute
 
@@ -90,7 +90,7 @@ def client() -> TestClient:
 
     app = FastAPI()
     app.include_router(router)
-    http.install(app, credential_cookies=())
+    error_responses.install(app, credential_cookies=())
     return TestClient(app, raise_server_exceptions=False)
 
 

@@ -6,10 +6,10 @@ from typing import Any
 import pytest
 from typer.testing import CliRunner
 
-from app import cli
 from app.accounts.models import Operator
 from app.accounts.quotas import DEFAULTS, QuotaKind, set_limit
 from app.accounts.rules import Role
+from app.cli import accounts, cli
 from app.deliveries import upload_quotas
 from tests.support.deliver import TUS, add_cues, deliver, metadata, open_delivery, upload
 from tests.support.server import World
@@ -134,12 +134,12 @@ def test_uploads_leave_the_reserve_of_the_disk_and_the_database_goes_on(
 
 
 def test_the_command_says_and_sets(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(cli, "_settings", lambda: world.server.runtime.settings)
-    monkeypatch.setattr(cli, "_opened", lambda _: world.server.runtime)
+    monkeypatch.setattr(accounts, "read_settings_or_exit", lambda: world.server.runtime.settings)
+    monkeypatch.setattr(accounts, "opened", lambda _: world.server.runtime)
     monkeypatch.setattr(type(world.server.runtime), "close", lambda _: None)
-    said = CliRunner().invoke(cli.cli, ["quota", str(world.studio_id), "--set", "cues=7"])
+    said = CliRunner().invoke(cli, ["quota", str(world.studio_id), "--set", "cues=7"])
     assert said.exit_code == 0, said.output
     (cues,) = [line for line in said.output.splitlines() if " cues " in line]
     assert [word for word in cues.split() if word.isdigit()] == ["0", "7"]
-    wrong = CliRunner().invoke(cli.cli, ["quota", str(world.studio_id), "--set", "sounds=many"])
+    wrong = CliRunner().invoke(cli, ["quota", str(world.studio_id), "--set", "sounds=many"])
     assert wrong.exit_code == 2

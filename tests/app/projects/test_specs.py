@@ -9,7 +9,7 @@ from sqlalchemy.orm import Session
 import audio_checks
 from app.accounts.rules import Scope
 from app.kit.events import publish
-from app.projects import service
+from app.projects import service, tokens
 from app.projects.errors import ProjectNotFound
 from tests.support.server import RunningServer, World
 
@@ -274,9 +274,9 @@ def test_tokens_are_the_producers_and_shown_once(world: World) -> None:
 
 def test_the_command_line_issues_a_token_too(server: RunningServer, world: World) -> None:
     with server.runtime.database.writing() as session:
-        secret = service.issue_token(session, world.project_id, name="CI", scopes=[Scope.SPEC_READ])
+        secret = tokens.issue_token(session, world.project_id, name="CI", scopes=[Scope.SPEC_READ])
         with pytest.raises(ProjectNotFound):
-            service.issue_token(session, world.studio_id, name="CI", scopes=[Scope.SPEC_READ])
+            tokens.issue_token(session, world.studio_id, name="CI", scopes=[Scope.SPEC_READ])
     build = server.browser()
     build.headers["Authorization"] = f"Bearer {secret}"
     assert build.get(spec_path(world)).json()["version"] == 1

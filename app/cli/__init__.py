@@ -1,0 +1,11 @@
+"""The server's command line: what runs it, keeps it, and looks into it."""
+
+from app.cli import accounts, jobs, keeping, running  # noqa: F401  each adds its commands
+from app.cli.groups import cli
+from app.kit.permissions import keep_new_files_private
+
+
+def main() -> None:
+    """Run the command line."""
+    keep_new_files_private()
+    cli()

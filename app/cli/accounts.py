@@ -1,0 +1,115 @@
+"""Commands about people and studios: tokens, limits, mails, sign-ins, operators."""
+
+from typing import Annotated
+from uuid import UUID
+
+import typer
+from rich.table import Table
+
+from app.cli.groups import cli, console, operators_cli
+from app.cli.opening import opened, read_settings_or_exit, refusal
+from app.kit.errors import Refused
+
+
+@cli.command()
+def token(
+    project: Annotated[UUID, typer.Argument(help="Id of the project.")],
+    name: Annotated[str, typer.Option(help="What the token is for.")] = "CI",
+    scope: Annotated[list[str] | None, typer.Option(help="A scope; repeat for several.")] = None,
+) -> None:
+    """Make a token for a project's build and print it, once."""
+    from app.accounts.rules import Scope
+    from app.projects.tokens import issue_token
+
+    scopes = [Scope(each) for each in scope] if scope else [Scope.SPEC_READ, Scope.LIST_READ, Scope.CHECKS_WRITE]
+    runtime = opened(read_settings_or_exit())
+    with runtime.database.writing() as session:
+        typer.echo(issue_token(session, project, name=name, scopes=scopes))
+    runtime.close()
+
+
+@cli.command()
+def quota(
+    studio: Annotated[UUID, typer.Argument(help="Id of the studio.")],
+    limit: Annotated[
+        list[str] | None, typer.Option("--set", help="KIND=NUMBER, or KIND=default; repeat for several.")
+    ] = None,
+) -> None:
+    """Show what a studio uses of its limits, and set them."""
+    from app.accounts.quotas import QuotaKind, set_limit
+    from app.operations.quotas import quotas_of
+
+    runtime = opened(read_settings_or_exit())
+    with runtime.database.writing() as session:
+        for each in limit or []:
+            kind, _, most = each.partition("=")
+            if kind not in set(QuotaKind) or not (most == "default" or (most.isascii() and most.isdigit())):
+                kinds = ", ".join(QuotaKind)
+                raise refusal([f"--set {each}: write KIND=NUMBER or KIND=default, KIND being one of {kinds}"])
+            if most != "default" and int(most) >= 1 << 63:
+                raise refusal([f"--set {each}: a limit has at most 18 digits"])
+            set_limit(session, studio, QuotaKind(kind), None if most == "default" else int(most))
+        table = Table("kind", "used", "limit", "default")
+        for row in quotas_of(session, studio):
+            table.add_row(row.kind.value, f"{row.used:,}", f"{row.limit:,}", f"{row.default:,}")
+    console.print(table)
+    runtime.close()
+
+
+@cli.command()
+def mails(
+    address: Annotated[str | None, typer.Argument(help="Only mails to this address.")] = None,
+) -> None:
+    """Print mails that wait, with their links: how accounts are verified on a server without a mail server."""
+    from app.accounts.rules import normalised_email
+    from app.notifications.queries import pending_for
+
+    runtime = opened(read_settings_or_exit())
+    with runtime.database.reading() as session:
+        for mail in pending_for(session, normalised_email(address) if address else None):
+            typer.echo(f"{mail.recipient}\t{mail.subject}\t{mail.link or 'its link is made when it is sent'}")
+    runtime.close()
+
+
+@cli.command("sign-out")
+def sign_out(address: Annotated[str, typer.Argument(help="The address of an account.")]) -> None:
+    """End every sign-in of an account, as after a theft; its password stays."""
+    _change_account("sign_out", address, "is signed out everywhere")
+
+
+@operators_cli.command("add")
+def add_operator(address: Annotated[str, typer.Argument(help="The verified address of an account.")]) -> None:
+    """Let a person see every studio's jobs and storage."""
+    _change_account("add_operator", address, "is an operator now")
+
+
+@operators_cli.command("remove")
+def remove_operator(address: Annotated[str, typer.Argument(help="The address of an operator.")]) -> None:
+    """Remove a person's operator rights."""
+    _change_account("remove_operator", address, "is no operator any more")
+
+
+def _change_account(change: str, address: str, done: str) -> None:
+    from app.accounts import operators
+
+    runtime = opened(read_settings_or_exit())
+    try:
+        with runtime.database.writing() as session:
+            person = getattr(operators, change)(session, address)
+            typer.echo(f"{person.email} {done}")
+    except Refused as error:
+        raise refusal([f"{error.message}; {error.fix}"]) from None
+    finally:
+        runtime.close()
+
+
+@operators_cli.command("list")
+def list_operators() -> None:
+    """List who sees the whole server."""
+    from app.accounts.queries import operators
+
+    runtime = opened(read_settings_or_exit())
+    with runtime.database.reading() as session:
+        for operator in operators(session):
+            typer.echo(f"{operator.person.email}\t{operator.person.name}\tsince {operator.named_at:%Y-%m-%d}")
+    runtime.close()

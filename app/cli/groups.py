@@ -1,0 +1,13 @@
+"""The command line and its groups of commands, which the modules beside this one fill."""
+
+import typer
+from rich.console import Console
+
+cli = typer.Typer(
+    no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False, help="The Soundlist server."
+)
+jobs_cli = typer.Typer(no_args_is_help=True, help="Durable jobs: what waits, runs and keeps failing.")
+operators_cli = typer.Typer(no_args_is_help=True, help="Operators: the people who see the whole server.")
+cli.add_typer(jobs_cli, name="jobs")
+cli.add_typer(operators_cli, name="operators")
+console = Console()

@@ -1,0 +1,135 @@
+"""Commands that run the server: web processes, workers, the demo, and the tables they need."""
+
+import json
+import socket
+import sys
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from app import logs
+from app.cli.groups import cli
+from app.cli.opening import opened, read_settings_or_exit, ready_to_serve, refusal
+from app.kit.runtime import Runtime
+from app.settings import Settings
+
+STOP_WITHIN_S = 15  # what is being answered then may finish
+
+
+@cli.command()
+def serve(
+    host: Annotated[str, typer.Option(help="Address to listen on.")] = "127.0.0.1",
+    port: Annotated[int, typer.Option(help="Port to listen on.")] = 8000,
+) -> None:
+    """Serve the web application; run `soundlist migrate` first and `soundlist worker` in parallel."""
+    from app.kit import memory, processes
+    from app.main import create_app  # noqa: F401  before processes are forked, so that they share what it loads
+
+    memory.return_free_memory()
+    settings = read_settings_or_exit(serving=True)
+    logs.configure(settings.log_level)
+    logs.report_confinement()
+    if settings.demo and host != "127.0.0.1":
+        raise refusal(["the demo listens on 127.0.0.1 only, since it needs no sign-in"])
+    if settings.web_processes == 1:
+        _serve(ready_to_serve(settings), lambda: processes.listener(host, port))
+        return
+    # Problems are reported once, by a process whose threads and connections are not inherited.
+    if code := processes.run_in_subprocess(lambda: _apart(lambda: ready_to_serve(settings).close())):
+        raise typer.Exit(code)
+    try:
+        kept = processes.listener(host, port, shared=True)
+    except processes.PortTaken as error:
+        raise refusal([str(error)]) from None
+
+    def serve_beside(place: int) -> None:
+        _apart(lambda: _serve(opened(settings), lambda: processes.shared_listener(kept), place=place))
+
+    raise typer.Exit(processes.PreforkSupervisor(serve_beside, settings.web_processes).run())
+
+
+def _apart(work: Callable[[], None]) -> None:
+    """Run a part of a command in a forked process, and exit with its code if it fails."""
+    try:
+        work()
+    except typer.Exit as end:
+        raise SystemExit(end.exit_code) from None
+
+
+def _serve(runtime: Runtime, listening: Callable[[], socket.socket], *, place: int = 0) -> None:
+    from app.kit import metrics, processes, serving
+    from app.main import create_app
+
+    settings = runtime.settings
+    try:
+        with metrics.listening(settings, metrics.collectors(runtime), place=place):
+            serving.serve(create_app(runtime), listening(), drain_s=settings.drain_s, finish_s=STOP_WITHIN_S)
+    except (metrics.CannotListen, processes.PortTaken) as error:
+        raise refusal([str(error)]) from None
+
+
+@cli.command()
+def worker() -> None:
+    """Run jobs until stopped."""
+    from app.kit import memory, metrics
+    from app.worker import run
+
+    memory.return_free_memory()
+    settings = read_settings_or_exit(serving=True)
+    logs.configure(settings.log_level)
+    logs.report_confinement()
+    runtime = ready_to_serve(settings)
+    try:
+        with metrics.listening(settings, [metrics.PoolFigures(runtime.database)]):
+            run(runtime)
+    except metrics.CannotListen as error:
+        raise refusal([str(error)]) from None
+
+
+@cli.command()
+def migrate() -> None:
+    """Bring the database to the tables of this version."""
+    from app.migrate import login_warning
+    from app.migrate import migrate as bring_up_to_date
+    from app.row_security import CannotGuardRows
+
+    runtime = opened(read_settings_or_exit())
+    try:
+        bring_up_to_date(runtime.database)
+    except CannotGuardRows as error:
+        raise refusal([str(error)]) from None
+    if warning := login_warning(runtime.database):
+        typer.echo(warning, err=True)
+    runtime.close()
+
+
+@cli.command()
+def demo(
+    port: Annotated[int, typer.Option(help="Port on 127.0.0.1.")] = 8000,
+) -> None:
+    """Serve the product with a demo project on the embedded database; no sign-in is needed."""
+    from app.demo.run import run_demo
+
+    settings = read_settings_or_exit()
+    logs.configure(settings.log_level)
+    raise typer.Exit(run_demo(port))
+
+
+@cli.command()
+def openapi(
+    out: Annotated[Path | None, typer.Argument(help="File to write; standard output if left out.")] = None,
+) -> None:
+    """Print the OpenAPI document."""
+    from app.main import create_app
+
+    with tempfile.TemporaryDirectory() as folder:
+        runtime = Runtime.of(Settings(data_dir=Path(folder)))
+        document = json.dumps(create_app(runtime).openapi(), indent=1, ensure_ascii=False) + "\n"
+        runtime.close()
+    if out is None:
+        sys.stdout.write(document)
+    else:
+        out.write_text(document, encoding="utf-8")

@@ -1,0 +1,65 @@
+"""Tokens for the builds of a project."""
+
+from collections.abc import Collection, Sequence
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.models import Token
+from app.accounts.queries import project_token, project_tokens
+from app.accounts.rules import Actor, Scope
+from app.accounts.service import add_token
+from app.kit import clock
+from app.projects import queries
+from app.projects.errors import (
+    ProjectNotFound,
+    TokenNotFound,
+)
+from app.projects.service import project_access
+
+
+def create_token(
+    session: Session, actor: Actor, project_id: UUID, *, name: str, scopes: Collection[Scope]
+) -> tuple[Token, str]:
+    """Make a key for the project's builds; its secret is shown this once."""
+    access = project_access(session, actor, project_id)
+    access.ensure_producer()
+    return add_token(
+        session,
+        studio_id=access.project.studio_id,
+        project_id=project_id,
+        created_by=actor.person,
+        name=name,
+        scopes=scopes,
+    )
+
+
+def issue_token(session: Session, project_id: UUID, *, name: str, scopes: Collection[Scope]) -> str:
+    """Make a key for the project's builds from the server's own command line, and return its secret."""
+    project = queries.project_by_id(session, project_id)
+    if project is None:
+        raise ProjectNotFound(f"no project {project_id}")
+    _, secret = add_token(
+        session,
+        studio_id=project.studio_id,
+        project_id=project_id,
+        created_by=project.created_by,
+        name=name,
+        scopes=scopes,
+    )
+    return secret
+
+
+def tokens_of(session: Session, actor: Actor, project_id: UUID) -> Sequence[Token]:
+    """Return the project's tokens, without their secrets."""
+    project_access(session, actor, project_id).ensure_producer()
+    return project_tokens(session, project_id)
+
+
+def revoke_token(session: Session, actor: Actor, project_id: UUID, token_id: UUID) -> None:
+    """Revoke a token at once."""
+    project_access(session, actor, project_id).ensure_producer()
+    token = project_token(session, project_id, token_id)
+    if token is None:
+        raise TokenNotFound(f"no token {token_id} in this project")
+    token.revoked_at = token.revoked_at or clock.now()
