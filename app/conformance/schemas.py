@@ -79,7 +79,7 @@ class CheckRead(Schema):
 class RepairRead(Schema):
     """One thing that a fix put right."""
 
-    kind: Literal["gain", "head", "tail", "name", "header", "depth"]
+    kind: Literal["gain", "head", "tail", "name", "header", "depth", "offset"]
     codes: list[str] = Field(description="The findings that it answers.")
     words: str = Field(examples=["level lowered by 1.70 dB"])
     start_s: float | None = Field(description="Where in the take: what was cut, or the spot of the level.")
@@ -99,7 +99,7 @@ class ShapeRead(Schema):
 class SpotRead(Schema):
     """The sound around a repair, before and after, by the time of the take."""
 
-    kind: Literal["gain", "head", "tail"]
+    kind: Literal["gain", "head", "tail", "offset"]
     start_s: float
     end_s: float
     after_start_s: float

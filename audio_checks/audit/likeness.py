@@ -107,7 +107,7 @@ def likeness(approved: Waves, built: Waves) -> Likeness | None:
     Normalised cross-correlation, for every place at which the approved sound reaches nine tenths of the build's
     power; at the best one, moved by a fraction of a sample, coherence band by band.
     """
-    if len(built.wave) < LEAST_OF_LENGTH * approved.span:
+    if built.power == 0.0 or len(built.wave) < LEAST_OF_LENGTH * approved.span:
         return None
     place = _best_place(approved, built)
     if place is None:

@@ -2,7 +2,8 @@
 
 Why: an offset wastes headroom, and clicks where the sound starts, stops or is cut. It comes
 from a faulty converter, an asymmetric distortion or a badly made synthesis.
-How to fix: put a high-pass filter at 10 to 20 Hz on the sound, or use the editor's DC removal.
+How to fix: put a high-pass filter at 10 to 20 Hz on the sound, or use the editor's DC removal. Where the
+whole sound stands on the same offset, `audio-checks fix` takes it out.
 Source: the delivery spec, `[limits] dc_offset_percent`, of full scale, in the worst channel.
 """
 
@@ -16,9 +17,6 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "error"
-NOT_FIXED = (
-    "A filter takes it out, and changes the lowest sound with it: use a high-pass at 10 to 20 Hz in the session."
-)
 FIGURES = ("dc_offset_percent",)
 
 

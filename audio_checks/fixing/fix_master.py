@@ -16,6 +16,7 @@ from audio_checks.errors import FixRefused, Unreadable
 from audio_checks.fixing import header, offers
 from audio_checks.fixing.fixed import FixedMaster, Left, Repair
 from audio_checks.fixing.offers import Offer, fix_offer
+from audio_checks.fixing.offset import Offset, offset_of, why_not
 from audio_checks.fixing.plan import Plan
 from audio_checks.fixing.sound import Extremes, fades_of, fixed_sound
 from audio_checks.metadata.moving import MOST_BYTES, Move, bytes_outside_data, carried
@@ -42,7 +43,8 @@ def fix_master(
     """Write a fixed copy of a master into a folder, and judge it by the same spec.
 
     Every finding that a fix can answer is answered: a level beyond its limit by one static gain of
-    exactly the excess, silence at the edges by trimming to the limit, never into the sound, the name
+    exactly the excess, a constant DC offset by taking its mean out of each channel,
+    silence at the edges by trimming to the limit, never into the sound, the name
     by the nearest lawful one, sizes in the header by those that are true, a depth that is too high
     by rounding with TPDF dither seeded from the master. What stays of the samples stays exact: a
     trim alone changes no sample but those of a fade, which is made only where the cut would click,
@@ -118,41 +120,57 @@ class _Work:
         self._scratches = scratches
         self._beside = beside
         self._fades = (0, 0)
+        self._offset: Offset | None = None
         self._header_words: tuple[str, ...] = ()
 
     def fix(self, before: FileReport, name: str) -> FixedMaster:
         first = Plan(name).extended(before, self._view)
         if not first.does_something or before.verdict == "unjudged":
-            return self._nothing(before, name)
+            return self._nothing(before, name, first)
         source, report = self._path, before
         if before.facts is None:
             whole = self._with_whole_header(before)
             if whole is None:
-                return self._nothing(before, name)
+                return self._nothing(before, name, first)
             source = whole
             report = _judged(source, self._view, self._cue, name)
             if report.facts is None:  # something else is wrong with it, which no header puts right
-                return self._nothing(report, name)
+                return self._nothing(report, name, first)
             first = first.extended(report, self._view)
         _ensure_depth_is_true(report)
         copy = self._scratch()
         seed = bytes.fromhex(report.sha256 or "")
         with wav.open_regular(source) as file:
             layout = wav.read_layout(file)
+            if first.removes_offset:
+                first = self._checked_offset(file, layout, first)
+            if not first.does_something:
+                return self._nothing(report, name, first)
             plan, after = self._settled(file, layout, first, copy, seed)
+            new = _errors(after) - _errors(report)
+            if plan.removes_offset and new:
+                plan = first.without_offset(f"Without its offset it would be returned for {', '.join(sorted(new))}.")
+                if not plan.does_something:
+                    return self._nothing(report, name, plan)
+                plan, after = self._settled(file, layout, plan, copy, seed)
         final = self._place(plan.name)
         os.replace(copy, final)
         return FixedMaster(
             path=final,
             name=plan.name,
             repairs=tuple(self._repairs(plan, name, layout)),
-            left=self._left(after),
+            left=self._left(after, plan),
             before=before,
             after=after,
             gain_db=plan.gain_db,
             cut_frames=(plan.cut_head, plan.cut_tail),
             fade_frames=self._fades,
         )
+
+    def _checked_offset(self, file: BinaryIO, layout: wav.WavLayout, plan: Plan) -> Plan:
+        limit = self._view.limits.dc_offset_percent or 0.0
+        why = why_not(file, layout, limit)
+        return plan.without_offset(why) if why else plan
 
     def _settled(
         self, file: BinaryIO, layout: wav.WavLayout, plan: Plan, copy: Path, seed: bytes
@@ -182,15 +200,18 @@ class _Work:
         encoding: Encoding = "pcm" if plan.depth is not None else layout.encoding
         depth = plan.depth or layout.bit_depth
         first, end = plan.cut_head, layout.frames - plan.cut_tail
-        self._fades = fades_of(file, layout, plan)
-        sound = fixed_sound(file, layout, plan, self._fades)
-        changed = plan.gain_db != 0.0 or plan.depth is not None
+        offset = offset_of(file, layout, first, end) if plan.removes_offset else None
+        self._fades = fades_of(file, layout, plan, offset)
+        self._offset = offset
+        sound = fixed_sound(file, layout, plan, self._fades, offset)
+        rounded = plan.gain_db != 0.0 or plan.depth is not None or (offset is not None and not offset.is_exact)
+        changed = rounded or offset is not None
         _ensure_carried(layout)
         before, after = carried(file, layout, Move(first, end - first, changed, plan.depth))
         extremes = Extremes(depth)
         blocks: Iterable[NDArray[np.integer]] | Iterable[NDArray[np.floating]] = sound
         if encoding == "pcm":
-            dither: Literal["tpdf", "none"] = "tpdf" if changed and depth <= DITHERED_TO_BITS else "none"
+            dither: Literal["tpdf", "none"] = "tpdf" if rounded and depth <= DITHERED_TO_BITS else "none"
             whole = quantised(sound, bit_depth=depth, channels=layout.channels, dither=dither, seed=seed)
             blocks = extremes.held(whole)
         wav.write_wav(
@@ -231,6 +252,12 @@ class _Work:
             words = f"{1000 * plan.cut_tail / rate:.1f} ms trimmed from the end{_faded(self._fades[1], rate)}"
             start_s = (layout.frames - plan.cut_tail) / rate
             yield Repair("tail", codes["tail"], words, start_s, layout.duration_s)
+        if plan.removes_offset and self._offset is not None:
+            percent = 100 * max(abs(one) for one in self._offset.values)
+            edges = "" if self._offset.is_exact else ", from zero at the edges"
+            words = f"DC offset of {percent:.2f} % taken out{edges}"
+            first_s, end_s = self._offset.first / rate, self._offset.end / rate
+            yield Repair("offset", codes["offset"], words, first_s, end_s)
         if plan.gain_db:
             moved = "lowered" if plan.gain_db < 0 else "raised"
             spot = next((one for one in plan.answers.get("gain", ()) if one.start_s is not None), None)
@@ -248,12 +275,12 @@ class _Work:
         if plan.name != name:
             yield Repair("name", codes["name"], f"renamed to {plan.name}")
 
-    def _left(self, report: FileReport) -> tuple[Left, ...]:
+    def _left(self, report: FileReport, plan: Plan) -> tuple[Left, ...]:
         offered = ((one, fix_offer(one, report, self._view)) for one in report.findings)
-        return tuple(Left(finding, _why(offer)) for finding, offer in offered)
+        return tuple(Left(finding, _why(offer, plan)) for finding, offer in offered)
 
-    def _nothing(self, before: FileReport, name: str) -> FixedMaster:
-        return FixedMaster(None, name, (), self._left(before), before, None)
+    def _nothing(self, before: FileReport, name: str, plan: Plan) -> FixedMaster:
+        return FixedMaster(None, name, (), self._left(before, plan), before, None)
 
     def _place(self, name: str) -> Path:
         final = self._out / name
@@ -289,9 +316,15 @@ def _ensure_depth_is_true(report: FileReport) -> None:
         )
 
 
-def _why(offer: Offer) -> str:
+def _errors(report: FileReport) -> set[str]:
+    return {one.code for one in report.findings if one.severity == "error"}
+
+
+def _why(offer: Offer, plan: Plan) -> str:
     if offer.repair is None:
         return offer.words
+    if offer.repair == "offset" and plan.keeps_offset:
+        return plan.keeps_offset
     return "A fix was tried and does not answer it: no size or level puts it right. Export the sound again."
 
 

@@ -7,7 +7,7 @@ from typing import Any
 from audio_checks.fixing.offers import RepairKind
 from audio_checks.report.findings import FileReport, Finding
 
-FIXER_VERSION = "1"  # changes when the same master and spec give another copy
+FIXER_VERSION = "2"  # changes when the same master and spec give another copy
 
 
 @dataclass(frozen=True)
@@ -17,7 +17,7 @@ class Repair:
     Attributes
     ----------
     kind : str
-        "gain", "head", "tail", "name", "header" or "depth".
+        "gain", "head", "tail", "name", "header", "depth" or "offset".
     codes : tuple of str
         The findings it answers.
     words : str
@@ -52,7 +52,7 @@ class FixedMaster:
     name : str
         The copy's name; the master's where that is valid or cannot be fixed.
     repairs : tuple of Repair
-        What was done, in processing order: header, trims, level, depth, name.
+        What was done, in processing order: header, trims, offset, level, depth, name.
     left : tuple of Left
         What is still found in the copy, or in the master when there is no copy.
     before, after : FileReport or None

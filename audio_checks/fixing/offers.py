@@ -1,7 +1,7 @@
 """Which findings a fix can put right, and why no fix answers the others.
 
-A fix changes as little as the finding asks: it moves the level, cuts silence, renames, writes the
-header, or lowers the depth. It never makes up what was not recorded, and never filters,
+A fix changes as little as the finding asks: it moves the level, takes out a constant offset, cuts
+silence, renames, writes the header, or lowers the depth. It never makes up what was not recorded, and never filters,
 denoises or resamples: only a listener can judge whether the result is still the intended sound.
 """
 
@@ -17,8 +17,8 @@ from audio_checks.fixing.names import lawful_name
 from audio_checks.report.findings import FileReport, Finding
 from audio_checks.spec.delivery_spec import DeliverySpec
 
-RepairKind = Literal["gain", "head", "tail", "name", "header", "depth"]
-ORDER: tuple[RepairKind, ...] = ("header", "head", "tail", "gain", "depth", "name")  # of the sound's way
+RepairKind = Literal["gain", "head", "tail", "name", "header", "depth", "offset"]
+ORDER: tuple[RepairKind, ...] = ("header", "head", "tail", "offset", "gain", "depth", "name")  # of the sound's way
 HEADROOM_DB = 1e-6  # of rounding, when a level is raised just to its limit
 WAV_BYTES = 0xFFFFFFFF - (1 << 20)  # of sound in a WAV file, with room for a megabyte of chunks
 MOST_FIXED_BITS = 24  # what integers of a converter hold; the mantissa of a 32-bit float too
@@ -31,7 +31,7 @@ class Offer:
     Attributes
     ----------
     repair : str or None
-        "gain", "head", "tail", "name", "header" or "depth"; None where no fix answers the finding.
+        "gain", "head", "tail", "name", "header", "depth" or "offset"; None where no fix answers the finding.
     words : str
         What the fix does, as in "lowers the level by 1.70 dB"; without a repair a sentence that
         says why there is none, and who can put it right.
@@ -177,6 +177,10 @@ def _tail(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:
     return Offer("tail", f"trims {_in_ms(finding, report):.1f} ms from the end")
 
 
+def _offset(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:
+    return Offer("offset", "takes out the DC offset")
+
+
 def _in_ms(finding: Finding, report: FileReport) -> float:
     return 1000 * frames_over(finding, report) / int(_facts(report)["sample_rate_hz"])
 
@@ -227,6 +231,7 @@ _OFFERS: dict[str, Callable[[Finding, FileReport, DeliverySpec], Offer]] = {
     "loudness:under": _raising,
     "head-silence:over": _head,
     "tail-silence:over": _tail,
+    "dc-offset:over": _offset,
     "bit-depth:not-accepted": _depth,
     "encoding:not-accepted": _encoding,
     "container:not-accepted": _container,

@@ -22,6 +22,8 @@ class Plan:
     silent_tail: int = 0
     depth: int | None = None
     rewrites_header: bool = False  # with correct sizes
+    removes_offset: bool = False
+    keeps_offset: str = ""  # why it stays, as a sentence
     answers: dict[RepairKind, tuple[Finding, ...]] = field(default_factory=dict)
 
     @property
@@ -35,7 +37,7 @@ class Plan:
         gains = [0.0]
         for finding in report.findings:
             offer = fix_offer(finding, report, view)
-            if offer.repair is None:
+            if offer.repair is None or (offer.repair == "offset" and self.keeps_offset):
                 continue
             plan = plan._with(offer.repair, finding)
             if offer.repair == "gain":
@@ -46,12 +48,21 @@ class Plan:
                 plan = plan._trimmed("tail", finding, report)
             elif offer.repair == "depth":
                 plan = replace(plan, depth=offers.accepted_depth(report, view))
+            elif offer.repair == "offset":
+                plan = replace(plan, removes_offset=True)
             elif offer.repair == "name":
                 plan = replace(plan, name=lawful_name(plan.name, view) or plan.name)
             else:
                 plan = replace(plan, rewrites_header=True)
         lowest = min(gains)
         return replace(plan, gain_db=plan.gain_db + (lowest if lowest < 0 else max(gains)))
+
+    def without_offset(self, why: str) -> "Plan":
+        """Return the plan that leaves the offset as it is, for a reason."""
+        answers: dict[RepairKind, tuple[Finding, ...]] = {
+            kind: found for kind, found in self.answers.items() if kind != "offset"
+        }
+        return replace(self, removes_offset=False, keeps_offset=why, answers=answers)
 
     def _with(self, kind: RepairKind, finding: Finding) -> "Plan":
         known = self.answers.get(kind, ())

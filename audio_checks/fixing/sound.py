@@ -8,46 +8,46 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks import wav
+from audio_checks.fixing.offset import CLICKS_ABOVE, Offset, rise
 from audio_checks.fixing.plan import Plan
 from audio_checks.fixing.samples import stretch
 
 FADE_MS = 5.0
-CLICKS_ABOVE = 2.0**-15  # a step of one 16-bit value: what begins lower than this needs no fade
 
 
-def fades_of(file: BinaryIO, layout: wav.WavLayout, plan: Plan) -> tuple[int, int]:
+def fades_of(file: BinaryIO, layout: wav.WavLayout, plan: Plan, offset: Offset | None) -> tuple[int, int]:
     """Return how many frames are faded at start and end: none where the cut would not be heard."""
     most = round(FADE_MS * layout.sample_rate_hz / 1000)
     last = layout.frames - plan.cut_tail - 1
-    head = min(most, plan.silent_head) if plan.cut_head and _clicks(file, layout, plan.cut_head) else 0
-    tail = min(most, plan.silent_tail) if plan.cut_tail and _clicks(file, layout, last) else 0
+    head = min(most, plan.silent_head) if plan.cut_head and _clicks(file, layout, plan.cut_head, offset) else 0
+    tail = min(most, plan.silent_tail) if plan.cut_tail and _clicks(file, layout, last, offset) else 0
     return head, tail
 
 
-def _clicks(file: BinaryIO, layout: wav.WavLayout, frame: int) -> bool:
-    return any(bool(np.abs(block).max() > CLICKS_ABOVE) for block in stretch(file, layout, frame, frame + 1))
+def _clicks(file: BinaryIO, layout: wav.WavLayout, frame: int, offset: Offset | None) -> bool:
+    return any(
+        bool(np.abs(_centred(block, np.array([frame]), offset)).max() > CLICKS_ABOVE)
+        for block in stretch(file, layout, frame, frame + 1)
+    )
+
+
+def _centred(block: NDArray[np.float64], places: NDArray[np.int64], offset: Offset | None) -> NDArray[np.float64]:
+    return block if offset is None else block - offset.at(places)
 
 
 def fixed_sound(
-    file: BinaryIO, layout: wav.WavLayout, plan: Plan, fades: tuple[int, int]
+    file: BinaryIO, layout: wav.WavLayout, plan: Plan, fades: tuple[int, int], offset: Offset | None
 ) -> Iterator[NDArray[np.float64]]:
-    """Yield what stays of the sound, moved in level, with its fades."""
+    """Yield what stays of the sound, without its offset, moved in level, with its fades."""
     first, end = plan.cut_head, layout.frames - plan.cut_tail
     factor = 10 ** (plan.gain_db / 20)
     start = first
     for block in stretch(file, layout, first, end):
         places = np.arange(start, start + len(block))
         # Where nothing is done the weights are 1.0, so that samples stay exact.
-        yield block * (factor * _rise(places - first, fades[0]) * _rise(end - 1 - places, fades[1]))
+        weights = factor * rise(places - first, fades[0]) * rise(end - 1 - places, fades[1])
+        yield _centred(block, places, offset) * weights
         start += len(block)
-
-
-def _rise(places: NDArray[np.int64], frames: int) -> NDArray[np.float64]:
-    """Return the weights of a raised cosine from nothing to the whole over so many frames, shape (n, 1)."""
-    if not frames:
-        return np.ones((len(places), 1))
-    shares = np.clip((places + 0.5) / frames, 0.0, 1.0)
-    return np.asarray(0.5 - 0.5 * np.cos(np.pi * shares))[:, np.newaxis]
 
 
 class Extremes:

@@ -23,7 +23,7 @@ class Spot:
     Attributes
     ----------
     kind : str
-        The repair that it shows: "gain", "head" or "tail".
+        The repair that it shows: "gain", "head", "tail" or "offset".
     start_s, end_s : float
         Of the stretch, in the master.
     after_start_s, after_end_s : float
@@ -99,7 +99,9 @@ class _Pair:
                 continue
             first, end = round(repair.start_s * rate), round(repair.end_s * rate)
             beside = max(round(AROUND_CUT_S * rate), round(AROUND_CUT_SHARE * (end - first)))
-            if repair.kind == "gain":
+            if repair.kind == "offset":
+                yield self._spot(repair.kind, first, min(end, first + 2 * round(AROUND_CUT_S * rate)))
+            elif repair.kind == "gain":
                 yield self._spot(repair.kind, first - around, first + around)
             elif repair.kind == "head":
                 yield self._spot(repair.kind, 0, end + beside)

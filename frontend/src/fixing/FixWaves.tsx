@@ -95,7 +95,7 @@ interface SpotsProps {
 }
 
 const peaksOf = (shape: Shape) => finePeaks({ ...shape, points: shape.rms.length })
-const SPOT_WORDS = { head: 'Start', tail: 'End', gain: 'Loudest part' } as const
+const SPOT_WORDS = { head: 'Start', tail: 'End', gain: 'Loudest part', offset: 'Offset' } as const
 
 /** The sound around each repair, before and fixed, large enough to see what changes. */
 function Spots({ name, spots, headS, limitDbfs, fixing }: SpotsProps) {

@@ -39,6 +39,11 @@ describe('what a fix moves', () => {
     expect(movedFigures(seen)).toEqual([{ what: 'True peak', before: '−0.96 dBTP', after: '−1.04 dBTP' }])
   })
 
+  test('an offset is told in per cent', () => {
+    const centred = fix({ before: { dc_offset_percent: 5.003 }, after: { dc_offset_percent: 0.0001 } })
+    expect(movedFigures(centred)).toEqual([{ what: 'DC offset', before: '5.0 %', after: '0.0 %' }])
+  })
+
   test('what stays is left out, and a cut tells the length', () => {
     const cut = fix({ after: { sample_peak_dbfs: 0 }, cut_head_s: 0.4, cut_tail_s: 0.1, duration_s: 2 })
     expect(movedFigures(cut)).toEqual([{ what: 'Length', before: '2.50 s', after: '2.00 s' }])
@@ -50,6 +55,7 @@ test('a spot is named by what is done there', () => {
   const spot = { start_s: 0, end_s: 0.437, after_start_s: 0, after_end_s: 0.437, before: shape, after: shape }
   expect(spotName({ kind: 'head', ...spot })).toBe('The start, 0.000–0.437 s')
   expect(spotName({ kind: 'gain', ...spot })).toBe('The loudest part, 0.000–0.437 s')
+  expect(spotName({ kind: 'offset', ...spot })).toBe('The start, 0.000–0.437 s')
 })
 
 test('what follows names both versions, and that no round counts', () => {

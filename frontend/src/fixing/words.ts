@@ -8,11 +8,12 @@ export interface Moved {
   after: string
 }
 
-const LEVELS: readonly [figure: string, what: string, unit: LevelUnit][] = [
+const LEVELS: readonly [figure: string, what: string, unit: LevelUnit | '%'][] = [
   ['sample_peak_dbfs', 'Sample peak', 'dBFS'],
   ['true_peak_dbtp', 'True peak', 'dBTP'],
   ['integrated_lufs', 'Loudness', 'LUFS'],
   ['short_loudness_lufs', 'Loudness, loudest 400 ms', 'LUFS'],
+  ['dc_offset_percent', 'DC offset', '%'],
 ]
 
 const numberOf = (value: unknown): number | null => (typeof value === 'number' ? value : null)
@@ -35,7 +36,7 @@ export function movedFigures({ before, after, duration_s: afterS, cut_head_s: he
 
 /** What a spot shows: "The start, 0.000–0.437 s". */
 export function spotName({ kind, start_s, end_s }: Spot): string {
-  const name = { head: 'The start', tail: 'The end', gain: 'The loudest part' }[kind]
+  const name = { head: 'The start', tail: 'The end', gain: 'The loudest part', offset: 'The start' }[kind]
   return `${name}, ${range(start_s, end_s)}`
 }
 

@@ -319,3 +319,22 @@ def test_the_review_room_says_what_a_fix_would_do(world: World) -> None:
     [shown] = world.approver.get(f"/v1/cues/{cue['id']}/review").json()["takes"]
     assert [finding["auto_fix"] for finding in shown["findings"]] == ["trims 45.0 ms from the start"]
     assert shown["fix_of_id"] is None
+
+
+def test_an_offset_is_taken_out_and_its_start_shown(world: World) -> None:
+    add_cues(world, {"name": "Airlock cycle"})
+    fix = fix_of(world, returned(world, wav_bytes(sine(hz=440, dbfs=-50.0, seconds=0.5) + 0.05)))
+    assert (fix["state"], fix["left"]) == ("made", [])
+    assert fix["says"] == "DC offset of 5.00 % taken out."
+    assert (fix["before"]["dc_offset_percent"], fix["after"]["dc_offset_percent"]) == pytest.approx(
+        (5.0, 0.0), abs=0.01
+    )
+    assert [spot["kind"] for spot in fix["spots"]] == ["offset"]
+
+
+def test_why_an_uneven_offset_stays_is_said(world: World) -> None:
+    add_cues(world, {"name": "Airlock cycle"})
+    uneven = join(sine(hz=440, dbfs=-20.0, seconds=1.0) + 0.06, sine(hz=440, dbfs=-20.0, seconds=1.0))
+    fix = fix_of(world, returned(world, wav_bytes(uneven)))
+    assert fix["state"] == "refused"
+    assert fix["says"].startswith("Even fixed it would be returned. The offset is not the same throughout the sound")
