@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from audio_checks.audit.fingerprint import fingerprint
+from audio_checks.audit.fingerprint import PIECE_BYTES, fingerprint
 from audio_checks.audit.likeness import Waves, likeness
 from audio_checks.audit.search import Search, cells_of
 from benchmarks.audits.changes import CHANGES, TRIMS
@@ -80,6 +80,13 @@ def test_a_footstep_on_the_same_floor_is_another():
 def test_a_short_tone_is_not_found_in_a_long_one():
     long, short = (np.sin(2 * np.pi * 440 * np.arange(frames) / RATE)[:, np.newaxis] / 2 for frames in (48_000, 9_600))
     assert likeness(waves(long), waves(short)) is None
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_wave_too_faint_for_its_fingerprint_is_like_nothing():
+    tone, nothing = waves(sound("bell")), Waves(bytes(PIECE_BYTES * 200))
+    assert likeness(tone, nothing) is None
+    assert likeness(nothing, tone) is None
 
 
 def test_a_steady_tone_was_not_moved():
