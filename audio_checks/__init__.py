@@ -48,8 +48,9 @@ if TYPE_CHECKING:
     from audio_checks.render.key import render_key
     from audio_checks.render.preview import average_spectrum, is_preview, preview, spectrogram, wave_shapes
     from audio_checks.render.provenance import Exported, Provenance, export_master
-    from audio_checks.render.render import RENDERER_VERSION, render_master
+    from audio_checks.render.render import render_master
     from audio_checks.render.rendered import Loss, Rendered
+    from audio_checks.render.work import RENDERER_VERSION
     from audio_checks.report.findings import FileReport, Finding, Report
     from audio_checks.report.judged import JudgedFile
     from audio_checks.run.memory_budget import Memory, MemoryUse, SoundSize, memory_use, requested_sizes
@@ -207,7 +208,8 @@ _HOMES = {
     "audio_checks.run.rehearsal": ("rehearse_check", "write_rehearsal_sound"),
     "audio_checks.render.key": ("render_key",),
     "audio_checks.render.preview": ("average_spectrum", "is_preview", "preview", "spectrogram", "wave_shapes"),
-    "audio_checks.render.render": ("RENDERER_VERSION", "render_master"),
+    "audio_checks.render.render": ("render_master",),
+    "audio_checks.render.work": ("RENDERER_VERSION",),
     "audio_checks.render.rendered": ("Loss", "Rendered"),
     "audio_checks.run.runner": ("check_file", "check_files", "is_placeholder", "measure_file"),
     "audio_checks.audio.sandbox": ("Sandbox", "SandboxChild", "confinement_gaps", "ensure_declared"),

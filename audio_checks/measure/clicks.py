@@ -12,28 +12,22 @@ from numpy.typing import NDArray
 
 from audio_checks import kernel
 from audio_checks.measure.cells import Cells
+from audio_checks.measure.click_rules import ALONE, BURST, CORE, IN_BURSTS, IN_GLIDES, Candidate, Rule, strongest
 from audio_checks.measure.decibels import decibels
 from audio_checks.measure.maxima import ROW_FRAMES, maxima_of
 
 STANDS_OUT = 3.5  # times sharper than the sharpest moment of the 20 ms before and the 20 ms after,
 STEPS_OUT = 3.0  # or with so many times the largest step: in hiss a step shows better that way;
 BENDS_OUT = 5.0  # or so many times as bent below 1 kHz: a dull click in a bright sound shows there alone
-CANDIDATE = 1.2  # times as sharp, or a step so many times as large, is worth a closer look, or
-BENDS_DOUBTFUL = 2.0  # so many times as bent: a click can be predicted neither from the sound before it nor from that
-HARDER_THAN_BESIDE = 4.5  # after it, each so many times as badly as that sound itself,
-HARDER_THAN_AROUND = 1.5  # and so many times as badly both ways as any other place within 20 ms
-DULL_DOUBTFUL = 1.5  # times as sharp, as steep or as bent is looked at without the range over 6 kHz, too: there a dull
-DULL_HARDER_THAN_BESIDE = 7.0  # click shows that the hiss of the sound hides
-DULL_HARDER_THAN_AROUND = 2.0
-DULL_FRAMES = 6  # of a cell that are left there
+CANDIDATE = (
+    1.2  # times as sharp, or a step so many times as large, is worth a closer look by the rules of click_rules.py
+)
+BENDS_DOUBTFUL = 2.0  # times as bent is worth it, too
+DULL_FRAMES = 6  # of a cell that are left without the highs
 REACH = 40  # cells on either side that are compared: 20 ms
-CORE = 1  # cells beside a click that may belong to it, one of them at a time
-BURST = 8  # cells, 4 ms, in which several clicks are one event: contacts of a plug, both ends of what was overwritten
 BURST_STANDS_OUT = 4.0  # times as sharp as all beyond, within the reach: worth a closer look, against the sound beyond
 BURST_GOES_ON = 2.8  # the power of sixth differences may fall or rise by 4.5 dB there: strokes and crackle leave a tail
-BURST_HARDER_THAN_BESIDE = 7.0
-BURST_HARDER_THAN_AROUND = 4.7
-BESIDE = 24  # cells of the sound before them, and of that after them, from which they are predicted: 12 ms
+BESIDE = 24  # cells of the sound before a click, and of that after it, from which it is predicted: 12 ms
 LEVEL_CELLS = 20  # 10 ms on either side, by which a sound is said to go on
 GOES_ON = 30.0  # power, or that of sixth differences, may fall or rise by 15 dB; more is a sound that starts or stops
 BELOW_PEAK = 6.3e-3  # 44 dB under the file's peak: smaller clicks count for nothing
@@ -44,8 +38,7 @@ STEADY = 2.7  # peak over RMS of the sixth differences; below that tones hide sm
 SEGMENT = 2 * ROW_FRAMES  # cells of steady sound that are looked at together
 GLIDES = 0.12  # of the largest steps of cells, how much they change from one to the next: a tone that glides; noise 0.2
 GLIDED = 16  # cells of such a tone, and as many on either side, in which it glides little
-GLIDE_DOUBTFUL = 1.3  # times as hard to predict as those beside it is worth a closer look there,
-GLIDE_HARDER = 2.0  # and so much harder than the sound on either side is enough: a tone is predicted well
+GLIDE_DOUBTFUL = 1.3  # times as hard to predict as those beside it is worth a closer look there
 CLICKED = 4  # of them, the sharpest ones, do not say how steady the rest is: the click itself must not
 ORDER = 20  # samples that predict the next one
 ABOVE_MEAN = 3.0  # times the mean height: what stands out of a steady sound reaches that, and most segments are over
@@ -59,51 +52,6 @@ class Click(NamedTuple):
     at_s: float
     channel: int
     level_dbfs: float
-
-
-class _Rule(NamedTuple):
-    """How a click is predicted that may be in a cell: what is looked at there, and how badly it must be predicted.
-
-    The cells before the one, and how many in all; how many times as badly as the sound beside them, and both ways as
-    any other place around; whether without the highs; and from how many times as high as others on it is looked at.
-    """
-
-    before: int
-    cells: int
-    harder_than_beside: float
-    harder_than_around: float
-    without_highs: bool = False
-    stands: float = 0.0
-
-
-_SINGLE = _Rule(CORE, 1 + 2 * CORE, HARDER_THAN_BESIDE, HARDER_THAN_AROUND)
-ALONE = (
-    _SINGLE,
-    _SINGLE._replace(
-        harder_than_beside=DULL_HARDER_THAN_BESIDE,
-        harder_than_around=DULL_HARDER_THAN_AROUND,
-        without_highs=True,
-        stands=DULL_DOUBTFUL,
-    ),
-)
-IN_GLIDES = (_SINGLE._replace(harder_than_beside=GLIDE_HARDER),)
-IN_BURSTS = tuple(  # the sharpest cell may be the first of a burst, or the last, or between
-    _Rule(before, BURST + 2 * CORE, BURST_HARDER_THAN_BESIDE, BURST_HARDER_THAN_AROUND)
-    for before in (CORE, CORE + BURST // 2, BURST)
-)
-
-
-class _Candidate(NamedTuple):
-    """A cell where a click may be: it is a click if any of its rules holds.
-
-    `stands` is how many times as high it is as others, `power` that of the sound around.
-    """
-
-    channel: int
-    rules: tuple[_Rule, ...]
-    cell: int
-    stands: float
-    power: float
 
 
 class Clicks:
@@ -128,7 +76,7 @@ class Clicks:
         self._least = max(GRAIN * step, 1e-6)
         self._seen = 0  # cells
         self._segment = 0  # the cell that the next segment starts with
-        self._candidates: list[_Candidate] = []
+        self._candidates: list[Candidate] = []
         self._lowest, self._quietest = self._least, 0.0  # limits by the peak so far
         self._out = np.empty((MAX_CANDIDATES, 5))  # where the kernel writes
         self._places, self._powers = np.empty(MAX_CANDIDATES, np.int64), np.empty(MAX_CANDIDATES)  # the same
@@ -231,7 +179,7 @@ class Clicks:
             for _, at, height, power, stands in outstanding:
                 place = begin + int(at)
                 if stands < times:
-                    self._candidates.append(_Candidate(channel, ALONE, before + place, stands, power))
+                    self._candidates.append(Candidate(channel, ALONE, before + place, stands, power))
                 elif heights is not bends:
                     self._keep(before + place, channel, height / scale, power)
                 else:
@@ -256,7 +204,7 @@ class Clicks:
             self._powers,
         )
         for place, power in zip(self._places[:found].tolist(), self._powers[:found].tolist(), strict=True):
-            self._candidates.append(_Candidate(channel, IN_BURSTS, before + first + place, 1.0, power))
+            self._candidates.append(Candidate(channel, IN_BURSTS, before + first + place, 1.0, power))
 
     def _check_candidates(
         self, cells: Cells, before: int, total: int, samples: NDArray[np.float64], origin: int
@@ -267,7 +215,7 @@ class Clicks:
         """
         dull = max(1, round(self._cell / DULL_FRAMES))  # frames that are taken as one
         known = total - BURST - 1 - -(-self._around(dull) // self._cell)
-        ready = _strongest([one for one in self._candidates if one.cell < known])
+        ready = strongest([one for one in self._candidates if one.cell < known])
         self._candidates = [one for one in self._candidates if one.cell >= known]
         for (channel, rules), alike in groupby(ready, key=itemgetter(0, 1)):
             doubts, sharpness = list(alike), cells.sharpness[channel]
@@ -278,7 +226,7 @@ class Clicks:
                     cell, power = asked[place].cell, asked[place].power
                     self._keep(cell, channel, _sharpest(sharpness, cell - before), power)
 
-    def _clicks_by(self, rule: _Rule, samples: NDArray[np.float64], frames: NDArray[np.int64], dull: int) -> list[int]:
+    def _clicks_by(self, rule: Rule, samples: NDArray[np.float64], frames: NDArray[np.int64], dull: int) -> list[int]:
         """Return which of the cells that start at some frames are clicks by a rule; `dull` frames are one by such."""
         thin = dull if rule.without_highs else 1
         size = round(self._cell / thin)
@@ -365,7 +313,7 @@ class Clicks:
             cells, channel, heights, parts - before, GLIDE_DOUBTFUL, self._least, reach=GLIDED
         )
         for row, at, _, power, stands in outstanding:
-            self._candidates.append(_Candidate(channel, IN_GLIDES, int(parts[int(row)]) + int(at), stands, power))
+            self._candidates.append(Candidate(channel, IN_GLIDES, int(parts[int(row)]) + int(at), stands, power))
 
     def _unforeseen(
         self,
@@ -389,18 +337,6 @@ class Clicks:
         window = _window((count + 2 * reach) * self._cell)
         found = kernel.unforeseen(samples, frames, window, ORDER, self._cell, reach, CORE, times, least, heights, kept)
         return heights[:found], starts[kept[:found]]
-
-
-def _strongest(doubts: list[_Candidate]) -> list[_Candidate]:
-    """Return, of doubts that one click may have raised, the one that stands out most."""
-    foremost: list[_Candidate] = []
-    for one in sorted(doubts):
-        last = foremost[-1] if foremost else None
-        if last is None or one[:2] != last[:2] or one.cell - last.cell >= one.rules[0].cells:
-            foremost.append(one)
-        elif one.stands > last.stands:
-            foremost[-1] = one
-    return foremost
 
 
 def _sharpest(sharpness: NDArray[np.float64], cell: int) -> float:

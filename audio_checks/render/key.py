@@ -3,7 +3,7 @@
 import hashlib
 import json
 
-from audio_checks.render.render import RENDERER_VERSION
+from audio_checks.render.work import RENDERER_VERSION
 from audio_checks.spec.delivery_spec import Target
 
 NO_PART_OF_A_FILE = ("name", "budget_bytes", "codec_ratio", "streamed", "stream_buffer_bytes", "folder")

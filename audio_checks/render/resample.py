@@ -9,24 +9,16 @@ that a render is the same to the last bit on every machine.
 import math
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks.errors import RenderRefused
 from audio_checks.kernel import convert, fourier, hush
-from audio_checks.render.turns import cos_sin_pi, kaiser_sinc, turns_of
+from audio_checks.render.resample_plan import WINDOWS, Plan, plan_for
+from audio_checks.render.turns import cos_sin_pi, turns_of
 
-PASSBAND = 0.95  # of the new Nyquist frequency; the stop band begins at the new Nyquist frequency itself
-ATTENUATION_DB = 200.0
-SHELF_MIDDLE, SHELF_WIDTH = 0.5, 0.4  # of the new Nyquist frequency: the top octave, risen to by three quarters
-SHELF_DB = 140.0  # how well the filter below the shelf stops, so that the pass band keeps its ripple
-BLOCK_FILTERS = 6  # a block is this many filters long, so a sixth of the work is overlap
-WINDOWS = 8  # are transformed at once, of all channels together
 SERIES_END = 1e-17
-GRID_END = 2_000
 
 Blocks = Callable[[], Iterable[NDArray[np.float64]]]
 
@@ -130,7 +122,7 @@ def resample_blocks(
             shelf=shelf,
         )
         return
-    plan = _plan(sample_rate_hz, to_hz, frames * channels, shelf)
+    plan = plan_for(sample_rate_hz, to_hz, frames * channels, shelf)
     frames_out = frames_after(frames, sample_rate_hz, to_hz)
     reader = _Reader(iter(blocks()), channels, start=0)
     if plan.up * sample_rate_hz == plan.down * to_hz:
@@ -155,14 +147,14 @@ def loop_blocks(
     `late` is by how much of a frame of the master, in parts of 1 / `to_hz`, the first new frame comes after
     (or, negative, before) the loop's first frame: a loop inside a file keeps its place against what leads to it.
     """
-    plan = _plan(sample_rate_hz, to_hz, frames * channels, shelf)
+    plan = plan_for(sample_rate_hz, to_hz, frames * channels, shelf)
     lead = _frames_before(blocks, frames, plan.edge_in + -(-sample_rate_hz // to_hz) + 1)
     reader = _Reader(_for_ever(lead, blocks), channels, start=-len(lead))
     stretch = _Stretch(plan, frames * to_hz, frames_out * to_hz, late * frames_out)
     yield from _drifting(plan, stretch, reader, frames_out)
 
 
-def _on_grid(plan: "_Plan", reader: "_Reader", frames_out: int, at_once: int) -> Iterator[NDArray[np.float64]]:
+def _on_grid(plan: Plan, reader: "_Reader", frames_out: int, at_once: int) -> Iterator[NDArray[np.float64]]:
     """Yield the new frames where blocks of both rates begin together."""
     turns_in, turns_out = turns_of(plan.block_in), turns_of(plan.block_out)
     positions = np.arange(at_once * plan.hop_out, dtype=np.int64) * plan.down
@@ -179,7 +171,7 @@ def _on_grid(plan: "_Plan", reader: "_Reader", frames_out: int, at_once: int) ->
         yield converted[:, :wanted].T
 
 
-def _drifting(plan: "_Plan", stretch: "_Stretch", reader: "_Reader", frames_out: int) -> Iterator[NDArray[np.float64]]:
+def _drifting(plan: Plan, stretch: "_Stretch", reader: "_Reader", frames_out: int) -> Iterator[NDArray[np.float64]]:
     """Yield the new frames where they drift against the grid: of a loop, and of rates with no small ratio."""
     for first in range(0, frames_out, plan.hop_out):
         start, late = stretch.start_of(first)
@@ -188,118 +180,10 @@ def _drifting(plan: "_Plan", stretch: "_Stretch", reader: "_Reader", frames_out:
         yield _moved_block(plan, window, count, late, stretch.drift)
 
 
-@dataclass(frozen=True)
-class _Plan:
-    """One pair of rates: the filter and how blocks are laid."""
-
-    up: int
-    down: int
-    reach: int  # frames of the master that the filter sees on each side
-    block_in: int
-    edge_in: int
-    edge_out: int
-    hop_in: int
-    hop_out: int
-    response: NDArray[np.float64]  # of the zero-phase low-pass, at the bins of a new block
-
-    @property
-    def block_out(self) -> int:
-        return self.block_in // self.down * self.up
-
-
-@lru_cache(maxsize=16)
-def _lowpass(sample_rate_hz: int, to_hz: int, shelf: float = 1.0) -> NDArray[np.float64]:
-    """Return a Kaiser-windowed sinc from PASSBAND to all of the new Nyquist frequency, odd in length.
-
-    With a shelf, what passes a second, gentle low-pass is taken away from the lifted whole in part.
-    """
-    new_nyquist = to_hz / sample_rate_hz / 2  # cycles per frame of the master
-    width = (1 - PASSBAND) * new_nyquist
-    cutoff = (1 + PASSBAND) / 2 * new_nyquist
-    taps = _kaiser(width, cutoff, ATTENUATION_DB)
-    if shelf == 1.0:
-        return taps
-    gentle = _kaiser(SHELF_WIDTH * new_nyquist, SHELF_MIDDLE * new_nyquist, SHELF_DB)
-    lifted = shelf * taps
-    beside = (len(taps) - len(gentle)) // 2
-    lifted[beside : beside + len(gentle)] -= (shelf - 1.0) * gentle
-    return lifted
-
-
-def _kaiser(width: float, cutoff: float, attenuation_db: float) -> NDArray[np.float64]:
-    half = math.ceil((attenuation_db - 7.95) / (14.36 * width) / 2)  # Kaiser's estimate of the order
-    return kaiser_sinc(half, cutoff, 0.1102 * (attenuation_db - 8.7))
-
-
-def _plan(sample_rate_hz: int, to_hz: int, samples: int, shelf: float = 1.0) -> _Plan:
-    """Return how to lay blocks; a short sound gets short ones, so that it fills the windows of one transform."""
-    taps = len(_lowpass(sample_rate_hz, to_hz))
-    fitting = 1 << (max(samples // WINDOWS, 2 * taps) - 1).bit_length()
-    return _laid_plan(sample_rate_hz, to_hz, min(BLOCK_FILTERS * taps, fitting), shelf)
-
-
-@lru_cache(maxsize=32)
-def _laid_plan(sample_rate_hz: int, to_hz: int, hop_wanted: int, shelf: float) -> _Plan:
-    up, down = _grid(sample_rate_hz, to_hz)
-    taps = _lowpass(sample_rate_hz, to_hz, shelf)
-    half = len(taps) // 2
-    drift = abs(sample_rate_hz * up - down * to_hz) / (to_hz * up)  # frames of the master, for each new one
-    slack = 2 + 2 * math.ceil(down / up) + math.ceil(2 * drift * hop_wanted)  # a loop drifts by up to one as well
-    edge_units = math.ceil((half + slack) / down)
-    units = _smooth(math.ceil(hop_wanted / down) + 2 * edge_units)
-    block_in, block_out = units * down, units * up
-    centred, imaginary = np.zeros((1, block_in)), np.zeros((1, block_in))
-    centred[0, : half + 1] = taps[half:]
-    centred[0, -half:] = taps[:half]
-    fourier(centred, imaginary, turns_of(block_in))
-    response = centred[0, : block_out // 2 + 1] / block_in
-    if block_out % 2 == 0:
-        response[-1] = 0.0
-    return _Plan(
-        up=up,
-        down=down,
-        reach=half,
-        block_in=block_in,
-        edge_in=edge_units * down,
-        edge_out=edge_units * up,
-        hop_in=(units - 2 * edge_units) * down,
-        hop_out=(units - 2 * edge_units) * up,
-        response=response,
-    )
-
-
-def _grid(sample_rate_hz: int, to_hz: int) -> tuple[int, int]:
-    """Return how many new frames fall on how many of the master: the ratio itself where its factors are small.
-
-    Else the nearest such ratio: the rest is made up by moving each frame.
-    """
-    common = math.gcd(sample_rate_hz, to_hz)
-    up, down = to_hz // common, sample_rate_hz // common
-    if _is_small(up) and _is_small(down):
-        return up, down
-    pairs = ((new, round(new * sample_rate_hz / to_hz)) for new in range(1, GRID_END) if _is_small(new))
-    fitting = [(new, old) for new, old in pairs if old >= new and _is_small(old)]
-    return min(fitting, key=lambda pair: abs(pair[0] * sample_rate_hz - pair[1] * to_hz) / pair[0])
-
-
-def _is_small(number: int) -> bool:
-    """Return whether 2, 3, 5 and 7 are the only prime factors."""
-    for prime in (2, 3, 5, 7):
-        while number % prime == 0:
-            number //= prime
-    return number == 1
-
-
-def _smooth(least: int) -> int:
-    """Return the first number from `least` on that is a power of two, or three times one, for quick transforms."""
-    power = 1 << (least - 1).bit_length()
-    return power // 4 * 3 if power // 4 * 3 >= least else power
-
-
 class _Stretch:
     """Positions of new frames in the master: `step_out` for `step_in` of its own, all later by `late` / `step_out`."""
 
-    def __init__(self, plan: _Plan, step_in: int, step_out: int, late: int = 0) -> None:
+    def __init__(self, plan: Plan, step_in: int, step_out: int, late: int = 0) -> None:
         self._step_in, self._step_out, self._late = step_in, step_out, late
         # Frames of the master by which each new frame comes later than on the grid of the plan.
         self.drift = (step_in * plan.up - plan.down * step_out) / (step_out * plan.up)
@@ -353,9 +237,7 @@ def _for_ever(lead: NDArray[np.float64], blocks: Blocks) -> Iterator[NDArray[np.
         yield from blocks()
 
 
-def _moved_block(
-    plan: _Plan, window: NDArray[np.float64], count: int, late: float, drift: float
-) -> NDArray[np.float64]:
+def _moved_block(plan: Plan, window: NDArray[np.float64], count: int, late: float, drift: float) -> NDArray[np.float64]:
     """Return `count` new frames: the block moved as a whole to its middle, each frame by its own rest from there."""
     bins = len(plan.response)
     real, imaginary = window.copy(), np.zeros_like(window)
@@ -376,7 +258,7 @@ def _moved_block(
     return converted.T
 
 
-def _backwards(plan: _Plan, real: NDArray[np.float64], imaginary: NDArray[np.float64]) -> NDArray[np.float64]:
+def _backwards(plan: Plan, real: NDArray[np.float64], imaginary: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the real signal of half a spectrum, shape (channels, block_out)."""
     size, bins = plan.block_out, real.shape[1]
     # Real and imaginary parts in each other's place make a transform forwards one backwards.
@@ -390,7 +272,7 @@ def _backwards(plan: _Plan, real: NDArray[np.float64], imaginary: NDArray[np.flo
 
 
 def _moved(
-    plan: _Plan,
+    plan: Plan,
     real: NDArray[np.float64],
     imaginary: NDArray[np.float64],
     offsets: NDArray[np.float64],

@@ -8,7 +8,8 @@ import pytest
 
 from audio_checks import wav
 from audio_checks.errors import RenderRefused, Unreadable
-from audio_checks.render.render import RENDERER_VERSION, render_master
+from audio_checks.render.render import render_master
+from audio_checks.render.work import RENDERER_VERSION
 from audio_checks.spec.delivery_spec import Target
 from tests.support import waves
 
