@@ -24,6 +24,7 @@ from app.money.errors import (
     DayInFuture,
     ExtraRoundNotFound,
     InvoiceNotFound,
+    InvoiceNumberTaken,
     NotAgreed,
     NotDayRate,
     NothingToInvoice,
@@ -34,6 +35,7 @@ from app.money.errors import (
     RoundAlreadySettled,
     WorkedDayNotFound,
 )
+from app.money.invoice_numbers import file_part
 from app.projects.errors import ProducerNeeded, ProjectNotFound, TeamNeeded
 from app.sound_lists.errors import CueNotFound
 
@@ -131,10 +133,13 @@ def drop_extra_round(
     responses=problems(ContractNotFound, OtherPartyNeeded, NotAgreed, NothingToInvoice),
 )
 def read_invoice_draft(
-    contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
+    contract_id: UUID,
+    session: DbSession,
+    actor: Actor = allows(Audience.DESIGNER),
+    full_number: schemas.InvoiceNumber = "",
 ) -> schemas.InvoiceDraft:
-    """Return what an invoice would say if it were issued now."""
-    return invoices.draft_invoice(session, actor, contract_id)
+    """Return what an invoice would say if it were issued now, under this number or the one after the last."""
+    return invoices.draft_invoice(session, actor, contract_id, full_number=full_number)
 
 
 @router.get("/contracts/{contract_id}/invoices", responses=problems(ContractNotFound))
@@ -148,7 +153,7 @@ def list_invoices(
 @router.post(
     "/contracts/{contract_id}/invoices",
     status_code=201,
-    responses=problems(ContractNotFound, OtherPartyNeeded, NotAgreed, NothingToInvoice),
+    responses=problems(ContractNotFound, OtherPartyNeeded, NotAgreed, NothingToInvoice, InvoiceNumberTaken),
 )
 def issue_invoice(
     contract_id: UUID, body: schemas.InvoiceIssue, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
@@ -158,6 +163,7 @@ def issue_invoice(
         session,
         actor,
         contract_id,
+        full_number=body.full_number,
         seller=body.seller,
         buyer=body.buyer,
         po_number=body.po_number,
@@ -180,7 +186,7 @@ def read_invoice(invoice_id: UUID, session: DbSession, actor: Actor = allows(Aud
 def read_invoice_pdf(invoice_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> Response:
     """Return an invoice as PDF; the same invoice is the same bytes."""
     found = invoices.invoice(session, actor, invoice_id)
-    name = f'inline; filename="invoice-{found.number}.pdf"'
+    name = f'inline; filename="invoice-{file_part(found.full_number)}.pdf"'
     return Response(invoice_text.pdf_of(found), media_type=documents.PDF, headers={"Content-Disposition": name})
 
 

@@ -11,6 +11,10 @@ class NothingToInvoice(Conflict):
     """Nothing is due that is not on an invoice already."""
 
 
+class InvoiceNumberTaken(Conflict):
+    """The designer has issued another invoice under this number."""
+
+
 class InvoiceNotFound(NotFound):
     """No invoice of that id within the caller's sight."""
 

@@ -15,7 +15,7 @@ def pdf_of(invoice: InvoiceRead) -> bytes:
 
 
 def _title(invoice: InvoiceRead) -> str:
-    return f"{'Invoice' if invoice.total_minor >= 0 else 'Credit note'} {invoice.number}"
+    return f"{'Invoice' if invoice.total_minor >= 0 else 'Credit note'} {invoice.full_number}"
 
 
 def markdown_of(invoice: InvoiceRead) -> str:

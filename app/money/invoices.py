@@ -17,10 +17,10 @@ from app.agreements.rules import ContractState, WorkState
 from app.kit import clock
 from app.kit.events import publish
 from app.kit.money import money, percent
-from app.money import queries, schemas
-from app.money.errors import InvoiceNotFound, NotAgreed, OtherPartyNeeded
+from app.money import invoice_numbers, queries, schemas
+from app.money.errors import InvoiceNotFound, InvoiceNumberTaken, NotAgreed, OtherPartyNeeded
 from app.money.ledger import called, load_ledger_book, write
-from app.money.ledger_book import Entry, LedgerBook, Line, tax_entries
+from app.money.ledger_book import SHARES, Entry, LedgerBook, Line, tax_entries
 from app.money.models import Invoice, InvoiceLine
 from app.money.rules import LineKind
 from app.projects.models import Project
@@ -34,8 +34,8 @@ CUT_IN = {
 }
 
 
-def draft_invoice(session: Session, actor: Actor, contract_id: UUID) -> schemas.InvoiceDraft:
-    """Return what an invoice would say if it were issued now."""
+def draft_invoice(session: Session, actor: Actor, contract_id: UUID, *, full_number: str = "") -> schemas.InvoiceDraft:
+    """Return what an invoice would say if it were issued now, under a number or the one after the last."""
     contract = _for_designer(session, actor, contract_id)
     book, terms = load_ledger_book(session, contract), terms_of(session, contract)
     billed = book.billable
@@ -43,10 +43,15 @@ def draft_invoice(session: Session, actor: Actor, contract_id: UUID) -> schemas.
     texts = texts_of(session, contract, billed)
     last = queries.last_invoice(session, contract.studio_id, contract.designer_id)
     net_minor = sum(line.amount_minor for line in billed)
+    used = queries.full_numbers_of(session, contract.designer_id)
+    full_number = full_number or _next_number(session, contract)
     return schemas.InvoiceDraft(
         contract_id=contract.id,
         currency=contract.currency,
         number=last.number + 1 if last else 1,
+        full_number=full_number,
+        number_advice=invoice_numbers.advice(full_number, used),
+        is_number_taken=full_number in used,
         seller=last.seller if last else contract.designer.name,
         buyer=last.buyer if last else contract.project.studio.name,
         po_number=terms.po_number or (last.po_number if last else ""),
@@ -62,15 +67,34 @@ def draft_invoice(session: Session, actor: Actor, contract_id: UUID) -> schemas.
 
 
 def issue_invoice(
-    session: Session, actor: Actor, contract_id: UUID, *, seller: str, buyer: str, po_number: str, note: str
+    session: Session,
+    actor: Actor,
+    contract_id: UUID,
+    *,
+    full_number: str = "",
+    seller: str,
+    buyer: str,
+    po_number: str,
+    note: str,
 ) -> Invoice:
-    """Issue an invoice over everything that is due and on none yet; raise NothingToInvoice where nothing is."""
+    """Issue an invoice over everything that is due and on none yet.
+
+    Raise NothingToInvoice where nothing is, InvoiceNumberTaken for a number that the designer has used.
+    """
     contract = _for_designer(session, actor, contract_id)
     parties = contract.designer.name, contract.project.studio.name
     lock_contract(session, contract.id)
     number = queries.next_invoice_number(session, contract.studio_id, contract.designer_id)
+    full_number = full_number or _next_number(session, contract)
+    if full_number in queries.full_numbers_of(session, contract.designer_id):
+        raise InvoiceNumberTaken(
+            f"you have issued an invoice {full_number} already",
+            fix=f"the next one is {_next_number(session, contract)}",
+        )
     book, terms = load_ledger_book(session, contract), terms_of(session, contract)
     billed = book.billable
+    cue_ids = [str(line.cue_id) for line in billed if line.kind in SHARES and line.cue_id]
+    publish(session, "invoice.drafted", studio_id=contract.studio_id, contract_id=contract.id, cue_ids=cue_ids)
     taxes: Sequence[Entry] = tax_entries(billed, _rates(session, contract), default_bp=terms.invoiced_tax_bp)
     today = clock.now().date()
     invoice = Invoice(
@@ -79,6 +103,7 @@ def issue_invoice(
         contract_id=contract.id,
         designer_id=contract.designer_id,
         number=number,
+        full_number=full_number,
         issued_on=today,
         due_on=today + timedelta(days=terms.payment_days),
         po_number=po_number or terms.po_number,
@@ -96,7 +121,7 @@ def issue_invoice(
     _put_on(session, invoice, {line.id: f"Tax, {percent(line.tax_bp or 0)}" for line in tax_lines})
     whole_minor = sum(line.amount_minor for line in (*billed, *taxes))
     facts = {
-        "number": number,
+        "number": full_number,
         "total": money(whole_minor, contract.currency),
         "due_on": invoice.due_on.isoformat(),
         "lines": [str(line_id) for line_id in texts],
@@ -104,6 +129,14 @@ def issue_invoice(
     record.append(session, contract.id, "invoiced", facts, by=actor.person)
     publish(session, "invoice.issued", studio_id=contract.studio_id, invoice_id=invoice.id, total=str(facts["total"]))
     return invoice
+
+
+def _next_number(session: Session, contract: Contract) -> str:
+    newest = queries.newest_invoice_of(session, contract.designer_id)
+    if newest is None:
+        return "1"
+    used = queries.full_numbers_of(session, contract.designer_id)
+    return invoice_numbers.following(newest.full_number, newest.issued_on, clock.now().date(), used)
 
 
 def _for_designer(session: Session, actor: Actor, contract_id: UUID) -> Contract:
@@ -205,6 +238,7 @@ def invoice_read(session: Session, contract: Contract, book: LedgerBook, invoice
         id=invoice.id,
         contract_id=contract.id,
         number=invoice.number,
+        full_number=invoice.full_number,
         currency=contract.currency,
         issued_on=invoice.issued_on,
         due_on=invoice.due_on,

@@ -19,6 +19,7 @@ class Invoice(Base):
     __tablename__ = "contracts_invoices"
     __table_args__ = (
         UniqueConstraint("studio_id", "designer_id", "number"),
+        UniqueConstraint("studio_id", "designer_id", "full_number"),
         CheckConstraint("number > 0", name="numbered_from_one"),
     )
 
@@ -28,6 +29,7 @@ class Invoice(Base):
     contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
     designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
     number: Mapped[int]  # counts without gaps for one designer and one studio
+    full_number: Mapped[str]  # as the designer numbers their invoices, to whichever studio: "INV-2026-014"
     issued_on: Mapped[date]
     due_on: Mapped[date]
     po_number: Mapped[str] = mapped_column(default="")
@@ -66,7 +68,11 @@ class LedgerLine(Base):
         CheckConstraint("amount_minor <> 0", name="not_nothing"),
         CheckConstraint("(kind in ('paid', 'refunded')) = (payment_id is not null)", name="payments_are_named"),
         CheckConstraint("(kind in ('reversed', 'paid', 'refunded')) = (about_id is not null)", name="about_a_line"),
-        CheckConstraint("cue_id is not null or milestone_id is not null or tax_bp is not null", name="about_something"),
+        CheckConstraint(
+            "cue_id is not null or milestone_id is not null or tax_bp is not null or late_invoice_id is not null",
+            name="about_something",
+        ),
+        CheckConstraint("(late_invoice_id is null) = (late_until_on is null)", name="late_until_a_day"),
         Index(
             "uq_contracts_ledger_lines_reversed",
             "about_id",
@@ -96,9 +102,11 @@ class LedgerLine(Base):
     round_number: Mapped[int | None]
     tax_bp: Mapped[int | None]
     payment_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_payments.id"))
-    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))  # whose act it follows
+    late_invoice_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_invoices.id"))  # paid late
+    late_until_on: Mapped[date | None]  # the day up to which interest is charged
+    person_id: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # whose act it follows; None: none
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
-    person: Mapped[Person] = relationship(lazy="raise")
+    person: Mapped[Person | None] = relationship(lazy="raise")
     cue: Mapped[Cue | None] = relationship(lazy="raise")
 
 

@@ -140,7 +140,7 @@ def ledger_lines(session: Session, contract: Contract) -> list[schemas.LedgerLin
     """Return every line of a contract's ledger in words, in the order of their writing."""
     cue_prefix = session.get_one(Project, contract.project_id).cue_prefix
     milestones = {one.id: one.name for one in plan_queries.milestones_of(session, contract.id)}
-    numbers = {invoice.id: invoice.number for invoice in queries.invoices_of(session, contract.id)}
+    numbers = {invoice.id: invoice.full_number for invoice in queries.invoices_of(session, contract.id)}
     references = {payment.id: payment.reference for payment in queries.payments_of(session, contract.id)}
     return [
         schemas.LedgerLineRead(

@@ -51,6 +51,18 @@ def next_invoice_number(session: Session, studio_id: UUID, designer_id: UUID) ->
     return (last or 0) + 1
 
 
+def newest_invoice_of(session: Session, designer_id: UUID) -> Invoice | None:
+    """Return the newest invoice of a designer, to whichever studio."""
+    return session.scalar(
+        select(Invoice).where(Invoice.designer_id == designer_id).order_by(Invoice.id.desc()).limit(1)
+    )
+
+
+def full_numbers_of(session: Session, designer_id: UUID) -> Sequence[str]:
+    """Return the numbers of all invoices of a designer, as the designer gave them."""
+    return session.scalars(select(Invoice.full_number).where(Invoice.designer_id == designer_id)).all()
+
+
 def payments_of(session: Session, contract_id: UUID) -> Sequence[Payment]:
     """Return the payments of a contract, refunds included, in the order of their recording."""
     return session.scalars(select(Payment).where(Payment.contract_id == contract_id).order_by(Payment.id)).all()

@@ -5,7 +5,7 @@ from datetime import date, datetime
 from typing import Annotated, Literal
 from uuid import UUID
 
-from pydantic import Field
+from pydantic import Field, StringConstraints
 
 from app.agreements.rules import ContractState, WorkState
 from app.kit.http import Schema
@@ -16,6 +16,7 @@ LARGEST_MINOR = 10**12
 Minor = Annotated[int, Field(ge=0, le=LARGEST_MINOR)]
 Words = Annotated[str, Field(max_length=2_000)]
 ShortWords = Annotated[str, Field(max_length=200)]
+InvoiceNumber = Annotated[str, StringConstraints(strip_whitespace=True, max_length=40, pattern=r"^[^\x00-\x1f\x7f]*$")]
 
 
 class ContractedCue(Schema):
@@ -141,7 +142,7 @@ class LedgerLineRead(Schema):
     by: str
     about_id: UUID | None
     invoice_id: UUID | None
-    invoice_number: int | None
+    invoice_number: str | None
     reference: str | None
 
 
@@ -177,6 +178,9 @@ class InvoiceDraft(Schema):
     contract_id: UUID
     currency: str
     number: int
+    full_number: str
+    number_advice: str
+    is_number_taken: bool
     seller: str
     buyer: str
     po_number: str
@@ -189,8 +193,12 @@ class InvoiceDraft(Schema):
 
 
 class InvoiceIssue(Schema):
-    """Sender and recipient; the lines are everything that is due and on no invoice yet."""
+    """Number, sender and recipient; the lines are everything that is due and on no invoice yet.
 
+    Without a number the invoice gets the one after the designer's last.
+    """
+
+    full_number: InvoiceNumber = ""
     seller: Words
     buyer: Words = ""
     po_number: ShortWords = ""
@@ -214,6 +222,7 @@ class InvoiceRead(Schema):
     id: UUID
     contract_id: UUID
     number: int
+    full_number: str
     currency: str
     issued_on: date
     due_on: date

@@ -94,7 +94,7 @@ def notify_invoice(runtime: Runtime, payload: Payload) -> None:
         contract = session.get_one(Contract, invoice.contract_id)
         notifier = Notifier(runtime, session, project, payload["event_id"])
         line = (
-            f"Invoice {invoice.number} for {contract.title}: {payload['total']}, to be paid by "
+            f"Invoice {invoice.full_number} for {contract.title}: {payload['total']}, to be paid by "
             f"{in_words(invoice.due_on)}. Record the payment once it is made."
         )
         for recipient in queries.producer_addresses(session, project.studio_id):

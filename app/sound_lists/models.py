@@ -1,6 +1,6 @@
 """The tables of this room."""
 
-from datetime import datetime
+from datetime import date, datetime
 from typing import Any
 from uuid import UUID
 
@@ -60,6 +60,7 @@ class Cue(Base):
     variations: Mapped[int] = mapped_column(default=1)
     state: Mapped[CueState] = mapped_column(default=CueState.PROTOTYPE)
     playback_priority: Mapped[int | None]
+    due_on: Mapped[date | None]  # the day on which the sound is needed
     placeholder: Mapped[bool] = mapped_column(default=False)  # the game plays a placeholder file until the sound comes
     palette: Mapped[bool] = mapped_column(default=False)
     extra: Mapped[dict[str, Any]] = mapped_column(default=dict)  # imported columns that we have no name for

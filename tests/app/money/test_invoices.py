@@ -152,7 +152,7 @@ def test_the_pdf_is_the_same_each_time(agreed: Agreed) -> None:
     assert first.headers["content-type"] == "application/pdf"
     assert first.content == second.content
     text = PdfReader(io.BytesIO(first.content)).pages[0].extract_text()
-    assert text.startswith(f"Invoice {invoice['number']}")
+    assert text.startswith(f"Invoice {invoice['full_number']}")
     for amount in ("100.00", "180.00", "280.00"):
         assert amount in text
 
