@@ -29,7 +29,7 @@ const TOUCHED = [
 const ofTake = (takeId: string) => ({ params: { path: { take_id: takeId } } })
 
 /** What a fix can do, or did, about a take; asked again while it is being made. */
-const fixQuery = (takeId: string) =>
+export const fixQuery = (takeId: string) =>
   queryOptions({
     queryKey: ['fix', takeId],
     queryFn: () => answered(api.GET('/v1/takes/{take_id}/fix', ofTake(takeId))),

@@ -2,18 +2,20 @@ import { useQuery, useQueryClient } from '@tanstack/react-query'
 import { useParams } from '@tanstack/react-router'
 import { useCallback, useEffect, useMemo, useRef, useState } from 'react'
 
-import { ApiProblem } from '@/api'
+import { ApiProblem, useSettled } from '@/api'
 import { AwaitedCard, NextCard } from '@/app/NextCard'
 import { nextStepsQuery, stepsToName } from '@/app/nextSteps'
 import { useTitle } from '@/app/title'
 import { usePlayer } from '@/audio'
 import { meQuery } from '@/judging/api'
+import { fixesQuery, fixQuery } from '@/fixing'
+import { moneyQuery } from '@/money/api'
 import { OwedCards } from '@/money/OwedCard'
 import { EmptyState } from '@/ui/EmptyState'
 import { KeysLine } from '@/ui/KeysLine'
 import { filesOfField, type Picked, useLeaveWarning, usePageDrop, useUploads } from '@/uploads'
 
-import { useCues, useDesk, useUnmatched, type Desk } from './api'
+import { type Desk, deliveryQuery, openDeliveryQuery, unmatchedQuery, useCues, useDesk, useUnmatched } from './api'
 import { CameBackCard } from './CameBackCard'
 import { DeliveryCard } from './DeliveryCard'
 import { type DeliveryUploads, uploadsOf } from './deliveryUploads'
@@ -50,12 +52,31 @@ function useDeliveryUploads(projectId: string): { uploads: DeliveryUploads | nul
   return { uploads, error }
 }
 
+/** Whether all is known that has a place of its own on the desk. Once it is drawn it stays, whatever is read again. */
+function useIsDrawn(projectId: string, desk: Desk | undefined): boolean {
+  const [drawnFor, setDrawnFor] = useState('')
+  const { data: delivery } = useQuery(openDeliveryQuery(projectId))
+  const first = desk?.came_back[0]
+  const settled = useSettled([
+    nextStepsQuery(projectId),
+    moneyQuery(projectId),
+    fixesQuery(projectId),
+    openDeliveryQuery(projectId),
+    ...(delivery ? [deliveryQuery(delivery.id)] : []),
+    ...(desk ? [unmatchedQuery(projectId, desk.unmatched)] : []),
+    ...(first ? [fixQuery(first.take_id)] : []),
+  ])
+  if (desk && settled && drawnFor !== projectId) setDrawnFor(projectId)
+  return drawnFor === projectId
+}
+
 /** A designer's desk in one project: what came back, what goes in, what is still to make. */
 export function DeskPage() {
   useTitle('Desk')
   const { projectId } = useParams({ from: '/shell/projects/$projectId/desk' })
   const { data: desk, error } = useDesk(projectId)
   const { uploads, error: noUploads } = useDeliveryUploads(projectId)
+  const isDrawn = useIsDrawn(projectId, desk)
   const problem = error ?? noUploads
   if (problem) {
     const refusal = problem instanceof ApiProblem ? problem : null
@@ -72,7 +93,7 @@ export function DeskPage() {
       </div>
     )
   }
-  if (desk === undefined || uploads === null) {
+  if (desk === undefined || uploads === null || !isDrawn) {
     return (
       <div className="page">
         <h1>Your desk</h1>

@@ -87,11 +87,15 @@ export const openDelivery = (projectId: string): Promise<Delivery> =>
 const isMoving = (detail: DeliveryDetail): boolean =>
   detail.takes.some(({ state }) => state === 'received') || detail.archives.some(({ state }) => state === 'received')
 
+export const deliveryQuery = (deliveryId: string) =>
+  queryOptions({
+    queryKey: keys.delivery(deliveryId),
+    queryFn: () => answered(api.GET('/v1/deliveries/{delivery_id}', { params: { path: { delivery_id: deliveryId } } })),
+  })
+
 export const useDelivery = (deliveryId: string | undefined) =>
   useQuery({
-    queryKey: keys.delivery(deliveryId ?? ''),
-    queryFn: () =>
-      answered(api.GET('/v1/deliveries/{delivery_id}', { params: { path: { delivery_id: deliveryId ?? '' } } })),
+    ...deliveryQuery(deliveryId ?? ''),
     enabled: deliveryId !== undefined,
     refetchInterval: ({ state: { data } }) =>
       data && isMoving(data) ? (data.takes.length > MANY ? SLOW_POLL_MS : POLL_MS) : false,
@@ -147,10 +151,9 @@ export function useCloseDelivery(projectId: string) {
  * Files that wait in the tray, all of them: what is selected or accepted at once must be here.
  * They are read again when the desk counts others, so that list and count are never apart for long.
  */
-export const useUnmatched = (projectId: string, count: number) =>
-  useQuery({
+export const unmatchedQuery = (projectId: string, count: number) =>
+  queryOptions({
     queryKey: [...keys.unmatched(projectId), count],
-    placeholderData: keepPreviousData,
     queryFn: () =>
       everyPage((cursor) =>
         answered(
@@ -160,6 +163,9 @@ export const useUnmatched = (projectId: string, count: number) =>
         ),
       ).then((pages) => pages.flatMap(({ items }) => items)),
   })
+
+export const useUnmatched = (projectId: string, count: number) =>
+  useQuery({ ...unmatchedQuery(projectId, count), placeholderData: keepPreviousData })
 
 export type TakesAct = Schemas['TakesActRead']
 export type Move = Schemas['TakeMove']
