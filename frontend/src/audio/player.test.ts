@@ -311,7 +311,7 @@ describe('previews', () => {
     await vi.waitFor(() => expect(fetched).toEqual(['/b', '/a', '/c']))
   })
 
-  test('held, they wait until the page is shown, and one that is played does not', async () => {
+  test('held, they wait until one is played', async () => {
     const made = player({ held: true })
     made.previews.keepReady(['/a', '/b'])
     void made.select(A)
@@ -319,9 +319,27 @@ describe('previews', () => {
     expect(fetched).toEqual([])
     await made.play()
     expect(last()?.buffer.duration).toBe(1)
-    expect(fetched).toEqual(['/a'])
-    made.previews.release()
     await vi.waitFor(() => expect(fetched).toEqual(['/a', '/b']))
+  })
+
+  test('held until the page is shown, the selected one is fetched first and alone', async () => {
+    const made = player({ held: true })
+    made.previews.keepReady(['/b', '/c'])
+    void made.select(A)
+    await new Promise((resolve) => setTimeout(resolve))
+    expect(fetched).toEqual([])
+    made.previews.release()
+    await made.previews.released
+    expect(fetched).toEqual(['/a'])
+    await vi.waitFor(() => expect(fetched).toEqual(['/a', '/b', '/c']))
+  })
+
+  test('of a newer list are fetched in place of what was left of the older one', async () => {
+    const made = player()
+    made.previews.keepReady(['/a', '/b'])
+    await made.previews.released
+    made.previews.keepReady(['/a', '/c'])
+    await vi.waitFor(() => expect(fetched).toEqual(['/a', '/c']))
   })
 
   test('those kept ready stay while others are forgotten', async () => {

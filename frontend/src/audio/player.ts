@@ -40,7 +40,7 @@ export interface PlayerParts {
   onFrame?: (callback: () => void) => () => void
   reducedMotion?: () => boolean
   now?: () => number
-  /** Fetch no sound before it is played, until `previews.release`. */
+  /** Fetch no sound before one is played, or before `previews.release`. */
   held?: boolean
 }
 
@@ -132,8 +132,7 @@ export class Player implements Clock {
     this.#source = source
     this.#notify({ sourceId: source.id, error: null })
     const asked = ++this.#asked
-    if (!wasPlaying) await this.previews.released
-    const buffer = asked === this.#asked ? await this.#read(source, asked) : null
+    const buffer = await this.#read(source, asked, wasPlaying)
     if (buffer === null) return
     this.#notify({ durationS: buffer.duration })
     // Asked again only now: it may have been paused, or have ended, while the other was on its way.
@@ -243,9 +242,10 @@ export class Player implements Clock {
     return this.#context
   }
 
-  async #read(source: Source, asked: number): Promise<AudioBuffer | null> {
+  /** The sound itself; null where another was asked for meanwhile, or it could not be loaded. */
+  async #read(source: Source, asked: number, isUrgent = true): Promise<AudioBuffer | null> {
     try {
-      const buffer = await this.previews.get(source.url)
+      const buffer = await (isUrgent ? this.previews.get(source.url) : this.previews.select(source.url))
       return asked === this.#asked ? buffer : null
     } catch {
       if (asked !== this.#asked) return null
@@ -256,6 +256,7 @@ export class Player implements Clock {
   }
 
   #sound(given: AudioBuffer, source: Source, positionS: number): void {
+    this.previews.release()
     const context = this.#contextNow()
     const { reversed, asGame } = this.#state
     const buffer = reversed ? this.previews.reversed(given, context) : given

@@ -6,6 +6,7 @@ export class Previews {
   #decoding = new Map<string, Promise<AudioBuffer>>()
   #decoded = new Map<string, AudioBuffer>()
   #ready = new Set<string>()
+  #selected: string | null = null
   #backwards = new WeakMap<AudioBuffer, AudioBuffer>()
   #forwards = new WeakMap<AudioBuffer, AudioBuffer>()
   readonly #decode: (data: ArrayBuffer) => Promise<AudioBuffer>
@@ -42,6 +43,13 @@ export class Previews {
     }
   }
 
+  /** Fetch what is selected once sounds may be prefetched, before those that are kept ready. */
+  async select(url: string): Promise<AudioBuffer> {
+    this.#selected = url
+    await this.released
+    return this.get(url)
+  }
+
   /** Fetch these in order, one at a time, and keep them decoded. What fails is tried again when it is played. */
   keepReady(urls: readonly string[]): void {
     this.#ready = new Set(urls)
@@ -71,10 +79,13 @@ export class Previews {
   }
 
   async #getInTurn(urls: readonly string[]): Promise<void> {
+    const ready = this.#ready
     await this.released
-    for (const url of urls) {
-      // A newer list may lack it.
-      if (this.#ready.has(url)) await this.get(url).catch(() => undefined)
+    const selected = this.#selected === null ? [] : [this.#selected]
+    for (const url of [...selected, ...urls]) {
+      while (this.#decoding.size > 0) await Promise.allSettled(this.#decoding.values())
+      if (ready !== this.#ready) return // a newer list is fetched instead
+      await this.get(url).catch(() => undefined)
     }
   }
 

@@ -29,17 +29,8 @@ export function useHearing(
   return source
 }
 
-/**
- * Have what is heard now, and what the next cue needs, fetched and decoded in this order.
- *
- * Nothing is fetched before the page shows what it is for: a preview is as large as everything else together.
- */
-export function useReady(
-  player: Player,
-  takes: readonly ReviewTake[],
-  next: QueueItem | undefined,
-  isShown: boolean,
-): void {
+/** Have what is heard now, and what the next cue needs, fetched and decoded in this order once sounds may be fetched. */
+export function useReady(player: Player, takes: readonly ReviewTake[], next: QueueItem | undefined): void {
   const urls = [...takes, ...(next?.takes ?? [])].flatMap(({ preview_url }) =>
     preview_url === null ? [] : [preview_url],
   )
@@ -47,7 +38,10 @@ export function useReady(
   useEffect(() => {
     player.previews.keepReady(list === '' ? [] : list.split('\n'))
   }, [player, list])
+}
 
+/** Let sounds be fetched once the page shows what it is for and asks for nothing more: a preview is as large as all else. */
+export function useRelease(player: Player, isShown: boolean): void {
   const client = useQueryClient()
   useEffect(() => {
     if (!isShown) return undefined

@@ -54,7 +54,7 @@ export function ReviewPage(): ReactNode {
 
   const at = waiting.findIndex(({ cue }) => cue.id === cueId)
   const ahead = at < 0 ? waiting : [...waiting.slice(at + 1), ...waiting.slice(0, at)]
-  useReady(player, waiting[at]?.takes ?? NONE, ahead[0], review !== undefined)
+  useReady(player, waiting[at]?.takes ?? NONE, ahead[0])
   const aheadIds = ahead
     .slice(0, AHEAD)
     .map(({ cue }) => cue.id)

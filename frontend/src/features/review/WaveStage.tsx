@@ -12,6 +12,7 @@ import {
 } from '@/audio'
 import { type ReviewTake, usePeaks } from '@/judging/api'
 import { MASTER, soundOf } from '@/judging/hearing'
+import { useRelease } from '@/judging/useHearing'
 import { sentence } from '@/judging/words'
 import { figure } from '@/ui/format'
 
@@ -38,6 +39,7 @@ export function WaveStage(props: WaveStageProps) {
   const narrow = useMediaQuery('(max-width: 760px)')
   const sound = soundOf(take, target)
   const peaks = usePeaks(hidden ? undefined : sound.peaksUrl)
+  useRelease(player, hidden || peaks !== undefined)
   const { spectrumUrl } = sound
   const spectrum = useMemo(() => (hidden || spectrumUrl === null ? null : { src: spectrumUrl }), [hidden, spectrumUrl])
   const findings = useMemo(() => (hidden || target !== MASTER ? [] : findingMarks(take)), [hidden, target, take])

@@ -55,7 +55,7 @@ export function TodayPage(): ReactNode {
   const money = useQuery({ ...moneyQuery(projectId), enabled: isParty(project) })
   const ofFirst = useQuery({ ...cueMoneyQuery(first?.cue.id ?? ''), enabled: first !== undefined })
   const questions = today.data?.questions ?? []
-  useReady(player, first?.takes ?? [], rest[0], queue.isKnown)
+  useReady(player, first?.takes ?? [], rest[0])
 
   const step = (by: 1 | -1) => {
     const stops = [...(page.current?.querySelectorAll<HTMLElement>('[data-stop]') ?? [])]
