@@ -1,5 +1,5 @@
 import { readdir, readFile, stat, writeFile } from 'node:fs/promises'
-import { join } from 'node:path'
+import { join, resolve } from 'node:path'
 import { promisify } from 'node:util'
 import { brotliCompress, constants, gzip } from 'node:zlib'
 
@@ -22,7 +22,7 @@ export function precompress(): Plugin {
     name: 'precompress',
     apply: (_, { command, mode }) => command === 'build' && mode === 'production',
     configResolved: ({ root, build }) => {
-      folder = join(root, build.outDir, build.assetsDir)
+      folder = resolve(root, build.outDir, build.assetsDir)
     },
     closeBundle: async () => {
       for (const name of (await readdir(folder)).filter((one) => TEXT.test(one))) {
