@@ -9,12 +9,14 @@ from app.accounts.studio_endpoints import router as studios
 from app.agreements.endpoints import router as contracts
 from app.agreements.template_endpoints import router as contract_templates
 from app.amendments.endpoints import router as amendments
+from app.builds.clearance_endpoints import router as clearance
 from app.builds.endpoints import router as builds
 from app.builds.manifest_endpoints import router as manifests
 from app.conformance.endpoints import router as conformance
 from app.dashboards.endpoints import router as dashboards
 from app.dashboards.event_endpoints import router as events
 from app.deliveries.endpoints import router as deliveries
+from app.deliveries.sources import ensure_stated_to_invoice
 from app.kit.events import Handler
 from app.money.endpoints import router as money
 from app.money.ledger import charge_deposits
@@ -43,6 +45,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     renders,
     reviews,
     builds,
+    clearance,
     manifests,
     dashboards,
     events,
@@ -102,6 +105,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "contract.sent": ("notifications.notify_contract",),
     "contract.change_requested": ("notifications.notify_contract",),
     "contract.signed_once": ("notifications.notify_signature",),
+    "invoice.drafted": (),
     "invoice.issued": ("notifications.notify_invoice",),
     "designer.joined": ("notifications.notify_joined",),
     "contract.agreed": ("notifications.notify_contract", "reviews.add_accepted_cues"),
@@ -118,5 +122,6 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
 }
 HANDLERS: dict[str, tuple[Handler, ...]] = {
     "contract.agreed": (charge_deposits,),  # in the transaction of the second signature
+    "invoice.drafted": (ensure_stated_to_invoice,),  # an invoice without the sources that the contract wants is refused
 }
 LOW_PRIORITY_JOBS = frozenset({"builds.fingerprint_take"})

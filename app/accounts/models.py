@@ -1,6 +1,6 @@
 """Accounts, studios, memberships and sessions: the tables of this room."""
 
-from datetime import datetime
+from datetime import date, datetime
 from uuid import UUID
 
 from sqlalchemy import BigInteger, CheckConstraint, ForeignKey
@@ -26,7 +26,19 @@ class Studio(Base):
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     name: Mapped[str]
     is_demo: Mapped[bool] = mapped_column(default=False)
+    time_zone: Mapped[str] = mapped_column(default="UTC", server_default="UTC")  # an IANA name: Europe/Berlin
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class Holiday(Base):
+    """A day on which a studio does not work, besides Saturdays and Sundays."""
+
+    __tablename__ = "accounts_holidays"
+
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), primary_key=True)
+    day: Mapped[date] = mapped_column(primary_key=True)
+    name: Mapped[str]
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)  # a cue that waits since before is not delayed
 
 
 class Person(Base):

@@ -16,6 +16,14 @@ class DepositAtEnd(StrEnum):
     SET_OFF = "set_off"  # against what the cues are owed
 
 
+class SourcesNeeded(StrEnum):
+    """By when the sources of a sound are stated."""
+
+    ASKED = "asked"  # nothing waits for them
+    BEFORE_ACCEPTANCE = "before_acceptance"
+    BEFORE_INVOICE = "before_invoice"
+
+
 class PriceMode(StrEnum):
     """How a contract's price comes about."""
 
@@ -60,6 +68,7 @@ class MoneyTerms:
     po_number: str = ""  # what invoices begin with
     notice_days: int | None = None  # None: it ends early only where both agree
     deposit_at_end: DepositAtEnd = DepositAtEnd.STAYS
+    sources_needed: SourcesNeeded = SourcesNeeded.ASKED
 
     @classmethod
     def of(cls, terms: Mapping[str, Any]) -> "MoneyTerms":
@@ -71,6 +80,8 @@ class MoneyTerms:
             del known["notice_days"]  # its clause is struck
         if "deposit_at_end" in known:
             known["deposit_at_end"] = DepositAtEnd(known["deposit_at_end"])
+        if "sources_needed" in known:
+            known["sources_needed"] = SourcesNeeded(known["sources_needed"])
         if "reverse_charge" in known:
             known["reverse_charge"] = bool(known["reverse_charge"])  # 0 or 1 where only numbers and text are kept
         return cls(**known)

@@ -2,7 +2,7 @@
 
 import csv
 import io
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from datetime import datetime
 
@@ -12,7 +12,7 @@ from app.sound_lists.rules import spreadsheet_safe
 
 Cell = str | int | float | None
 MADE_AT = datetime(1980, 1, 1)  # noqa: DTZ001  XLSX knows no zone; fixed, so that the same key is the same bytes
-WIDTHS = {"file": 32, "name": 28, "description": 60, "use": 40, "trigger": 30, "note": 40, "master": 36}
+WIDTHS = {"file": 32, "name": 28, "description": 60, "use": 40, "trigger": 30, "note": 40, "sources": 44, "master": 36}
 
 
 @dataclass(frozen=True)
@@ -36,6 +36,7 @@ class KeyRow:
     attenuation_db: float | None
     version: int | None
     note: str
+    sources: str  # what it was made from, as its designer states it
     master: str
     file_sha256: str
     master_sha256: str
@@ -61,19 +62,24 @@ def key_csv(rows: Sequence[KeyRow]) -> bytes:
 
 def key_xlsx(rows: Sequence[KeyRow]) -> bytes:
     """Return the key as a workbook."""
+    return workbook_of("Documentation key", COLUMNS, [row.cells for row in rows], WIDTHS)
+
+
+def workbook_of(title: str, columns: Sequence[str], rows: Sequence[Sequence[Cell]], widths: Mapping[str, int]) -> bytes:
+    """Return rows as a workbook of one sheet, the same bytes for the same rows."""
     out = io.BytesIO()
     workbook = xlsxwriter.Workbook(
         out, {"in_memory": True, "strings_to_formulas": False, "strings_to_urls": False, "strings_to_numbers": False}
     )
-    workbook.set_properties({"title": "Documentation key", "created": MADE_AT})
-    sheet = workbook.add_worksheet("Documentation key")
+    workbook.set_properties({"title": title, "created": MADE_AT})
+    sheet = workbook.add_worksheet(title)
     head = workbook.add_format({"bold": True})
     wrapped = workbook.add_format({"text_wrap": True, "valign": "top"})
-    for place, column in enumerate(COLUMNS):
-        sheet.set_column(place, place, WIDTHS.get(column, 14), wrapped)
+    for place, column in enumerate(columns):
+        sheet.set_column(place, place, widths.get(column, 14), wrapped)
         sheet.write_string(0, place, column, head)
     for line, row in enumerate(rows, start=1):
-        for place, cell in enumerate(row.cells):
+        for place, cell in enumerate(row):
             if isinstance(cell, str):
                 sheet.write_string(line, place, cell)
             elif cell is not None:

@@ -52,7 +52,7 @@ def key_pdf(rows: Sequence[KeyRow], *, title: str) -> bytes:
 
 
 def _entry(row: KeyRow) -> dict[str, object]:
-    named = {"Use": row.use, "Trigger": row.trigger}
+    named = {"Use": row.use, "Trigger": row.trigger, "Sources": row.sources}
     return {
         "file": re.sub(r"([_/])", "\\1\u200b", row.file) or "none",  # long names break after these
         "cue": row.cue + (f" {row.variation}/{row.variations}" if row.variations > 1 else ""),

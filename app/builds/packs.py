@@ -20,6 +20,9 @@ from app.builds.schemas import ChangedPath, MissingFile, PackChanges, PackRead
 from app.builds.zip_stream import Entry
 from app.conformance.queries import takes_with_finding
 from app.deliveries.models import Take
+from app.deliveries.schemas import Sources
+from app.deliveries.source_rules import words_of
+from app.deliveries.sources import sources_of
 from app.kit.storage import Store
 from app.projects.models import Project
 from app.projects.queries import current_spec
@@ -97,6 +100,7 @@ class Pack:
     last_number: int | None  # of the target's newest sealed pack
     last_marks: dict[str, str]  # fingerprints of its game files, by path
     marked: set[UUID]  # takes whose files are marked as placeholder files
+    sources: dict[UUID, Sources] = field(default_factory=dict)  # what takes were made from, where that is stated
     placeholder_files: list[PackedPlaceholder] = field(default_factory=list)  # only if requested
 
     @property
@@ -154,6 +158,7 @@ def pack_of(session: Session, project: Project, target: str | None) -> Pack:
         last_number=last.number if last else None,
         last_marks={path: mark_of(render) for path, render in last_renders.items()},
         marked=takes_with_finding(session, [take.id for _, _, take in accepted], PLACEHOLDER_CODE),
+        sources=sources_of(session, [take for _, _, take in accepted]),
     )
 
 
@@ -231,6 +236,7 @@ def _placeholder_file_row(pack: Pack, one: PackedPlaceholder) -> KeyRow:
         attenuation_db=None,
         version=None,
         note="PLACEHOLDER: not the final sound; it must not ship",
+        sources="",
         master="",
         file_sha256=one.sha256,
         master_sha256="",
@@ -258,6 +264,7 @@ def _key_row(pack: Pack, sound: PackedSound, *, masters: bool) -> KeyRow:
         attenuation_db=render.attenuation_db if render else None,
         version=take.number,
         note=take.note if render else sound.why_missing,
+        sources=words_of(pack.sources[take.id]) if take.id in pack.sources else "",
         master=sound.master_name if masters else take.file_name,
         file_sha256=(render.sha256 if render else None) or "",
         master_sha256=take.master_sha256,

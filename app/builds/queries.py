@@ -8,11 +8,14 @@ from uuid import UUID
 from sqlalchemy import ColumnElement, func, select
 from sqlalchemy.orm import Session, defer, joinedload, undefer
 
+from app.agreements.models import Contract, ContractCue
 from app.builds.models import Build, Fingerprint, PackedFile, PlaceholderFile, SealedPack
 from app.builds.rules import FileKind, PackState
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit.in_array import in_array
+from app.projects.models import Engagement, Project
+from app.projects.rules import EngagementKind
 from app.renders.models import Render
 from app.sound_lists.models import Cue, Stem
 from app.sound_lists.rules import CueState
@@ -206,3 +209,57 @@ def placeholder_file(session: Session, cue_id: UUID, variation: int, target: str
             PlaceholderFile.cue_id == cue_id, PlaceholderFile.variation == variation, PlaceholderFile.target == target
         )
     )
+
+
+def packed_takes_of(session: Session, pack_id: UUID) -> list[tuple[str, Take]]:
+    """Return the game files of a sealed pack in their order, each with its take, cue and designer."""
+    rows = session.execute(
+        select(PackedFile.path, Take)
+        .join(Render, Render.id == PackedFile.render_id)
+        .join(Take, Take.id == Render.take_id)
+        .where(PackedFile.pack_id == pack_id, PackedFile.kind == FileKind.GAME)
+        .options(joinedload(Take.cue), joinedload(Take.designer))
+        .order_by(PackedFile.place)
+    )
+    return [(path, take) for path, take in rows]
+
+
+def contracts_of_cues(session: Session, cue_ids: Collection[UUID]) -> Sequence[tuple[ContractCue, Contract]]:
+    """Return the contracts under which cues were accepted, the newest last."""
+    rows = session.execute(
+        select(ContractCue, Contract)
+        .join(Contract, Contract.id == ContractCue.contract_id)
+        .where(in_array(ContractCue.cue_id, cue_ids), ContractCue.accepted_at.is_not(None))
+        .order_by(Contract.number)
+    )
+    return [(covered, contract) for covered, contract in rows]
+
+
+def in_house_designers(session: Session, project_id: UUID) -> set[UUID]:
+    """Return the designers of a project who belong to the studio."""
+    query = select(Engagement.designer_id).where(
+        Engagement.project_id == project_id, Engagement.kind == EngagementKind.IN_HOUSE
+    )
+    return set(session.scalars(query))
+
+
+def same_masters_elsewhere(
+    session: Session, studio_id: UUID, project_id: UUID, sha256s: Collection[str]
+) -> dict[str, list[str]]:
+    """Return by master the names of the studio's other projects that the very same file was delivered for."""
+    rows = session.execute(
+        select(Take.master_sha256, Project.name)
+        .join(Project, Project.id == Take.project_id)
+        .where(
+            Take.studio_id == studio_id,
+            Take.project_id != project_id,
+            in_array(Take.master_sha256, sha256s),
+            Take.discarded_at.is_(None),
+        )
+        .distinct()
+        .order_by(Project.name)
+    )
+    found: dict[str, list[str]] = defaultdict(list)
+    for sha256, name in rows:
+        found[sha256].append(name)
+    return dict(found)

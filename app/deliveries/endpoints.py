@@ -37,6 +37,7 @@ from app.deliveries.schemas import (
     TakeMatch,
     TakeRead,
 )
+from app.deliveries.source_endpoints import router as sources_router
 from app.deliveries.tray_endpoints import router as tray_router
 from app.deliveries.upload_endpoints import router as uploads_router
 from app.kit.blob_response import blob_response
@@ -62,6 +63,7 @@ router = Router(prefix="/v1", tags=["deliveries"], route_class=Route)
 router.include_router(uploads_router)
 router.include_router(tray_router)
 router.include_router(files_router)
+router.include_router(sources_router)
 
 SAME_TAKE: dict[int | str, dict[str, Any]] = {
     200: {"model": TakeAdded, "description": "The same file was here before; this is its take."}

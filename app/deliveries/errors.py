@@ -43,6 +43,18 @@ class InHouseDesignerNeeded(Forbidden):
     """A build delivers in the name of the project's one in-house designer, and there is not exactly one."""
 
 
+class NoSourceNamed(Invalid):
+    """A statement of sources names none."""
+
+
+class SourcesFixed(Conflict):
+    """The take is approved, so its sources can no longer be changed."""
+
+
+class SourcesMissing(Conflict):
+    """The contract asks for the sources of a sound first, and they are not all stated."""
+
+
 class UnknownTusVersion(Refused):
     """The client uses another version of tus."""
 

@@ -181,6 +181,32 @@ class DryStem(Base):
     withdrawn_at: Mapped[datetime | None]
 
 
+class SourceStatement(Base):
+    """What a take was made from, as its designer states it; without a take, what holds for the rest of a delivery."""
+
+    __tablename__ = "deliveries_source_statements"
+    __table_args__ = (
+        Index(
+            "uq_deliveries_source_statements_delivery",
+            "delivery_id",
+            unique=True,
+            sqlite_where=text("take_id is null"),
+            postgresql_where=text("take_id is null"),
+        ),
+        Index("ix_deliveries_source_statements_remembered", "studio_id", "designer_id", "stated_at"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"))
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    delivery_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_deliveries.id"), index=True)
+    take_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_takes.id"), unique=True)
+    designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    sources: Mapped[dict[str, Any]]  # see Sources
+    stated_at: Mapped[datetime] = mapped_column(default=clock.now)
+    designer: Mapped[Person] = relationship(lazy="raise")
+
+
 class Archive(Base):
     """A delivered ZIP and what became of it."""
 

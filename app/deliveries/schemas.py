@@ -6,7 +6,7 @@ from uuid import UUID
 
 from pydantic import BeforeValidator, Field, StringConstraints
 
-from app.accounts.schemas import PersonBrief, Prose
+from app.accounts.schemas import Line, PersonBrief, Prose
 from app.deliveries.rules import ArchiveState, TakesActKind, TakeState, shown_name
 from app.kit.http import Schema, Whole
 
@@ -264,3 +264,76 @@ class DeliveryDetail(DeliveryRead):
     takes: list[TakeRead]
     dry_stems: list[DryStemRead]
     archives: list[ArchiveRead]
+
+
+# One line that may be empty, without control characters or marks that turn the direction of writing.
+Words = Annotated[
+    str,
+    StringConstraints(
+        strip_whitespace=True,
+        max_length=200,
+        pattern="^[^\\x00-\\x1f\\x7f-\\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069]*$",
+    ),
+]
+MANY_SOURCES = 50
+
+
+class LibrarySource(Schema):
+    """A sound library that a sound has layers from."""
+
+    name: Line
+    licence: Words = Field("", description="Its name, or where it is kept; empty: not known yet.")
+    file: Words = Field("", description="The recording of the library.")
+
+
+class GeneratedSource(Schema):
+    """A part of a sound that a machine generated."""
+
+    tool: Line = Field(description="Name and version.")
+    part: Line = Field(description="The part of the sound that it made.")
+
+
+class PerformerSource(Schema):
+    """A person who is heard in a sound."""
+
+    name: Line
+    release: Words = Field("", description="The signed release: its date, or where it is kept; empty: none yet.")
+
+
+class Sources(Schema):
+    """What a sound was made from."""
+
+    from_scratch: bool = Field(False, description="Synthesized or designed without any recording of others.")
+    own_recordings: bool = Field(False, description="Recorded by its designer.")
+    libraries: list[LibrarySource] = Field([], max_length=MANY_SOURCES)
+    generated: list[GeneratedSource] = Field([], max_length=MANY_SOURCES)
+    performers: list[PerformerSource] = Field([], max_length=MANY_SOURCES)
+    note: Words = ""
+
+
+class SourcesRead(Schema):
+    """What was stated of a sound, or of a delivery."""
+
+    sources: Sources
+    stated_at: datetime
+    stated_by: PersonBrief
+    words: str = Field(description="The same as one line of text.")
+
+
+class TakeSources(Schema):
+    """The sources of one take."""
+
+    take_id: UUID
+    stated: SourcesRead | None = Field(description="Its own statement, else that of its delivery; null: none.")
+    is_own: bool = Field(description="Whether the take has a statement of its own.")
+    is_fixed: bool = Field(description="Whether they are on record: the take is approved, and nothing is open.")
+    open_points: list[str] = Field(description="What a clearance asks for and is not stated.")
+
+
+class DeliverySources(Schema):
+    """The sources of a delivery."""
+
+    delivery_id: UUID
+    stated: SourcesRead | None = Field(description="Holds for every take without a statement of its own.")
+    remembered: Sources | None = Field(description="What its designer stated last in this studio.")
+    takes: list[TakeSources]

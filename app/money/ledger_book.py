@@ -192,6 +192,25 @@ def _wanted_shares(
     }
 
 
+def paid_cues(book: LedgerBook, cues: Iterable[PricedCue]) -> set[UUID]:
+    """Return the accepted cues whose price is due and paid to the last cent.
+
+    A cue without a price of its own, as under a contract by the day, is paid once all that is due is.
+    """
+    unpaid_minor: dict[UUID | None, int] = {}
+    for line in book.owed:
+        left_minor = line.amount_minor - book.paid_minor(line.id)
+        unpaid_minor[line.cue_id] = unpaid_minor.get(line.cue_id, 0) + left_minor
+    all_paid = not any(unpaid_minor.values())
+    return {
+        cue.cue_id
+        for cue in cues
+        if cue.is_accepted
+        and not unpaid_minor.get(cue.cue_id)
+        and (book.share_minor(cue.cue_id) >= cue.amount_minor if cue.amount_minor else all_paid)
+    }
+
+
 def price_of_round(cue: PricedCue, extra_round_bp: int) -> int:
     """Return the price of one round beyond the included ones."""
     return part_of(cue.amount_minor, extra_round_bp)

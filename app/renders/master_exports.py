@@ -12,7 +12,10 @@ from app.accounts.models import Studio
 from app.accounts.rules import Actor
 from app.deliveries.models import Take
 from app.deliveries.rules import base_name, shown_name
+from app.deliveries.schemas import Sources
 from app.deliveries.service import take_for
+from app.deliveries.source_rules import words_of
+from app.deliveries.sources import sources_of
 from app.kit.events import publish
 from app.kit.storage import StoredBlob
 from app.projects.models import Project
@@ -56,16 +59,29 @@ def _provenance(session: Session, take: Take, project: Project) -> Provenance:
     """Return the recorded provenance of a take; the date of recording is known only from its file."""
     studio = session.get_one(Studio, project.studio_id)
     known = Provenance(project=project.name, studio=studio.name, originator=take.designer.name)
+    stated = sources_of(session, [take]).get(take.id)
+    fields = _source_fields(stated) if stated else {}
+    made_from = f"Sources: {words_of(stated)}" if stated else ""
     cue = take.cue
     if cue is None:
-        return known
+        return replace(known, notes=made_from, fields=fields)
     return replace(
         known,
         number=label(project.cue_prefix, cue.number),
         name=cue.name,
-        notes=cue.description,
-        fields={"isLoop": "true"} if cue.loop else {},
+        notes="\n\n".join(part for part in (cue.description, made_from) if part),
+        fields=fields | ({"isLoop": "true"} if cue.loop else {}),
     )
+
+
+def _source_fields(sources: Sources) -> dict[str, str]:
+    """Return the fields of ASWG-G006 that say what a sound was made from; empty ones are left out."""
+    fields = {
+        "library": ", ".join(one.name for one in sources.libraries),
+        "usageRights": "; ".join(f"{one.name}: {one.licence}" for one in sources.libraries if one.licence),
+        "actorName": ", ".join(one.name for one in sources.performers),
+    }
+    return {name: text for name, text in fields.items() if text}
 
 
 def visible_export(session: Session, actor: Actor, export_id: UUID) -> MasterExport:

@@ -20,7 +20,10 @@ class Verdict(Base):
     """The approver's verdict on a take; rows are added, never changed."""
 
     __tablename__ = "reviews_verdicts"
-    __table_args__ = (Index("ix_reviews_verdicts_project_id_id", "project_id", "id"),)
+    __table_args__ = (
+        Index("ix_reviews_verdicts_project_id_id", "project_id", "id"),
+        CheckConstraint("given_by is not null or deemed_by_contract_id is not null", name="given_or_deemed"),
+    )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
@@ -34,11 +37,26 @@ class Verdict(Base):
     since_before: Mapped[datetime]
     dropped_draft: Mapped[dict[str, Any]] = mapped_column(default=dict)  # what was noted to change, and fell away
     withdraws_id: Mapped[UUID | None] = mapped_column(ForeignKey("reviews_verdicts.id"), unique=True)
-    given_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    # By whose clause it was decided, because `given_by` said nothing; None: they did.
+    given_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: nobody, by the clause
+    # By whose clause it was decided, because nobody said anything; None: `given_by` did.
     deemed_by_contract_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
-    author: Mapped[Person] = relationship(lazy="raise")
+    author: Mapped[Person | None] = relationship(lazy="raise")
+
+
+class ClockPause(Base):
+    """A time in which the days of a contract's clause on silence did not count, because a change order was open."""
+
+    __tablename__ = "reviews_clock_pauses"
+    __table_args__ = (CheckConstraint("ended_at is null or ended_at >= began_at", name="ends_after_it_began"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
+    change_order: Mapped[int]  # its number in the contract
+    began_at: Mapped[datetime] = mapped_column(default=clock.now)
+    ended_at: Mapped[datetime | None]
 
 
 class Reminder(Base):

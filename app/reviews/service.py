@@ -11,6 +11,7 @@ from app.agreements.rules import AcceptedBy
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.deliveries.service import take_for
+from app.deliveries.sources import put_on_record
 from app.deliveries.take_states import change_state, return_to_received
 from app.kit import clock, kill_points
 from app.kit.db import new_id
@@ -131,6 +132,7 @@ class Decision:
         self._session.flush()  # the former pick gives way first: there is never more than one
         self._record(take, VerdictKind.APPROVE, self._note)
         self._session.flush()
+        put_on_record(self._session, take)
         self.approved.append(take)
 
     def set_aside(self, take: Take) -> None:

@@ -1,0 +1,118 @@
+"""What a clearance sheet says of the sounds of a pack, for a publisher's lawyers."""
+
+from collections.abc import Sequence
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.queries import people_by_id
+from app.accounts.rules import Actor
+from app.agreements.models import Contract
+from app.agreements.plan_queries import cues_of
+from app.builds import queries
+from app.builds.clearance_sheet import ClearanceRow
+from app.builds.packs import pack_of, title_of
+from app.builds.sealing import ensure_sealed, visible_sealed
+from app.deliveries.models import Take
+from app.deliveries.schemas import Sources
+from app.deliveries.source_rules import open_points, words_of_points
+from app.deliveries.sources import sources_of
+from app.money.ledger import load_ledger_book, priced
+from app.money.ledger_book import paid_cues
+from app.projects.models import Project
+from app.projects.service import project_access
+from app.reviews.queries import effective_verdicts
+from app.reviews.rules import VerdictKind
+from app.sound_lists.rules import label
+
+
+def clearance_of_project(
+    session: Session, actor: Actor, project_id: UUID, target: str | None
+) -> tuple[str, list[ClearanceRow]]:
+    """Return title and rows for the pack of a target as it is now; for producers, because it says what is paid."""
+    access = project_access(session, actor, project_id)
+    access.ensure_producer()
+    pack = pack_of(session, access.project, target)
+    return title_of(pack), _rows(session, pack.project, [(sound.path, sound.take) for sound in pack.sounds])
+
+
+def clearance_of_pack(session: Session, actor: Actor, pack_id: UUID) -> tuple[str, list[ClearanceRow]]:
+    """Return title and rows for a sealed pack, by what is stated now."""
+    pack = visible_sealed(session, actor, pack_id)
+    access = project_access(session, actor, pack.project_id)
+    access.ensure_producer()
+    ensure_sealed(pack)
+    title = f"{access.project.name}, {pack.target} {pack.number}"
+    return title, _rows(session, access.project, queries.packed_takes_of(session, pack_id))
+
+
+def _rows(session: Session, project: Project, sounds: Sequence[tuple[str, Take]]) -> list[ClearanceRow]:
+    takes = [take for _, take in sounds]
+    stated = sources_of(session, takes)
+    designers = people_by_id(session, {take.designer_id for take in takes})
+    in_house = queries.in_house_designers(session, project.id)
+    contracts: dict[tuple[UUID, UUID], Contract] = {}
+    for covered, one in queries.contracts_of_cues(session, {take.cue_id for take in takes if take.cue_id}):
+        contracts[covered.cue_id, one.designer_id] = one
+    paid = {one.id: _paid(session, one) for one in contracts.values()}
+    elsewhere = queries.same_masters_elsewhere(
+        session, project.studio_id, project.id, {take.master_sha256 for take in takes}
+    )
+    approvals = {
+        verdict.take_id: verdict
+        for verdict in effective_verdicts(session, [take.id for take in takes])
+        if verdict.kind is VerdictKind.APPROVE
+    }
+    judges = people_by_id(session, {one.given_by for one in approvals.values() if one.given_by})
+    rows = []
+    for path, take in sounds:
+        sources, cue = stated.get(take.id), take.cue
+        contract = contracts.get((take.cue_id, take.designer_id)) if take.cue_id else None
+        approval = approvals.get(take.id)
+        judge = judges.get(approval.given_by) if approval and approval.given_by else None
+        rows.append(
+            ClearanceRow(
+                file=path,
+                cue=label(project.cue_prefix, cue.number) if cue else "",
+                name=cue.name if cue else "",
+                variation=take.variation,
+                version=take.number,
+                designer=designers[take.designer_id].name,
+                agreement=_agreement(contract, is_in_house=take.designer_id in in_house),
+                paid=("yes" if take.cue_id in paid[contract.id] else "no") if contract else "",
+                **_stated(sources),
+                open_points=words_of_points(open_points(sources)),
+                same_file_in=", ".join(elsewhere.get(take.master_sha256, [])),
+                delivered_on=take.received_at.date().isoformat(),
+                approved_on=approval.created_at.date().isoformat() if approval else "",
+                approved_by=judge.name if judge else "the clause on silence" if approval else "",
+                master=take.file_name,
+                master_sha256=take.master_sha256,
+            )
+        )
+    return rows
+
+
+def _paid(session: Session, contract: Contract) -> set[UUID]:
+    return paid_cues(load_ledger_book(session, contract), priced(cues_of(session, contract.id)))
+
+
+def _agreement(contract: Contract | None, *, is_in_house: bool) -> str:
+    if contract is not None and contract.agreed_at is not None:
+        return f"{contract.title}, agreed {contract.agreed_at.date()}"
+    return "employed by the studio" if is_in_house else "no contract in Soundlist"
+
+
+def _stated(sources: Sources | None) -> dict[str, str]:
+    if sources is None:
+        return dict.fromkeys(("from_scratch", "own_recordings", "libraries", "generated", "performers", "note"), "")
+    return {
+        "from_scratch": "yes" if sources.from_scratch else "no",
+        "own_recordings": "yes" if sources.own_recordings else "no",
+        "libraries": "; ".join(
+            ", ".join(part for part in (one.name, one.licence, one.file) if part) for one in sources.libraries
+        ),
+        "generated": "; ".join(f"{one.tool}: {one.part}" for one in sources.generated),
+        "performers": "; ".join(f"{one.name}, release: {one.release or 'none named'}" for one in sources.performers),
+        "note": sources.note,
+    }
