@@ -25,6 +25,15 @@ DECISIONS = sorted((ROOT / "docs" / "decisions").glob("[0-9]*.md"))
 PARTS = ["Status", "Context", "Decision", "Consequences"]
 MAX_WORDS = 1500  # of a page that is read from its beginning; figures in tables count
 REFERENCE = {"security.md"}  # looked up row by row
+MAX_LINES = {
+    "app": 400,
+    "audio_checks": 400,
+    "benchmarks": 600,
+    "deploy": 400,
+    "integrations": 400,
+    "tests": 600,
+    "training": 600,
+}
 SERVER_COMMANDS = {
     "serve",
     "worker",
@@ -93,6 +102,24 @@ def commands_in_documents(program: str) -> set[str]:
         for part in code.findall(path.read_text())
         for command in typed.findall(part)
     }
+
+
+def too_long(folder: Path, most: int) -> dict[str, int]:
+    """Return the Python files of a folder that have more lines than that, with their number."""
+    lines = {str(path.relative_to(folder)): len(path.read_text().splitlines()) for path in folder.rglob("*.py")}
+    assert lines
+    return {name: count for name, count in lines.items() if count > most}
+
+
+@pytest.mark.parametrize("folder", MAX_LINES)
+def test_no_file_is_too_long_to_read_at_once(folder: str):
+    assert too_long(ROOT / folder, MAX_LINES[folder]) == {}
+
+
+def test_a_long_file_would_be_found(tmp_path: Path):
+    (tmp_path / "short.py").write_text("\n" * 3)
+    (tmp_path / "long.py").write_text("\n" * 4)
+    assert too_long(tmp_path, 3) == {"long.py": 4}
 
 
 def test_every_command_of_the_server_that_the_documents_name_is_one():
