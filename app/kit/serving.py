@@ -16,6 +16,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app.kit.connections import BoundedHttpProtocol
 from app.kit.handshakes import stop_handshakes
+from app.kit.memory import collect_garbage
 
 READY = "/readyz"
 IS_LEAVING = "is_leaving"
@@ -36,6 +37,7 @@ def serve(app: ASGIApp, listening: socket.socket, *, drain_s: float, finish_s: i
     gc.freeze()
     gc.set_threshold(GARBAGE_AFTER, *gc.get_threshold()[1:])
     stopping = threading.Event()
+    collect_garbage(until=stopping)
     config = uvicorn.Config(
         _Draining(app, stopping.is_set), log_config=None, access_log=False, proxy_headers=False,
         server_header=False, timeout_graceful_shutdown=finish_s, timeout_keep_alive=IDLE_LINE_S,

@@ -4,8 +4,13 @@ import json
 import platform
 import subprocess
 import sys
+import threading
+import time
+import weakref
 
 import pytest
+
+from app.kit import memory
 
 MEASURE = """
 import json, sys, threading
@@ -49,3 +54,21 @@ def test_free_memory_of_many_threads_returns():
 
     assert left_mib("as it is") > 100, "glibc keeps free memory: without this there is nothing to set up"
     assert left_mib("set up") < 30
+
+
+def test_what_refers_to_itself_is_freed_while_nothing_else_happens(monkeypatch):
+    class Refused:
+        pass
+
+    monkeypatch.setattr(memory, "COLLECT_EVERY_S", 0.01)
+    refused, over = Refused(), threading.Event()
+    refused.itself, freed = refused, weakref.ref(refused)
+    memory.collect_garbage(until=over)
+    try:
+        del refused
+        deadline = time.monotonic() + 30
+        while freed() is not None and time.monotonic() < deadline:
+            time.sleep(0.01)
+        assert freed() is None
+    finally:
+        over.set()
