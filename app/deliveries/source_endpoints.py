@@ -2,15 +2,17 @@
 
 from uuid import UUID
 
+from fastapi import APIRouter
+
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.deliveries import sources
 from app.deliveries.errors import DeliveryNotFound, NoSourceNamed, OwnDesignerNeeded, SourcesFixed, TakeNotFound
 from app.deliveries.schemas import DeliverySources, Sources, TakeSources
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, Route, problems
 from app.projects.errors import DesignerNeeded
 
-router = Router(route_class=Route)
+router = APIRouter(route_class=Route)
 
 
 @router.get("/deliveries/{delivery_id}/sources", response_model=DeliverySources, responses=problems(DeliveryNotFound))
