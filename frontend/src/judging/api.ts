@@ -12,8 +12,6 @@ import type { components } from '@/api/schema.gen'
 import { finePeaks, type Peaks } from '@/audio'
 
 type Schemas = components['schemas']
-export type Me = Schemas['Me']
-export type MyProject = Schemas['MyProject']
 export type QueueItem = Schemas['QueueItem']
 export type QueuePage = Schemas['Page_QueueItem_']
 export type QueueCount = Schemas['QueueCount']
@@ -26,7 +24,6 @@ export type Sending = Schemas['FeedbackRead']
 
 /** Where the answers that reviewing rests on are kept. */
 export const keys = {
-  me: ['me'] as const,
   queue: (projectId: string) => ['review-queue', projectId] as const,
   queueCount: (projectId: string) => ['review-queue', projectId, 'count'] as const,
   review: (cueId: string) => ['cue-review', cueId] as const,
@@ -38,25 +35,8 @@ export const keys = {
 /** What a verdict changes elsewhere: lists and dashboards of the project, on any page. */
 const TOUCHED = ['today', 'overview', 'progress', 'judged', 'take-history', 'money']
 
-export const meQuery = queryOptions({
-  queryKey: keys.me,
-  queryFn: () => answered(api.GET('/v1/me')),
-  staleTime: 60_000,
-})
-
-/** The current person's roles in one project. */
-export function useMyProject(projectId: string): MyProject | undefined {
-  const { data } = useQuery(meQuery)
-  return data?.projects.find(({ id }) => id === projectId)
-}
-
 const everyItem = async <T>(read: (cursor?: string) => Promise<{ items: T[]; next?: string | null }>): Promise<T[]> =>
   (await everyPage(read)).flatMap(({ items }) => items)
-
-/** Whether contracts and money are between this person and another: who only reviews or implements sees neither. */
-export const isParty = (project: MyProject | undefined): boolean =>
-  project !== undefined &&
-  (project.part === 'designer' || project.is_producer || project.is_liaison || project.is_approver)
 
 /** The cues that wait for a verdict, the oldest first, as far as they were asked for. */
 export const queueQuery = (projectId: string) =>

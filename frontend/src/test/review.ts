@@ -1,4 +1,5 @@
-import type { ChangeRequest, CueReview, Me, QueueItem, ReviewCue, ReviewFinding, ReviewTake } from '@/judging/api'
+import type { Me } from '@/api/me'
+import type { ChangeRequest, CueReview, QueueItem, ReviewCue, ReviewFinding, ReviewTake } from '@/judging/api'
 
 import { type Asked, serve } from './server'
 

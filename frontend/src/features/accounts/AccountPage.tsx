@@ -1,12 +1,13 @@
 import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
+import { type Me, meQuery } from '@/api/me'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
 import { Card, CardHead } from '@/ui/Card'
 import { Row, Rows } from '@/ui/Rows'
 
-import { type Me, meQuery, sessionQuery, useChangePassword, useOpenStudio, useRename } from './api'
+import { sessionQuery, useChangePassword, useOpenStudio, useRename } from './api'
 import classes from './Account.module.css'
 import { Field, Form } from './Form'
 import { ROLE_WORDS } from './parts'

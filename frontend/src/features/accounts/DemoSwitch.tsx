@@ -3,9 +3,10 @@ import { useQueryClient } from '@tanstack/react-query'
 import { useRouter } from '@tanstack/react-router'
 
 import { answered, api } from '@/api'
+import { meQuery } from '@/api/me'
 import { showToast } from '@/app/toast'
 
-import { meQuery, sessionQuery } from './api'
+import { sessionQuery } from './api'
 import { type DemoPart, demoPartOf } from './parts'
 
 const PARTS: { part: DemoPart; label: string }[] = [

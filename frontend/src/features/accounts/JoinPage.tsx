@@ -2,11 +2,12 @@ import { useQuery } from '@tanstack/react-query'
 import { useParams, useRouter } from '@tanstack/react-router'
 
 import { ApiProblem } from '@/api'
+import { meQuery } from '@/api/me'
 import { useTitle } from '@/app/title'
 import { day } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 
-import { meQuery, sessionQuery, studioInvitationQuery, useJoinStudio } from './api'
+import { sessionQuery, studioInvitationQuery, useJoinStudio } from './api'
 import { Field, Form, sentence, Sheet } from './Form'
 import { ROLE_MEANINGS, ROLE_WORDS } from './parts'
 

@@ -1,5 +1,6 @@
 import { useQuery } from '@tanstack/react-query'
 
+import { type Me } from '@/api/me'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
@@ -8,15 +9,7 @@ import { Row, Rows } from '@/ui/Rows'
 import { State } from '@/ui/State'
 
 import classes from './Account.module.css'
-import {
-  type Me,
-  type SignIn,
-  signInsQuery,
-  signUpQuery,
-  useAskVerification,
-  useEndOtherSignIns,
-  useEndSignIn,
-} from './api'
+import { type SignIn, signInsQuery, signUpQuery, useAskVerification, useEndOtherSignIns, useEndSignIn } from './api'
 import { CardProblem } from './PeopleCards'
 
 /** The address, and whether it is verified. */

@@ -3,9 +3,9 @@ import { useRouter } from '@tanstack/react-router'
 import { useEffect, useState } from 'react'
 
 import { answered, api, onSessionEnd } from '@/api'
+import type { Me } from '@/api/me'
 import { Dialog } from '@/app/Dialog'
 
-import type { Me } from './api'
 import { Field, Form } from './Form'
 
 /** Opens where the session has ended: the same person signs in without leaving the page. */

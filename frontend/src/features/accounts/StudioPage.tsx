@@ -1,11 +1,11 @@
 import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
+import { meQuery } from '@/api/me'
 import { useTitle } from '@/app/title'
 import { EmptyState } from '@/ui/EmptyState'
 import { Segmented } from '@/ui/Segmented'
 
-import { meQuery } from './api'
 import { OutboxCard } from './OutboxCard'
 import { InvitationsCard, PeopleCard } from './PeopleCards'
 import { QuotasCard } from './QuotasCard'

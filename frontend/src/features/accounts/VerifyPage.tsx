@@ -1,10 +1,11 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 
+import { meQuery } from '@/api/me'
 import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 
-import { meQuery, useVerifyEmail } from './api'
+import { useVerifyEmail } from './api'
 import { Sheet } from './Form'
 import { CardProblem } from './PeopleCards'
 

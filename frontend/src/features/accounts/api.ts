@@ -1,10 +1,8 @@
 import { queryOptions, useMutation, useQuery, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api } from '@/api'
+import { meQuery } from '@/api/me'
 import type { components } from '@/api/schema.gen'
-import { type Me, meQuery, type MyProject } from '@/judging/api'
-
-export { type Me, meQuery, type MyProject }
 
 type Schemas = components['schemas']
 export type MyStudio = Schemas['MyStudio']

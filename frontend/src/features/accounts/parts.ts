@@ -1,4 +1,6 @@
-import type { Me, MyProject, Role } from './api'
+import type { Me, MyProject } from '@/api/me'
+
+import type { Role } from './api'
 
 export const ROLE_WORDS: Record<Role, string> = {
   producer: 'Producer',

@@ -1,8 +1,8 @@
 import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api } from '@/api'
+import { meQuery } from '@/api/me'
 import type { components } from '@/api/schema.gen'
-import { meQuery } from '@/judging/api'
 
 type Schemas = components['schemas']
 export type Project = Schemas['ProjectRead']

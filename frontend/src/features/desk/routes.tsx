@@ -1,8 +1,8 @@
 import { createRoute, lazyRouteComponent, redirect } from '@tanstack/react-router'
 
+import { meQuery } from '@/api/me'
 import { lastProject } from '@/app/lastProject'
 import { shellRoute } from '@/app/roots'
-import { meQuery } from '@/judging/api'
 
 export const deskRoutes = [
   createRoute({

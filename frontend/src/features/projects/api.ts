@@ -8,8 +8,8 @@ import {
 } from '@tanstack/react-query'
 
 import { answered, api, everyPage } from '@/api'
+import { meQuery } from '@/api/me'
 import type { components } from '@/api/schema.gen'
-import { meQuery } from '@/judging/api'
 
 type Schemas = components['schemas']
 export type Project = Schemas['ProjectRead']

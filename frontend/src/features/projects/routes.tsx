@@ -1,8 +1,8 @@
 import type { QueryClient } from '@tanstack/react-query'
 import { createRoute, lazyRouteComponent, redirect } from '@tanstack/react-router'
 
+import { meQuery } from '@/api/me'
 import { shellRoute } from '@/app/roots'
-import { meQuery } from '@/judging/api'
 
 const version = (value: unknown): number | undefined =>
   typeof value === 'number' && Number.isInteger(value) && value >= 1 ? value : undefined

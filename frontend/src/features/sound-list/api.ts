@@ -7,9 +7,9 @@ import {
 } from '@tanstack/react-query'
 
 import { answered, api, ApiProblem, everyPage } from '@/api'
+import { useMyProject } from '@/api/me'
 import type { components } from '@/api/schema.gen'
 import { useMade } from '@/api/useMade'
-import { useMyProject } from '@/judging/api'
 
 type Schemas = components['schemas']
 export type Cue = Schemas['CueRead']

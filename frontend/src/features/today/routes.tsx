@@ -1,9 +1,9 @@
 import type { QueryClient } from '@tanstack/react-query'
 import { createRoute, lazyRouteComponent, redirect } from '@tanstack/react-router'
 
+import { meQuery } from '@/api/me'
 import { lastProject } from '@/app/lastProject'
 import { shellRoute } from '@/app/roots'
-import { meQuery } from '@/judging/api'
 
 /** Where one starts: Today of the project that was open last, or of the first one, the desk for a designer. */
 const start = {

@@ -1,0 +1,26 @@
+import { queryOptions, useQuery } from '@tanstack/react-query'
+
+import { answered, api } from './client'
+import type { components } from './schema.gen'
+
+type Schemas = components['schemas']
+export type Me = Schemas['Me']
+export type MyProject = Schemas['MyProject']
+
+/** The current person, with their studios and projects. */
+export const meQuery = queryOptions({
+  queryKey: ['me'],
+  queryFn: () => answered(api.GET('/v1/me')),
+  staleTime: 60_000,
+})
+
+/** The current person's roles in one project. */
+export function useMyProject(projectId: string): MyProject | undefined {
+  const { data } = useQuery(meQuery)
+  return data?.projects.find(({ id }) => id === projectId)
+}
+
+/** Whether contracts and money are between this person and another: who only reviews or implements sees neither. */
+export const isParty = (project: MyProject | undefined): boolean =>
+  project !== undefined &&
+  (project.part === 'designer' || project.is_producer || project.is_liaison || project.is_approver)
