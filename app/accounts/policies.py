@@ -1,6 +1,5 @@
 """Policies of endpoints: who is asking, and whether the declared policy admits them."""
 
-from collections.abc import Callable
 from functools import partial
 from typing import Any
 from uuid import UUID
@@ -119,16 +118,6 @@ def allows(audience: Audience, *, build: Scope | None = None) -> Any:
     once the object is known to be visible. `tests/house/test_policies.py` asks every endpoint as every audience.
     """
     return Depends(Allowed(Policy(audience, build)))
-
-
-def policy_of(endpoint: Callable[..., Any], dependencies: list[Any]) -> Policy | None:
-    """Return the policy that an endpoint declares, None when it forgot."""
-    for dependency in dependencies:
-        if isinstance(dependency.call, Allowed):
-            return dependency.call.policy
-        if (found := policy_of(endpoint, dependency.dependencies)) is not None:
-            return found
-    return None
 
 
 def demo_part_of(request: Request) -> tuple[str, tuple[str, ...]] | None:

@@ -1,24 +1,22 @@
 """Shared parts of endpoints: sessions, problem details, idempotency keys, pages."""
 
-import re
 from collections.abc import AsyncIterator, Iterator
 from contextlib import AbstractAsyncContextManager, contextmanager
 from datetime import UTC, datetime
-from functools import cached_property, partial
+from functools import partial
 from typing import Annotated, Any, Generic, TypeVar
 from uuid import UUID
 
-from fastapi import APIRouter, Depends, Request
-from fastapi.routing import APIRoute
+from fastapi import Depends, Request
 from pydantic import BaseModel, ConfigDict, Field
 from sqlalchemy.orm import Session
-from starlette.routing import Match, compile_path
 from starlette.types import Receive, Scope, Send
 
 from app.kit import kill_points
 from app.kit.concurrency import Slot, limiter
 from app.kit.db import Database
 from app.kit.errors import FieldProblem, Invalid, Refused
+from app.kit.fastapi_internals import Router as Router
 from app.kit.idempotency import SAFE_METHODS as SAFE_METHODS
 from app.kit.idempotency import SavedResponse, once
 from app.kit.reach import NOBODY, Reach
@@ -26,7 +24,6 @@ from app.kit.runtime import Runtime
 from app.kit.single_thread_route import LazySession, SingleThreadRoute
 
 PROBLEM_TYPE = "application/problem+json"
-GROUP_NAME = re.compile(r"\?P<\w+>")
 Item = TypeVar("Item")
 
 
@@ -140,29 +137,6 @@ class Route(SingleThreadRoute):
     async def answer(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer; out here, around the whole route, its transaction has been committed when the answer passes."""
         await once(super().answer, self.authentication)(scope, receive, send)
-
-
-class Router(APIRouter):
-    """A room's routes, which one look at an address rules out together: most requests are for other rooms."""
-
-    def matches(self, scope: Scope) -> tuple[Match, Scope]:
-        """Return whether any of them is requested."""
-        return super().matches(scope) if self._addresses.match(scope["path"]) else (Match.NONE, {})
-
-    @cached_property
-    def _addresses(self) -> re.Pattern[str]:
-        return re.compile("|".join(GROUP_NAME.sub("?:", compile_path(path)[0].pattern) for path in _paths(self)))
-
-
-def _paths(router: APIRouter) -> Iterator[str]:
-    for route in router.routes:
-        if isinstance(route, APIRoute):
-            yield route.path
-        else:
-            within: Any = route  # what FastAPI keeps of a router that another one includes
-            if isinstance(within.original_router, Router):
-                raise TypeError("a router within a Router does not know its whole addresses: make it an APIRouter")
-            yield from (f"{router.prefix}{path}" for path in _paths(within.original_router))
 
 
 class Page(BaseModel, Generic[Item]):

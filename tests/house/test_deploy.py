@@ -21,7 +21,7 @@ from typer.testing import CliRunner
 from app.cli import cli
 from app.cli.running import STOP_WITHIN_S
 from app.deliveries.rules import MAX_ARCHIVE_BYTES
-from app.kit import bodies, serving
+from app.kit import bodies, serving, uvicorn_internals
 from app.settings import Settings, bucket_address
 from tests.support.s3 import KEY, free_port, run_program, s3_program
 from tests.support.server import RunningServer
@@ -267,7 +267,7 @@ class TestProxy:
 
 
 def test_a_web_process_is_given_the_time_that_stopping_takes(ours: dict[str, dict[str, Any]]):
-    longest_s = serving.ACCEPT_S + serving.LINGER_S + STOP_WITHIN_S
+    longest_s = uvicorn_internals.ACCEPT_S + uvicorn_internals.LINGER_S + STOP_WITHIN_S
     web = ours["web"]
     assert float(web["environment"]["SOUNDLIST_DRAIN_S"]) + longest_s < float(web["stop_grace_period"].rstrip("s"))
     unit = (DEPLOY / "systemd" / "soundlist-web.service").read_text()

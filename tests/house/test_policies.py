@@ -8,12 +8,12 @@ from fastapi.testclient import TestClient
 from httpx import Response
 
 from app import rooms
-from app.accounts.policies import policy_of
 from app.accounts.rules import Audience, Scope
+from app.kit.fastapi_internals import Router
 from app.kit.http import SAFE_METHODS
 from app.kit.single_thread_route import SingleThreadRoute
 from tests.house.objects import House
-from tests.house.routes import Operation, api_routes, ask, document, operations
+from tests.house.routes import Operation, api_routes, ask, document, operations, policy_of
 from tests.support.server import RunningServer
 
 # Between two parties: who only reviews does not see them, nor does another designer.
@@ -74,7 +74,7 @@ def _no_tries_yet(server: RunningServer) -> None:
 def test_every_endpoint_declares_its_policy() -> None:
     routes = [route for router in rooms.ROUTERS for route in api_routes(router.routes)]
     assert len(routes) > 80
-    assert [route.name for route in routes if policy_of(route.endpoint, route.dependant.dependencies) is None] == []
+    assert [route.name for route in routes if policy_of(route) is None] == []
 
 
 def test_every_route_looks_who_asks_before_it_answers() -> None:
@@ -83,10 +83,14 @@ def test_every_route_looks_who_asks_before_it_answers() -> None:
 
 
 def test_an_endpoint_without_policy_would_be_named() -> None:
+    router = Router(route_class=SingleThreadRoute)
+
+    @router.get("/forgetful")
     def forgetful() -> None:
         """Declare nothing."""
 
-    assert policy_of(forgetful, []) is None
+    (route,) = api_routes(router.routes)
+    assert policy_of(route) is None
 
 
 def test_every_endpoint_is_in_the_document_under_a_name_of_its_own() -> None:

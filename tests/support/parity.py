@@ -16,7 +16,7 @@ import httpx
 
 import audio_checks
 from app.accounts.authentication import CSRF_HEADER
-from app.kit.connections import BoundedHttpProtocol
+from app.kit.uvicorn_internals import BoundedHttpProtocol
 from tests.support.any_sound import any_sound
 from tests.support.deliver import deliver, open_delivery
 from tests.support.listening import listening

@@ -12,7 +12,7 @@ import pytest
 from app.dashboards.watching import BEFORE_NDA, GRANTING, PARTIES_ONLY, STUDIOS_OWN
 from app.kit import change_feed
 from app.kit.changes import KEPT_FOR, instant_id
-from app.kit.connections import BoundedHttpProtocol
+from app.kit.uvicorn_internals import BoundedHttpProtocol
 from app.kit.db import Base
 from app.main import create_app
 from app.projects.models import Engagement, Project

@@ -11,12 +11,11 @@ from typing import Any
 import pytest
 
 from app import rooms
-from app.accounts.policies import policy_of
 from app.accounts.rules import Audience
-from app.kit import bodies, connections
+from app.kit import bodies, uvicorn_internals
 from app.kit.bodies import SMALL_BODY_BYTES
 from app.kit.single_thread_route import SingleThreadRoute
-from tests.house.routes import api_routes
+from tests.house.routes import api_routes, policy_of
 from tests.support.listening import listening
 from tests.support.server import RunningServer, World
 
@@ -25,7 +24,7 @@ KIB, MIB = 1 << 10, 1 << 20
 
 @pytest.fixture(scope="module")
 def port(server: RunningServer) -> Iterator[int]:
-    with listening(server.application, lifespan="off", http=connections.BoundedHttpProtocol, ws="none") as port:
+    with listening(server.application, lifespan="off", http=uvicorn_internals.BoundedHttpProtocol, ws="none") as port:
         yield port
 
 
@@ -105,7 +104,7 @@ def test_nobody_unknown_may_send_more_than_the_default():
     large = [route for route in routes if isinstance(route, SingleThreadRoute) and route.body_limit > SMALL_BODY_BYTES]
     assert len(large) > 10
     for route in large:
-        policy = policy_of(route.endpoint, route.dependant.dependencies)
+        policy = policy_of(route)
         assert policy is not None
         assert policy.audience is not Audience.ANYONE, route.name
         assert route.authentication is not None, route.name
@@ -141,7 +140,7 @@ def test_a_body_that_trickles_is_cut(port: int, monkeypatch: pytest.MonkeyPatch)
 
 @pytest.mark.parametrize("sent", [b"", b"GET / HT", b"GET / HTTP/1.1\r\nHost: x\r\nX-Slow: "])
 def test_a_head_that_trickles_is_cut(port: int, monkeypatch: pytest.MonkeyPatch, sent: bytes):
-    monkeypatch.setattr(connections, "HEAD_S", 0.3)
+    monkeypatch.setattr(uvicorn_internals, "HEAD_S", 0.3)
     with connected(port) as line:
         for byte in sent:
             line.sendall(bytes([byte]))
@@ -156,7 +155,7 @@ def test_the_second_head_on_a_line_may_not_trickle_either(port: int, monkeypatch
     with connected(port) as line:
         line.sendall(head("GET", "/healthz"))
         assert b"200 OK" in line.recv(65_536)
-        monkeypatch.setattr(connections, "HEAD_S", 0.3)
+        monkeypatch.setattr(uvicorn_internals, "HEAD_S", 0.3)
         line.sendall(b"GET /hea")
         assert answer_on(line)[0] == 408
 

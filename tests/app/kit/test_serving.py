@@ -25,7 +25,7 @@ def test_what_was_imported_is_not_looked_through_again(monkeypatch: pytest.Monke
         frozen.append(gc.get_freeze_count())
         server.started = True
 
-    monkeypatch.setattr(serving._Server, "run", run)
+    monkeypatch.setattr(serving.SteppedServer, "run", run)
     with socket.socket() as listening:
         serving.serve(lambda *_: None, listening, drain_s=0, finish_s=1)
     assert frozen[0] > 10_000

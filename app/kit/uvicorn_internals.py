@@ -1,15 +1,25 @@
-"""HTTP connections with limits: how large and how slow a request's head may be, and what happens to an unread body.
+"""Everything that Soundlist uses of uvicorn beside its documentation: pyproject.toml pins one exact version.
 
-Uvicorn's protocol buffers a head of any size, waits for it without end, and reads on after an early answer. What is
-bounded here holds with or without a proxy in front.
+tests/app/kit/test_uvicorn_internals.py names each part, and fails where a newer version lacks it. None of it is for
+speed. `BoundedHttpProtocol` limits how large and how slow a request's head may be, and what happens to an unread body:
+uvicorn's protocol buffers a head of any size, waits for it without end, and reads on after an early answer. This holds
+with or without a proxy in front. `SteppedServer` answers what is on its way while a process stops: uvicorn resets it.
 """
 
 import asyncio
 import json
+import socket
+import threading
+import time
+from collections.abc import Callable
 from http import HTTPStatus
+from types import FrameType
 from typing import Any, cast
 
+import uvicorn
 from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
+
+from app.kit.handshakes import stop_handshakes
 
 MAX_HEAD_BYTES = 64 << 10  # request line and headers; Upload-Metadata alone may have 32 KiB
 MAX_URL_BYTES = 16 << 10
@@ -17,6 +27,8 @@ MAX_HEADERS = 100
 HEAD_S = 20.0  # from the first byte of a head to its last, and from the connection to its first byte
 DRAIN_BYTES = 8 << 20  # of an unread body, after its answer: many clients send all before they read
 DRAIN_S = 2.0
+ACCEPT_S = 0.1  # the event loop comes round many times
+LINGER_S = 2.0  # a proxy finishes with its open connections, or sees that no new one opens
 
 
 class BoundedHttpProtocol(HttpToolsProtocol):
@@ -196,3 +208,39 @@ class _LingeringTransport:
     def abandon(self) -> None:
         """Close at once."""
         self._transport.close()
+
+
+class SteppedServer(uvicorn.Server):
+    """Stops in steps: is not ready, takes no new line, closes those it has; a second signal means now."""
+
+    def __init__(self, config: uvicorn.Config, stopping: threading.Event, drain_s: float) -> None:
+        super().__init__(config)
+        self._stopping = stopping
+        self._drain_s = drain_s
+        self._hurries = not drain_s
+
+    def handle_exit(self, sig: int, frame: FrameType | None) -> None:
+        """Begin to stop; at a second signal, stop at once."""
+        self._hurries = self._hurries or self._stopping.is_set()
+        self._stopping.set()
+        if self._hurries:
+            super().handle_exit(sig, frame)
+            return
+        closing = threading.Timer(self._drain_s, super().handle_exit, (sig, frame))
+        closing.daemon = True
+        closing.start()
+
+    async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+        """Answer what may be on its way on an open line before the lines close."""
+        for listening in sockets or ():
+            stop_handshakes(listening)
+        await self._until(lambda: False, ACCEPT_S)
+        for server in self.servers:
+            server.close()
+        await self._until(lambda: not self.server_state.connections, LINGER_S)
+        await super().shutdown(sockets)
+
+    async def _until(self, done: Callable[[], bool], longest_s: float) -> None:
+        deadline = time.monotonic() + longest_s
+        while not (self._hurries or done()) and time.monotonic() < deadline:
+            await asyncio.sleep(0.02)
