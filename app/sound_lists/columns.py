@@ -5,6 +5,7 @@ import re
 import unicodedata
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from datetime import date
 from typing import Any
 
 from app.sound_lists.rules import CueState, Reverb
@@ -37,6 +38,9 @@ HEADS: Mapping[str, str] = {
     "state": "state|status|stage|stand|design status|maturity|reife|reifegrad",
     "playback_priority": "priority|prio|playback priority|playback prio|voice priority|importance|sound priority|"
     "priorität|abspielpriorität|wichtigkeit|rang",
+    "due_on": "due|due date|due on|due by|deadline|needed by|needed on|need by|date due|date needed|delivery date|"
+    "target date|milestone date|eta|fällig|fällig am|fälligkeit|termin|abgabe|abgabetermin|liefertermin|bis wann|"
+    "échéance|date limite|fecha límite",
     "placeholder": "placeholder|temp|is placeholder|platzhalter",
     "palette": "palette|in palette",
 }
@@ -60,6 +64,9 @@ PRIORITIES: Mapping[str, int] = {
     **dict.fromkeys(("lowest", "niedrigste"), 0),
 }
 """Playback priorities from 0 to 1000 for the words that lists use."""
+GERMAN_MONTHS = {"mrz": "mar", "mai": "may", "okt": "oct", "dez": "dec"}
+MONTHS = ("jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec")
+SLASHED = re.compile(r"(\d{1,2})[/-](\d{1,2})[/-](\d{2}|\d{4})", re.ASCII)
 LOOP_WORDS = frozenset({"loop", "looping", "looped", "one-shot", "one shot", "oneshot"})
 SAMPLED = 50
 MAX_HEADER_CHARS = 200  # what is longer is no head of ours
@@ -204,6 +211,55 @@ def _read_reverb(text: str, _unit_s: float) -> Reverb | None:
     return Reverb(plain)
 
 
+def is_day_first(cells: Sequence[str]) -> bool | None:
+    """Return whether a column writes the day before the month, as in 31/5/2026; None where no cell shows it."""
+    for cell in cells:
+        if found := SLASHED.fullmatch(cell.strip()[:MAX_FIGURE_CHARS]):
+            if int(found[1]) > 12:
+                return True
+            if int(found[2]) > 12:
+                return False
+    return None
+
+
+def read_day(text: str, day_first: bool | None = None) -> date | None:
+    """Return a day as people type it; raise ValueError where it is none, or could be two."""
+    plain = text.strip().lower()
+    if plain in EMPTY:
+        return None
+    try:
+        if found := re.fullmatch(r"(\d{4})[-/.](\d{1,2})[-/.](\d{1,2})(?:[t ]\d{1,2}:\d{2}.*)?", plain, re.ASCII):
+            return date(int(found[1]), int(found[2]), int(found[3]))
+        if found := re.fullmatch(r"(\d{1,2})\.\s*(\d{1,2})\.\s*(\d{2}|\d{4})", plain, re.ASCII):
+            return date(_year(found[3]), int(found[2]), int(found[1]))
+        if found := SLASHED.fullmatch(plain):
+            first, second, year = int(found[1]), int(found[2]), _year(found[3])
+            if day_first is None and first != second and max(first, second) <= 12:
+                raise ValueError(
+                    f'"{text[:40]}" could be {date(year, second, first):%d %B} or {date(year, first, second):%d %B}; '
+                    f"write {date(year, second, first)}"
+                )
+            is_day = first > 12 or (second <= 12 and bool(day_first))
+            return date(year, second, first) if is_day else date(year, first, second)
+        if found := re.fullmatch(r"(?:[a-zä]{2,10},? )?(\d{1,2})(?:st|nd|rd|th|\.)? ([a-zä]{3,9})\.?,? (\d{4})", plain):
+            return date(int(found[3]), _month(found[2]), int(found[1]))
+        if found := re.fullmatch(r"([a-zä]{3,9})\.? (\d{1,2})(?:st|nd|rd|th)?,? (\d{4})", plain):
+            return date(int(found[3]), _month(found[1]), int(found[2]))
+    except ValueError as error:
+        if "could be" in str(error):
+            raise
+    raise ValueError(f'wanted a day such as 2026-12-04, found "{text[:40]}"')
+
+
+def _year(digits: str) -> int:
+    return int(digits) + (2000 if len(digits) == 2 else 0)
+
+
+def _month(name: str) -> int:
+    start = name[:3].replace("ä", "a")
+    return MONTHS.index(GERMAN_MONTHS.get(start, start)) + 1
+
+
 READERS: Mapping[str, Callable[[str, float], Any]] = {
     "duration_s": _read_duration,
     "frame_rate_fps": _read_rate,
@@ -218,14 +274,14 @@ READERS: Mapping[str, Callable[[str, float], Any]] = {
 }
 
 
-def read_cell(field: str, text: str, unit_s: float = 1.0) -> Any:
+def read_cell(field: str, text: str, unit_s: float = 1.0, day_first: bool | None = None) -> Any:
     """Return the value of a cell for a field; raise ValueError that says what was wanted and what was found."""
     reader = READERS.get(field)
-    if reader is None:
+    if reader is None and field != "due_on":
         return text
     if len(text) > MAX_FIGURE_CHARS:
         raise ValueError(f'{len(text):,} characters; wanted {MAX_FIGURE_CHARS} at most, found "{text[:40]}"')
-    return reader(text, unit_s)
+    return reader(text, unit_s) if reader else read_day(text, day_first)
 
 
 def says_loop(cells: Sequence[str]) -> bool:
@@ -237,10 +293,11 @@ def says_loop(cells: Sequence[str]) -> bool:
 def looks_like(field: str, cells: Sequence[str], unit_s: float) -> bool:
     """Whether most of a column's cells can be read for a field."""
     filled = [cell for cell in cells if cell][:SAMPLED]
+    day_first = is_day_first(filled) is not False  # either order shows that these are days
     readable = 0
     for cell in filled:
         try:
-            read_cell(field, cell, unit_s)
+            read_cell(field, cell, unit_s, day_first)
         except ValueError:
             continue
         readable += 1

@@ -2,13 +2,19 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from datetime import date
 
 import audio_checks
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import label, spreadsheet_safe
 from app.sound_lists.service import cue_facts
 
-OWN_COLUMNS = ("playback_priority", "placeholder", "palette")  # in the export, besides those that every tool knows
+OWN_COLUMNS = (
+    "playback_priority",
+    "due_on",
+    "placeholder",
+    "palette",
+)  # in the export, besides those that every tool knows
 
 
 def sound_list_csv(cues: Sequence[Cue], cue_prefix: str) -> str:
@@ -33,7 +39,7 @@ def _exported(cue: Cue, cue_prefix: str, own: Sequence[str], extras: Mapping[str
     )
 
 
-def _plain(value: bool | int | None) -> str:
+def _plain(value: bool | int | date | None) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     return "" if value is None else str(value)

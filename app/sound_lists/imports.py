@@ -11,7 +11,7 @@ from app.accounts.rules import Actor
 from app.projects.models import Project
 from app.projects.service import project_access
 from app.sound_lists import queries
-from app.sound_lists.columns import Head, head_of, looks_like, read_cell, says_loop
+from app.sound_lists.columns import Head, head_of, is_day_first, looks_like, read_cell, says_loop
 from app.sound_lists.errors import ColumnUnknown
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import NEW_CUE, CueState, Facts, label, read_label, tidy_line, tidy_text, typed_text
@@ -34,6 +34,7 @@ class Column:
     guess: ImportField | None
     field: ImportField
     unit_s: float
+    day_first: bool | None  # whether 4/5/2026 is in May; None where no cell of the column shows it
 
 
 @dataclass
@@ -122,6 +123,7 @@ def _columns(sheet: Sheet, cue_prefix: str, mapping: Mapping[str, ImportField]) 
                 guess=guess,
                 field=mapping.get(name, free),
                 unit_s=head.unit_s,
+                day_first=is_day_first(cells),
             )
         )
     return columns
@@ -234,7 +236,7 @@ def _read_row(
                 yield RowFault(row, "number", f'wanted {label(cue_prefix, 14)} or 14, found "{text[:40]}"')
         else:
             try:
-                given[column.field] = read_cell(column.field, text, column.unit_s)
+                given[column.field] = read_cell(column.field, text, column.unit_s, column.day_first)
             except ValueError as error:
                 yield RowFault(row, column.field, str(error))
     given["extra"] = extra
@@ -270,7 +272,7 @@ def _row_read(edit: Edit, cue_prefix: str) -> ImportRow:
         if before and before[fact] != value
     ]
     number = edit.cue.number if edit.cue else edit.number
-    shown = ("name", "file_name", "category", "description", "duration_s", "loop", "variations", "state")
+    shown = ("name", "file_name", "category", "description", "duration_s", "loop", "variations", "state", "due_on")
     return ImportRow(
         row=edit.row,
         action="add" if edit.cue is None else "change" if changes else "same",

@@ -48,6 +48,7 @@ NEW_CUE: Mapping[str, Any] = {
     "variations": 1,
     "state": CueState.PROTOTYPE,
     "playback_priority": None,
+    "due_on": None,
     "placeholder": False,
     "palette": False,
     "extra": {},

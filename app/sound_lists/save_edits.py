@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from datetime import date
 from typing import Any
 from uuid import UUID
 
@@ -157,7 +158,8 @@ def save(session: Session, project: Project, person_id: UUID, edits: Sequence[Ed
         new = facts_of(cue)
         differing = [fact for fact in new if not old or old[fact] != new[fact]]
         earlier = {fact: old[fact] for fact in differing} if old else {}
-        records.append(_record(revision, cue, earlier, {fact: new[fact] for fact in differing}))
+        later = {fact: new[fact] for fact in differing}
+        records.append(_record(revision, cue, _as_json(earlier), _as_json(later)))
         if old and CHECKED_FACTS.intersection(differing):
             unlike.append(str(cue.id))
     session.execute(insert(CueChange), records)
@@ -174,6 +176,10 @@ def save(session: Session, project: Project, person_id: UUID, edits: Sequence[Ed
         publish(session, "palette.changed", studio_id=project.studio_id, project_id=project.id)
     _tell(session, revision, person_id, added=added, changed=changed, cut=0)
     return cues
+
+
+def _as_json(facts: Facts) -> Facts:
+    return {fact: value.isoformat() if isinstance(value, date) else value for fact, value in facts.items()}
 
 
 def cut(session: Session, project: Project, person_id: UUID, cue: Cue, reason: str) -> None:

@@ -1,6 +1,6 @@
 """Bodies that this room reads and answers."""
 
-from datetime import datetime
+from datetime import date, datetime
 from typing import Annotated, Any, Literal
 from uuid import UUID
 
@@ -39,6 +39,7 @@ class CueRead(Schema):
     variations: int
     state: CueState
     playback_priority: int | None
+    due_on: date | None = Field(description="The day on which the sound is needed.")
     placeholder: bool
     palette: bool
     extra: dict[str, str] = Field(description="Imported columns without a field.")
@@ -73,6 +74,7 @@ class CueFields(Schema):
     variations: Whole = 1
     state: OpenState = "prototype"
     playback_priority: Whole | None = None
+    due_on: date | None = None
     placeholder: bool = False
     palette: bool = False
     extra: dict[Text, Text] = Field(default_factory=dict)
@@ -201,6 +203,7 @@ ImportField = Literal[
     "variations",
     "state",
     "playback_priority",
+    "due_on",
     "placeholder",
     "palette",
     "extra",
@@ -248,6 +251,7 @@ class ImportRow(Schema):
     loop: bool
     variations: int
     state: CueState
+    due_on: date | None
     changes: list[FieldChange]
 
 

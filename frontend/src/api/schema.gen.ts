@@ -1266,7 +1266,7 @@ export interface paths {
         };
         /**
          * Read Invoice Draft
-         * @description Return what an invoice would say if it were issued now.
+         * @description Return what an invoice would say if it were issued now, under this number or the one after the last.
          */
         get: operations["read_invoice_draft"];
         put?: never;
@@ -2479,6 +2479,54 @@ export interface paths {
          * @description Deliver a file of at most 8 MiB in one request; the same bytes again are the same take.
          */
         post: operations["add_file"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/deliveries/{delivery_id}/sources": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * See Delivery Sources
+         * @description Show what a delivery was made from; its designer also sees what they stated last.
+         */
+        get: operations["see_delivery_sources"];
+        /**
+         * State Delivery Sources
+         * @description State what the takes of a delivery were made from; a take can have a statement of its own.
+         */
+        put: operations["state_delivery_sources"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/takes/{take_id}/sources": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * See Take Sources
+         * @description Show what a take was made from.
+         */
+        get: operations["see_take_sources"];
+        /**
+         * State Take Sources
+         * @description State what one take was made from; once it is approved and nothing is open, that stands.
+         */
+        put: operations["state_take_sources"];
+        post?: never;
         delete?: never;
         options?: never;
         head?: never;
@@ -3721,6 +3769,86 @@ export interface paths {
          * @description Return the shell lines by which the game's CI checks its audio and posts the report.
          */
         get: operations["get_ci_lines"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/clearance-sheet.xlsx": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Clearance Sheet Xlsx
+         * @description Return who made each sound of the pack, from what and under which contract, as a workbook.
+         */
+        get: operations["get_clearance_sheet_xlsx"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/clearance-sheet.pdf": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Clearance Sheet Pdf
+         * @description Return who made each sound of the pack, from what and under which contract, to read and to print.
+         */
+        get: operations["get_clearance_sheet_pdf"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/packs/{pack_id}/clearance-sheet.xlsx": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Pack Clearance Sheet Xlsx
+         * @description Return the clearance sheet of a sealed pack as a workbook.
+         */
+        get: operations["get_pack_clearance_sheet_xlsx"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/packs/{pack_id}/clearance-sheet.pdf": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Pack Clearance Sheet Pdf
+         * @description Return the clearance sheet of a sealed pack, to read and to print.
+         */
+        get: operations["get_pack_clearance_sheet_pdf"];
         put?: never;
         post?: never;
         delete?: never;
@@ -5758,6 +5886,8 @@ export interface components {
             state: "concept" | "prototype" | "locked";
             /** Playback Priority */
             playback_priority?: number | null;
+            /** Due On */
+            due_on?: string | null;
             /**
              * Placeholder
              * @default false
@@ -5868,6 +5998,11 @@ export interface components {
             state: components["schemas"]["CueState"];
             /** Playback Priority */
             playback_priority: number | null;
+            /**
+             * Due On
+             * @description The day on which the sound is needed.
+             */
+            due_on: string | null;
             /** Placeholder */
             placeholder: boolean;
             /** Palette */
@@ -6053,6 +6188,8 @@ export interface components {
             state: "concept" | "prototype" | "locked";
             /** Playback Priority */
             playback_priority?: number | null;
+            /** Due On */
+            due_on?: string | null;
             /**
              * Placeholder
              * @default false
@@ -6160,6 +6297,11 @@ export interface components {
             state: components["schemas"]["CueState"];
             /** Playback Priority */
             playback_priority: number | null;
+            /**
+             * Due On
+             * @description The day on which the sound is needed.
+             */
+            due_on: string | null;
             /** Placeholder */
             placeholder: boolean;
             /** Palette */
@@ -6404,6 +6546,23 @@ export interface components {
              * @description The median distance above the others' median.
              */
             shift: number;
+        };
+        /**
+         * DeliverySources
+         * @description The sources of a delivery.
+         */
+        DeliverySources: {
+            /**
+             * Delivery Id
+             * Format: uuid
+             */
+            delivery_id: string;
+            /** @description Holds for every take without a statement of its own. */
+            stated: components["schemas"]["SourcesRead"] | null;
+            /** @description What its designer stated last in this studio. */
+            remembered: components["schemas"]["Sources"] | null;
+            /** Takes */
+            takes: components["schemas"]["TakeSources"][];
         };
         /**
          * DemoPart
@@ -7134,6 +7293,22 @@ export interface components {
             /** Start S */
             start_s?: number | null;
         };
+        /**
+         * GeneratedSource
+         * @description A part of a sound that a machine generated.
+         */
+        GeneratedSource: {
+            /**
+             * Tool
+             * @description Name and version.
+             */
+            tool: string;
+            /**
+             * Part
+             * @description The part of the sound that it made.
+             */
+            part: string;
+        };
         /** HTTPValidationError */
         HTTPValidationError: {
             /** Detail */
@@ -7230,7 +7405,7 @@ export interface components {
              * @description Column → field; `extra` keeps a column as it is, `ignore` leaves it out. Columns not named here are read as guessed.
              */
             mapping?: {
-                [key: string]: "number" | "name" | "file_name" | "category" | "description" | "use" | "trigger" | "duration_s" | "length_locked" | "frame_rate_fps" | "loop" | "reverb" | "variations" | "state" | "playback_priority" | "placeholder" | "palette" | "extra" | "ignore";
+                [key: string]: "number" | "name" | "file_name" | "category" | "description" | "use" | "trigger" | "duration_s" | "length_locked" | "frame_rate_fps" | "loop" | "reverb" | "variations" | "state" | "playback_priority" | "due_on" | "placeholder" | "palette" | "extra" | "ignore";
             } | null;
             /**
              * Dry Run
@@ -7258,12 +7433,12 @@ export interface components {
              * Guess
              * @description What its head and cells look like; null: nothing we know.
              */
-            guess: ("number" | "name" | "file_name" | "category" | "description" | "use" | "trigger" | "duration_s" | "length_locked" | "frame_rate_fps" | "loop" | "reverb" | "variations" | "state" | "playback_priority" | "placeholder" | "palette" | "extra" | "ignore") | null;
+            guess: ("number" | "name" | "file_name" | "category" | "description" | "use" | "trigger" | "duration_s" | "length_locked" | "frame_rate_fps" | "loop" | "reverb" | "variations" | "state" | "playback_priority" | "due_on" | "placeholder" | "palette" | "extra" | "ignore") | null;
             /**
              * Field
              * @enum {string}
              */
-            field: "number" | "name" | "file_name" | "category" | "description" | "use" | "trigger" | "duration_s" | "length_locked" | "frame_rate_fps" | "loop" | "reverb" | "variations" | "state" | "playback_priority" | "placeholder" | "palette" | "extra" | "ignore";
+            field: "number" | "name" | "file_name" | "category" | "description" | "use" | "trigger" | "duration_s" | "length_locked" | "frame_rate_fps" | "loop" | "reverb" | "variations" | "state" | "playback_priority" | "due_on" | "placeholder" | "palette" | "extra" | "ignore";
         };
         /**
          * ImportFault
@@ -7341,6 +7516,8 @@ export interface components {
             /** Variations */
             variations: number;
             state: components["schemas"]["CueState"];
+            /** Due On */
+            due_on: string | null;
             /** Changes */
             changes: components["schemas"]["FieldChange"][];
         };
@@ -7458,6 +7635,12 @@ export interface components {
             currency: string;
             /** Number */
             number: number;
+            /** Full Number */
+            full_number: string;
+            /** Number Advice */
+            number_advice: string;
+            /** Is Number Taken */
+            is_number_taken: boolean;
             /** Seller */
             seller: string;
             /** Buyer */
@@ -7479,9 +7662,16 @@ export interface components {
         };
         /**
          * InvoiceIssue
-         * @description Sender and recipient; the lines are everything that is due and on no invoice yet.
+         * @description Number, sender and recipient; the lines are everything that is due and on no invoice yet.
+         *
+         *     Without a number the invoice gets the one after the designer's last.
          */
         InvoiceIssue: {
+            /**
+             * Full Number
+             * @default
+             */
+            full_number: string;
             /** Seller */
             seller: string;
             /**
@@ -7529,6 +7719,8 @@ export interface components {
             contract_id: string;
             /** Number */
             number: number;
+            /** Full Number */
+            full_number: string;
             /** Currency */
             currency: string;
             /**
@@ -7717,7 +7909,7 @@ export interface components {
             /** Invoice Id */
             invoice_id: string | null;
             /** Invoice Number */
-            invoice_number: number | null;
+            invoice_number: string | null;
             /** Reference */
             reference: string | null;
         };
@@ -7794,6 +7986,26 @@ export interface components {
             variables: {
                 [key: string]: string;
             };
+        };
+        /**
+         * LibrarySource
+         * @description A sound library that a sound has layers from.
+         */
+        LibrarySource: {
+            /** Name */
+            name: string;
+            /**
+             * Licence
+             * @description Its name, or where it is kept; empty: not known yet.
+             * @default
+             */
+            licence: string;
+            /**
+             * File
+             * @description The recording of the library.
+             * @default
+             */
+            file: string;
         };
         /**
          * LimitsRead
@@ -9118,6 +9330,20 @@ export interface components {
             bands?: components["schemas"]["BandsRead"] | null;
         };
         /**
+         * PerformerSource
+         * @description A person who is heard in a sound.
+         */
+        PerformerSource: {
+            /** Name */
+            name: string;
+            /**
+             * Release
+             * @description The signed release: its date, or where it is kept; empty: none yet.
+             * @default
+             */
+            release: string;
+        };
+        /**
          * PersonBrief
          * @description A person's id and name.
          */
@@ -9842,7 +10068,7 @@ export interface components {
              * Kind
              * @enum {string}
              */
-            kind: "gain" | "head" | "tail" | "name" | "header" | "depth";
+            kind: "gain" | "head" | "tail" | "name" | "header" | "depth" | "offset";
             /**
              * Codes
              * @description The findings that it answers.
@@ -10584,6 +10810,62 @@ export interface components {
             next: string | null;
         };
         /**
+         * Sources
+         * @description What a sound was made from.
+         */
+        Sources: {
+            /**
+             * From Scratch
+             * @description Synthesized or designed without any recording of others.
+             * @default false
+             */
+            from_scratch: boolean;
+            /**
+             * Own Recordings
+             * @description Recorded by its designer.
+             * @default false
+             */
+            own_recordings: boolean;
+            /**
+             * Libraries
+             * @default []
+             */
+            libraries: components["schemas"]["LibrarySource"][];
+            /**
+             * Generated
+             * @default []
+             */
+            generated: components["schemas"]["GeneratedSource"][];
+            /**
+             * Performers
+             * @default []
+             */
+            performers: components["schemas"]["PerformerSource"][];
+            /**
+             * Note
+             * @default
+             */
+            note: string;
+        };
+        /**
+         * SourcesRead
+         * @description What was stated of a sound, or of a delivery.
+         */
+        SourcesRead: {
+            sources: components["schemas"]["Sources"];
+            /**
+             * Stated At
+             * Format: date-time
+             */
+            stated_at: string;
+            stated_by: components["schemas"]["PersonBrief"];
+            /**
+             * Words
+             * @description The same as one line of text.
+             */
+            words: string;
+        };
+        /**
          * SpanRead
          * @description A run of letters of one weight.
          */
@@ -10710,7 +10992,7 @@ export interface components {
              * Kind
              * @enum {string}
              */
-            kind: "gain" | "head" | "tail";
+            kind: "gain" | "head" | "tail" | "offset";
             /** Start S */
             start_s: number;
             /** End S */
@@ -11177,6 +11459,34 @@ export interface components {
             fix: components["schemas"]["SoundBrief"] | null;
             /** Renders */
             renders: components["schemas"]["RenderSoundRead"][];
+        };
+        /**
+         * TakeSources
+         * @description The sources of one take.
+         */
+        TakeSources: {
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /** @description Its own statement, else that of its delivery; null: none. */
+            stated: components["schemas"]["SourcesRead"] | null;
+            /**
+             * Is Own
+             * @description Whether the take has a statement of its own.
+             */
+            is_own: boolean;
+            /**
+             * Is Fixed
+             * @description Whether they are on record: the take is approved, and nothing is open.
+             */
+            is_fixed: boolean;
+            /**
+             * Open Points
+             * @description What a clearance asks for and is not stated.
+             */
+            open_points: string[];
         };
         /**
          * TakeState
@@ -15532,7 +15842,9 @@ export interface operations {
     };
     read_invoice_draft: {
         parameters: {
-            query?: never;
+            query?: {
+                full_number?: string;
+            };
             header?: never;
             path: {
                 contract_id: string;
@@ -15670,7 +15982,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `not-agreed`, `nothing-to-invoice` */
+            /** @description `not-agreed`, `nothing-to-invoice`, `invoice-number-taken` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -19598,6 +19910,201 @@ export interface operations {
             };
         };
     };
+    see_delivery_sources: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                delivery_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DeliverySources"];
+                };
+            };
+            /** @description `delivery-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    state_delivery_sources: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                delivery_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Sources"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DeliverySources"];
+                };
+            };
+            /** @description `designer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `delivery-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `no-source-named` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    see_take_sources: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                take_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TakeSources"];
+                };
+            };
+            /** @description `take-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    state_take_sources: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                take_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Sources"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TakeSources"];
+                };
+            };
+            /** @description `own-designer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `take-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `sources-fixed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `no-source-named` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     list_deliveries: {
         parameters: {
             query?: {
@@ -23330,6 +23837,262 @@ export interface operations {
             };
             /** @description `target-unknown` */
             422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_clearance_sheet_xlsx: {
+        parameters: {
+            query?: {
+                /** @description A target of the spec; its first when left out. */
+                target?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet": string;
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `target-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_clearance_sheet_pdf: {
+        parameters: {
+            query?: {
+                /** @description A target of the spec; its first when left out. */
+                target?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/pdf": string;
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `target-unknown`, `document-too-large` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-at-once` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `typesetting-busy` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_pack_clearance_sheet_xlsx: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                pack_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet": string;
+                };
+            };
+            /** @description `team-needed`, `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `pack-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `pack-not-sealed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_pack_clearance_sheet_pdf: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                pack_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/pdf": string;
+                };
+            };
+            /** @description `team-needed`, `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `pack-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `pack-not-sealed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `document-too-large` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-at-once` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `typesetting-busy` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };

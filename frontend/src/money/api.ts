@@ -1,4 +1,4 @@
-import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
+import { keepPreviousData, queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api, everyPage } from '@/api'
 import type { components } from '@/api/schema.gen'
@@ -58,11 +58,18 @@ export const invoicesQuery = (contractId: string) =>
     queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/invoices', of(contractId))),
   })
 
-export const invoiceDraftQuery = (contractId: string) =>
+/** The next invoice, under the number that was typed or, without one, the number after the last. */
+export const invoiceDraftQuery = (contractId: string, fullNumber = '') =>
   queryOptions({
-    queryKey: [MONEY, 'invoice-draft', contractId],
-    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/invoice-draft', of(contractId))),
+    queryKey: [MONEY, 'invoice-draft', contractId, fullNumber],
+    queryFn: () =>
+      answered(
+        api.GET('/v1/contracts/{contract_id}/invoice-draft', {
+          params: { path: { contract_id: contractId }, query: fullNumber === '' ? {} : { full_number: fullNumber } },
+        }),
+      ),
     retry: false,
+    placeholderData: keepPreviousData,
   })
 
 export const estimatesQuery = (contractId: string) =>

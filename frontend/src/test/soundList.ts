@@ -29,6 +29,7 @@ export function aCue(number: number, name: string, cue: Partial<Cue> = {}): Cue 
     variations: 1,
     state: 'locked',
     playback_priority: null,
+    due_on: null,
     placeholder: false,
     palette: false,
     extra: {},

@@ -1,4 +1,5 @@
 import { Textarea, TextInput } from '@mantine/core'
+import { useDebouncedValue } from '@mantine/hooks'
 import { useQuery } from '@tanstack/react-query'
 import { type FormEvent, useState } from 'react'
 
@@ -64,7 +65,7 @@ function InvoiceRow({ invoice, title, isProducer }: { invoice: Invoice; title: s
       <Row>
         <span className="grow">
           <a className="link strong" href={`/v1/invoices/${invoice.id}/invoice.pdf`} target="_blank" rel="noreferrer">
-            Invoice {invoice.number}
+            Invoice {invoice.full_number}
           </a>
           <span className="small mid">
             {' '}
@@ -74,7 +75,7 @@ function InvoiceRow({ invoice, title, isProducer }: { invoice: Invoice; title: s
         </span>
         <span className="nowrap">{money(total, currency)}</span>
         {isProducer && open !== 0 && !paying && (
-          <Button onClick={() => setPaying(true)} aria-label={`Record payment on invoice ${invoice.number}`}>
+          <Button onClick={() => setPaying(true)} aria-label={`Record payment on invoice ${invoice.full_number}`}>
             Record payment
           </Button>
         )}
@@ -94,7 +95,7 @@ function InvoiceRow({ invoice, title, isProducer }: { invoice: Invoice; title: s
 function PayForm({ invoice, title, onDone }: { invoice: Invoice; title: string; onDone: () => void }) {
   return (
     <PaymentForm
-      name={`Payment on invoice ${invoice.number}, ${title}`}
+      name={`Payment on invoice ${invoice.full_number}, ${title}`}
       verb="Record payment"
       day="Paid on"
       mostMinor={invoice.open_minor}
@@ -114,7 +115,7 @@ interface PaymentRowProps {
 /** One payment as it was written down; what went back is a line of its own below it. */
 function PaymentRow({ payment, invoice, isProducer }: PaymentRowProps) {
   const [returning, setReturning] = useState(false)
-  const { currency, number } = invoice
+  const { currency, full_number: number } = invoice
   const { amount_minor: minor, left_minor: left, paid_on: on, reference } = payment
   const isRefund = payment.refund_of_id !== null
   return (
@@ -147,7 +148,7 @@ function PaymentRow({ payment, invoice, isProducer }: PaymentRowProps) {
 function RefundForm({ payment, invoice, onDone }: { payment: Payment; invoice: Invoice; onDone: () => void }) {
   return (
     <PaymentForm
-      name={`Refund of ${payment.reference}, invoice ${invoice.number}`}
+      name={`Refund of ${payment.reference}, invoice ${invoice.full_number}`}
       verb="Record refund"
       day="Refunded on"
       note="The payment stays in the ledger. The refund is added as new lines."
@@ -160,19 +161,22 @@ function RefundForm({ payment, invoice, onDone }: { payment: Payment; invoice: I
 }
 
 function IssueForm({ contract }: { contract: ContractMoney }) {
-  const { data: draft } = useQuery(invoiceDraftQuery(contract.contract_id))
   const issue = useIssueInvoice(contract.contract_id)
-  const [{ seller, buyer, order }, setTyped, typed] = useDraft<{
+  const [{ number = null, seller, buyer, order }, setTyped, typed] = useDraft<{
+    number: string | null
     seller: string | null
     buyer: string | null
     order: string | null
-  }>(`invoice:${contract.contract_id}`, { seller: null, buyer: null, order: null })
+  }>(`invoice:${contract.contract_id}`, { number: null, seller: null, buyer: null, order: null })
+  const [asked] = useDebouncedValue(number?.trim() ?? '', 250)
+  const { data: draft } = useQuery(invoiceDraftQuery(contract.contract_id, asked))
   if (!draft) return null
   const { currency } = draft
   const send = (event: FormEvent) => {
     event.preventDefault()
     issue.mutate(
       {
+        full_number: number ?? draft.full_number,
         seller: seller ?? draft.seller,
         buyer: buyer ?? draft.buyer,
         po_number: order ?? draft.po_number,
@@ -182,7 +186,7 @@ function IssueForm({ contract }: { contract: ContractMoney }) {
     )
   }
   return (
-    <form className={classes.form} onSubmit={send} noValidate aria-label={`Invoice ${draft.number}, ${contract.title}`}>
+    <form className={classes.form} onSubmit={send} noValidate aria-label={`New invoice, ${contract.title}`}>
       <div className={`${classes.wide} ${classes.lines}`}>
         {draft.lines.map((line, place) => (
           <p key={`${place} ${line.text}`} className={classes.line}>
@@ -198,6 +202,19 @@ function IssueForm({ contract }: { contract: ContractMoney }) {
           <span>Payment term {draft.payment_days} days</span> <span>{money(draft.total_minor, currency)}</span>
         </p>
       </div>
+      <TextInput
+        label="Invoice number"
+        description="The next one follows from it."
+        maxLength={40}
+        value={number ?? draft.full_number}
+        error={draft.is_number_taken && draft.number_advice}
+        onChange={({ currentTarget: { value } }) => setTyped((now) => ({ ...now, number: value }))}
+      />
+      {draft.number_advice !== '' && !draft.is_number_taken && (
+        <p className={`small tone-warn ${classes.wide}`} role="status">
+          <span className="toned">{draft.number_advice}</span>
+        </p>
+      )}
       <Textarea
         label="From: name, address, tax number"
         rows={3}
@@ -222,8 +239,8 @@ function IssueForm({ contract }: { contract: ContractMoney }) {
         </div>
       )}
       <div className={classes.foot}>
-        <Button type="submit" variant="primary">
-          Issue invoice {draft.number}
+        <Button type="submit" variant="primary" disabled={draft.is_number_taken}>
+          Issue invoice {number?.trim() || draft.full_number}
         </Button>
       </div>
     </form>

@@ -28,6 +28,7 @@ function anInvoice(contractId: string, more: Partial<Invoice> = {}): Invoice {
     id: `invoice-${contractId}`,
     contract_id: contractId,
     number: 1,
+    full_number: '1',
     currency: 'USD',
     issued_on: '2026-11-10',
     due_on: '2026-11-24',
@@ -116,6 +117,9 @@ const LINE = {
 const HABIT = { pairs: 3, mean_percent: 12.5, spread_points: 4, habit: 'steady' }
 const DRAFT = {
   number: 2,
+  full_number: 'INV-2026-015',
+  number_advice: '',
+  is_number_taken: false,
   currency: 'USD',
   seller: 'Sound designer',
   buyer: 'Studio',
@@ -303,12 +307,35 @@ describe('a designer', () => {
     server.on('POST /v1/contracts/effects/invoices', anInvoice('effects', { number: 2 }))
     await opened()
     const effects = within(screen.getByRole('region', { name: 'Effects, Sound designer' }))
-    const form = within(await effects.findByRole('form', { name: 'Invoice 2, Effects' }))
+    const form = within(await effects.findByRole('form', { name: 'New invoice, Effects' }))
     expect(form.getByText('Tax, 19 %')).toBeVisible()
     expect(form.getByText('$214.20')).toBeVisible()
     expect(await faults()).toEqual([])
-    await userEvent.click(form.getByRole('button', { name: 'Issue invoice 2' }))
+    await userEvent.click(form.getByRole('button', { name: 'Issue invoice INV-2026-015' }))
     await waitFor(() => expect(server.of('POST /v1/contracts/effects/invoices')).toHaveLength(1))
+    expect(server.of('POST /v1/contracts/effects/invoices')[0]?.body).toMatchObject({ full_number: 'INV-2026-015' })
+  })
+
+  test('numbers invoices in a series of their own; a gap is said, and a used number cannot be issued', async () => {
+    server.on('GET /v1/contracts/effects/invoice-draft', ({ query }) => {
+      const number = query.get('full_number')
+      if (number === '15') return { ...DRAFT, full_number: '15', number_advice: '13 to 14 are left out.' }
+      if (number !== '12') return DRAFT
+      return { ...DRAFT, number_advice: 'You have issued an invoice 12 already.', is_number_taken: true }
+    })
+    await opened()
+    const effects = within(screen.getByRole('region', { name: 'Effects, Sound designer' }))
+    const form = within(await effects.findByRole('form', { name: 'New invoice, Effects' }))
+    const number = form.getByLabelText('Invoice number')
+    expect(number).toHaveValue('INV-2026-015')
+    await userEvent.clear(number)
+    await userEvent.type(number, '15')
+    expect(await form.findByText('13 to 14 are left out.')).toBeVisible()
+    expect(form.getByRole('button', { name: 'Issue invoice 15' })).toBeEnabled()
+    await userEvent.clear(number)
+    await userEvent.type(number, '12')
+    expect(await form.findByText('You have issued an invoice 12 already.')).toBeVisible()
+    expect(form.getByRole('button', { name: 'Issue invoice 12' })).toBeDisabled()
   })
 
   test('logs a day in quarters, and takes one back', async () => {

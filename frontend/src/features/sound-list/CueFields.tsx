@@ -47,6 +47,7 @@ export function CueFields({ draft, faults, categories, onChange }: CueFieldsProp
       <Textarea {...text('description', 'four')} rows={2} classNames={{ input: classes.grows }} />
       <NativeSelect {...text('reverb')} size="xs" data={[...REVERBS]} />
       <TextInput {...text('playback_priority')} inputMode="numeric" />
+      <TextInput {...text('due_on')} type="date" />
       <fieldset className={classes.flags}>
         <legend className="visually-hidden">Properties</legend>
         {flag('loop', 'Loop')}

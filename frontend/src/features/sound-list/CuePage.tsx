@@ -7,7 +7,7 @@ import { useTitle } from '@/app/title'
 import { usePlayer } from '@/audio'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { length } from '@/ui/format'
+import { day, length } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { State } from '@/ui/State'
@@ -248,6 +248,7 @@ function Facts({ cue }: { cue: CueDetail }) {
     ['Variations', cue.variations > 1 && `a set of ${cue.variations}`],
     ['Reverb', cue.reverb && wordOf(REVERBS, cue.reverb).toLowerCase()],
     ['Priority', cue.playback_priority],
+    ['Needed by', cue.due_on && day(cue.due_on)],
     ['Placeholder', cue.placeholder && 'the build has a placeholder, which must not ship'],
     ['Palette', cue.palette && 'reference for new sounds'],
     [

@@ -1,7 +1,7 @@
 import { useCallback, useMemo, useRef, useState } from 'react'
 
 import { Card, CardHead } from '@/ui/Card'
-import { figure } from '@/ui/format'
+import { day, figure } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { Segmented } from '@/ui/Segmented'
 
@@ -162,7 +162,11 @@ function Line({ row: { row, read, faults }, at, measure }: LineProps) {
           </p>
         ))}
         {!isWrong && read && read.action === 'change' && <Changes changes={read.changes} />}
-        {!isWrong && read?.action === 'add' && <span className="mid">{read.description}</span>}
+        {!isWrong && read?.action === 'add' && (
+          <span className="mid">
+            {[read.due_on && `Needed by ${day(read.due_on)}`, read.description].filter(Boolean).join('. ')}
+          </span>
+        )}
       </td>
     </tr>
   )

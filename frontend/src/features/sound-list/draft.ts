@@ -18,6 +18,7 @@ export interface CueDraft {
   variations: string
   state: string
   playback_priority: string
+  due_on: string
   placeholder: boolean
   palette: boolean
 }
@@ -40,6 +41,7 @@ export const EMPTY_DRAFT: CueDraft = {
   variations: '1',
   state: 'prototype',
   playback_priority: '',
+  due_on: '',
   placeholder: false,
   palette: false,
 }
@@ -57,6 +59,7 @@ export function draftOf(cue: Cue): CueDraft {
     playback_priority: typed(cue.playback_priority),
     variations: String(cue.variations),
     reverb: cue.reverb ?? '',
+    due_on: cue.due_on ?? '',
   }
 }
 
@@ -91,7 +94,7 @@ export interface ReadDraft {
 
 /** What a draft says, and what in it cannot be read. */
 export function readDraft(draft: CueDraft): ReadDraft {
-  const facts: Record<string, unknown> = { ...draft, reverb: draft.reverb || null }
+  const facts: Record<string, unknown> = { ...draft, reverb: draft.reverb || null, due_on: draft.due_on || null }
   const faults: Faults = {}
   for (const [field, figure] of Object.entries(FIGURES) as [DraftField, Figure][]) {
     const read = readFigure(String(draft[field]), figure)

@@ -19,6 +19,7 @@ const FIELD_WORDS: Record<string, string> = {
   variations: 'Variations',
   state: 'Design status',
   playback_priority: 'Priority',
+  due_on: 'Needed by',
   placeholder: 'Placeholder in build',
   palette: 'Palette',
   extra: 'Custom columns',
@@ -45,6 +46,7 @@ export const IMPORT_FIELDS: readonly { value: ImportField; label: string }[] = [
       'variations',
       'state',
       'playback_priority',
+      'due_on',
       'placeholder',
       'palette',
     ] as const
