@@ -2,6 +2,7 @@
 
 from fastapi import APIRouter
 
+from app.accounts.calendar_endpoints import router as calendars
 from app.accounts.endpoints import router as accounts
 from app.accounts.me_endpoints import router as me
 from app.accounts.sign_up_endpoints import router as sign_up
@@ -33,6 +34,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     sign_up,
     me,
     studios,
+    calendars,
     projects,
     specs,
     sound_lists,

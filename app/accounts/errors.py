@@ -127,6 +127,14 @@ class LastProducer(Conflict):
     """A studio always has a producer."""
 
 
+class TimeZoneUnknown(Invalid):
+    """No time zone of the IANA list has that name."""
+
+
+class DayNamedTwice(Invalid):
+    """A calendar names a day twice."""
+
+
 class BadAddress(Invalid):
     """The given text is no email address."""
 

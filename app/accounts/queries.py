@@ -1,6 +1,6 @@
 """Queries for people, studios, memberships and sessions."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from datetime import timedelta
 from uuid import UUID
 
@@ -9,6 +9,7 @@ from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import (
     EmailVerification,
+    Holiday,
     Membership,
     Operator,
     PasswordReset,
@@ -282,3 +283,15 @@ def project_token(session: Session, project_id: UUID, token_id: UUID) -> Token |
     return session.scalar(
         select(Token).where(Token.id == token_id, Token.project_id == project_id).options(joinedload(Token.creator))
     )
+
+
+def holidays_of(session: Session, studio_ids: Collection[UUID]) -> Sequence[Holiday]:
+    """Return the holidays of studios, in order."""
+    return session.scalars(
+        select(Holiday).where(Holiday.studio_id.in_(studio_ids)).order_by(Holiday.day, Holiday.studio_id)
+    ).all()
+
+
+def time_zones_of(session: Session, studio_ids: Collection[UUID]) -> dict[UUID, str]:
+    """Return the time zone of each studio."""
+    return dict(session.execute(select(Studio.id, Studio.time_zone).where(Studio.id.in_(studio_ids))).all())

@@ -1,6 +1,6 @@
 """Bodies and answers of accounts."""
 
-from datetime import datetime
+from datetime import date, datetime
 from typing import Annotated
 from uuid import UUID
 
@@ -47,6 +47,38 @@ class StudioBrief(Schema):
 
     id: UUID
     name: str
+
+
+class HolidayRead(Schema):
+    """A day on which a studio does not work."""
+
+    day: date
+    name: str
+    created_at: datetime = Field(description="Cues that waited before are not delayed by it.")
+
+
+class HolidayAdd(Schema):
+    """A day on which a studio does not work."""
+
+    day: date
+    name: Line
+
+
+MAX_HOLIDAYS = 500
+
+
+class CalendarSave(Schema):
+    """The calendar of a studio."""
+
+    time_zone: Line = Field(examples=["Europe/Berlin"], description="Of the IANA list.")
+    holidays: list[HolidayAdd] = Field([], max_length=MAX_HOLIDAYS, description="Besides Saturdays and Sundays.")
+
+
+class CalendarRead(Schema):
+    """The calendar of a studio, by which working days are counted."""
+
+    time_zone: str
+    holidays: list[HolidayRead]
 
 
 class SessionRead(Schema):

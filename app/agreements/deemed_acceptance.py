@@ -1,35 +1,64 @@
 """What a contract says of a silent studio: when a cue counts as accepted, and when its approver is reminded.
 
-Working days are Monday to Friday by UTC, and a day counts once it is over; the day on which a file began to wait
-is none of them.
+A working day counts once it is over; the day on which a file began to wait is none of them. Which days are working
+days, and whether anything stops the count, is the contract's choice: the studio's own calendar, time zone and open
+points, or Monday to Friday by UTC.
 """
 
-from collections.abc import Mapping
-from dataclasses import dataclass
-from datetime import UTC, date, datetime, time, timedelta
-from typing import Any
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from datetime import UTC, date, datetime, time, timedelta, tzinfo
+from typing import Any, Literal
 
 CLAUSE = "silence"  # its key in the library
 SATURDAY, DAYS_OF_WEEK = 5, 7
+ONE_DAY = timedelta(days=1)
+PausedBy = Literal["question", "change_order"]
 
 
 def working_days(after: date, upto: date) -> int:
-    """Return how many working days lie after one day, up to another and with it; 0 where that is not later."""
+    """Return how many days from Monday to Friday lie after one day, up to another and with it; 0 if that is earlier."""
     days = max((upto - after).days, 0)
     weeks, rest = divmod(days, DAYS_OF_WEEK)
     left = sum((after + timedelta(days=step)).weekday() < SATURDAY for step in range(1, rest + 1))
     return weeks * SATURDAY + left
 
 
-def working_day(after: date, number: int) -> date:
-    """Return the working day of that number after a day."""
-    weeks, rest = divmod(number - 1, SATURDAY)
-    found = after + timedelta(weeks=weeks)
-    for _ in range(rest + 1):
-        found += timedelta(days=1)
-        while found.weekday() >= SATURDAY:
-            found += timedelta(days=1)
-    return found
+@dataclass(frozen=True)
+class WorkCalendar:
+    """When a studio works: Monday to Friday by a time zone, but on no holiday."""
+
+    zone: tzinfo = UTC
+    holidays: Mapping[date, datetime] = field(default_factory=dict)  # each with the moment at which it was entered
+
+    def day_of(self, moment: datetime) -> date:
+        """Return the day that a moment is in."""
+        return moment.astimezone(self.zone).date()
+
+    def start_of(self, day: date) -> datetime:
+        """Return the moment at which a day begins."""
+        return datetime.combine(day, time(), self.zone)
+
+    def is_working_day(self, day: date, *, as_of: datetime) -> bool:
+        """Whether a day is one for a cue that began to wait then: a holiday that was entered since is ignored."""
+        entered_at = self.holidays.get(day)
+        return day.weekday() < SATURDAY and (entered_at is None or entered_at > as_of)
+
+
+MONDAY_TO_FRIDAY = WorkCalendar()
+
+
+@dataclass(frozen=True)
+class Pause:
+    """A time in which something was open that stops the count."""
+
+    by: PausedBy
+    began_at: datetime
+    ended_at: datetime | None = None
+
+    def lasts(self, now: datetime) -> bool:
+        """Whether it is open at a moment."""
+        return self.began_at <= now and (self.ended_at is None or self.ended_at > now)
 
 
 @dataclass(frozen=True)
@@ -38,28 +67,64 @@ class DeemedAcceptance:
 
     days: int
     reminder_days: int
+    by_studio_calendar: bool = False
 
     @classmethod
     def of(cls, terms: Mapping[str, Any]) -> "DeemedAcceptance | None":
         """Read the terms that hold; None where the clause does not stand.
 
-        Texts from before this software kept the clause name no reminders: what they say is kept by the parties.
+        Texts from before this software kept the clause name no reminders: what they say is kept by the parties. Texts
+        that name no calendar count Monday to Friday by UTC, and nothing stops the count.
         """
         days, reminder_days = terms.get("silence_days"), terms.get("silence_reminder_days")
-        return cls(days, reminder_days) if days and reminder_days else None
+        by_studio_calendar = terms.get("silence_calendar") == "studio"
+        return cls(days, reminder_days, by_studio_calendar) if days and reminder_days else None
 
-    def last_day(self, since: datetime) -> date:
-        """Return the day that must pass without a verdict."""
-        return working_day(_day(since), self.days)
 
-    def is_over(self, since: datetime, now: datetime) -> bool:
-        """Return whether that day has passed."""
-        return now >= datetime.combine(self.last_day(since) + timedelta(days=1), time(), UTC)
+@dataclass(frozen=True)
+class Wait:
+    """One cue that waits under the clause since a moment."""
 
-    def reminders(self, since: datetime, now: datetime) -> int:
+    clause: DeemedAcceptance
+    since: datetime
+    calendar: WorkCalendar = MONDAY_TO_FRIDAY
+    pauses: tuple[Pause, ...] = ()
+
+    @classmethod
+    def under(
+        cls, clause: DeemedAcceptance, since: datetime, calendar: WorkCalendar, pauses: Iterable[Pause]
+    ) -> "Wait":
+        """Return a wait by what the clause goes by."""
+        return cls(clause, since, calendar, tuple(pauses)) if clause.by_studio_calendar else cls(clause, since)
+
+    def paused_by(self, now: datetime) -> PausedBy | None:
+        """Return what stops the count at a moment; None where nothing does."""
+        return next((pause.by for pause in self.pauses if pause.lasts(now)), None)
+
+    def counts(self, day: date, now: datetime) -> bool:
+        """Whether a day counts: a working day after the wait began, on which nothing was open at any moment."""
+        calendar = self.calendar
+        if day <= calendar.day_of(self.since) or not calendar.is_working_day(day, as_of=self.since):
+            return False
+        begins, ends = calendar.start_of(day), calendar.start_of(day + ONE_DAY)
+        return not any(pause.began_at < ends and (pause.ended_at or now) >= begins for pause in self.pauses)
+
+    def last_day(self, now: datetime) -> date:
+        """Return the day that must pass without a verdict; what is open now counts as closed today."""
+        day, left = self.calendar.day_of(self.since), self.clause.days
+        while left:
+            day += ONE_DAY
+            left -= self.counts(day, now)
+        return day
+
+    def is_over(self, now: datetime) -> bool:
+        """Whether that day has passed, and nothing stops the count."""
+        return self.paused_by(now) is None and now >= self.calendar.start_of(self.last_day(now) + ONE_DAY)
+
+    def reminders(self, now: datetime) -> int:
         """Return how many reminders are due by now; the last one comes before the last day is over."""
-        return min(working_days(_day(since), _day(now)), self.days - 1) // self.reminder_days
-
-
-def _day(moment: datetime) -> date:
-    return moment.astimezone(UTC).date()
+        day, today, counted = self.calendar.day_of(self.since), self.calendar.day_of(now), 0
+        while day < today and counted < self.clause.days - 1:
+            day += ONE_DAY
+            counted += self.counts(day, now)
+        return counted // self.clause.reminder_days

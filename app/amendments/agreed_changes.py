@@ -20,6 +20,7 @@ from app.money.ledger_book import CLAUSES, Entry
 from app.money.models import ExtraRound
 from app.money.rules import LineKind
 from app.money.settlement import charge_round, settle, take_out
+from app.reviews.clock_pauses import end_pause
 from app.reviews.queries import round_counts
 
 CHANGES: TypeAdapter[list[schemas.Change]] = TypeAdapter(list[schemas.Change])
@@ -36,6 +37,7 @@ def apply(session: Session, reviewer: Reviewer, order: ChangeOrder, review: Revi
         "text_sha256_of_amendment": order.text_sha256,
     }
     record.append(session, contract.id, "changed", facts, by=person_id)
+    end_pause(session, contract, order.number)
     states = work_states(session, contract)
     position = max((one.position for one in reviewer.covered.values()), default=0)
     entries: list[Entry] = []

@@ -35,6 +35,7 @@ from app.amendments.signing import locked_for_party, sign
 from app.kit import clock
 from app.kit.events import publish
 from app.money import overview
+from app.reviews.clock_pauses import begin_pause, end_pause
 from app.sound_lists.rules import CueState
 
 
@@ -127,6 +128,7 @@ def propose(session: Session, actor: Actor, contract_id: UUID, order: schemas.Ch
         "begins": "before both agree, at the proposer's risk" if proposed.begins_at_once else "when both agree",
     }
     record.append(session, contract.id, "change_proposed", facts, by=actor.person)
+    begin_pause(session, contract, proposed.number)
     publish(session, "change_order.proposed", studio_id=contract.studio_id, contract_id=contract.id, party=party.value)
     return proposed
 
@@ -204,6 +206,7 @@ def _close(session: Session, order: ChangeOrder, state: ChangeOrderState, reason
     session.flush()
     facts = {"change_order": order.number, "reason": reason}
     record.append(session, order.contract_id, f"change_{state.value}", facts, by=by)
+    end_pause(session, session.get_one(Contract, order.contract_id), order.number)
 
 
 def _known(session: Session, contract: Contract, number: int) -> ChangeOrder:

@@ -99,7 +99,11 @@ class Desk:
         rows, following = self._walked(cursor, WAITING, waits)
         last = last_days(self._session, [row.id for row in rows])
         items = [
-            schemas.WithApprover(**brief(self._project, row).model_dump(), accepted_after=last.get(row.id))
+            schemas.WithApprover(
+                **brief(self._project, row).model_dump(),
+                accepted_after=days.day if (days := last.get(row.id)) else None,
+                silence_paused_by=days.paused_by if days else None,
+            )
             for row in rows
         ]
         return Page(items=items, next=following)

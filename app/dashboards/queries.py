@@ -192,14 +192,14 @@ def latest_returns(
 
 def latest_approvals(
     session: Session, project_id: UUID, designer_id: UUID | None
-) -> Sequence[Row[Verdict, Cue, Take, Person]]:
-    """Return the latest approvals that stand."""
+) -> Sequence[Row[Verdict, Cue, Take, Person | None]]:
+    """Return the latest approvals that stand, with who gave them; nobody did what a clause on silence approved."""
     withdrawal = aliased(Verdict)
     found = (
         select(Verdict, Cue, Take, Person)
         .join(Cue, Cue.id == Verdict.cue_id)
         .join(Take, Take.id == Verdict.take_id)
-        .join(Person, Person.id == Verdict.given_by)
+        .outerjoin(Person, Person.id == Verdict.given_by)
         .where(
             Verdict.project_id == project_id,
             Verdict.kind == VerdictKind.APPROVE,

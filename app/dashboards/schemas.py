@@ -8,6 +8,7 @@ from pydantic import Field
 
 from app.accounts.rules import Role
 from app.accounts.schemas import PersonBrief
+from app.agreements.deemed_acceptance import PausedBy
 from app.agreements.rules import ContractState, ReleaseClause
 from app.dashboards.rules import AwaitedKind, CueStatus, NextStepKind
 from app.deliveries.schemas import CueBrief
@@ -212,6 +213,7 @@ class WithApprover(CueBrief):
     accepted_after: date | None = Field(
         description="Day after which it counts as accepted without a verdict, by its contract's clause on silence."
     )
+    silence_paused_by: PausedBy | None = Field(description="What is open, so that the days of the clause do not count.")
 
 
 class Desk(Schema):

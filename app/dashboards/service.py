@@ -162,7 +162,8 @@ def _lately(session: Session, access: ProjectAccess) -> list[schemas.Activity]:
         name = cue.name if cue else take.file_name
         add(take.state_since, "returned", "The check", f"{name} returned: {worst['message'] if worst else 'unread'}")
     for verdict, cue, take, approver in queries.latest_approvals(session, project.id, designer_id):
-        add(verdict.created_at, "approved", approver.name, f"approved {cue.name}, version {take.number}")
+        who = approver.name if approver else "The clause on silence"
+        add(verdict.created_at, "approved", who, f"approved {cue.name}, version {take.number}")
     if access.is_team:
         for build in queries.builds(session, project.id)[: queries.LATELY]:
             said = f"refused, {_files(build.rejected)}" if build.rejected else "passed"

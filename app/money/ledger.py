@@ -85,13 +85,13 @@ def write(
     contract: Contract,
     entries: Sequence[Entry],
     *,
-    person_id: UUID,
+    person_id: UUID | None,
     payment_id: UUID | None = None,
     is_by_server: bool = False,
 ) -> list[LedgerLine]:
     """Add lines to a contract's ledger, and record each; callers hold the contract's lock.
 
-    `is_by_server`: a clause or a schedule did it, and the person answers for it only.
+    `is_by_server`: a clause or a schedule did it, and the person, if there is one, answers for it only.
     """
     lines = [
         LedgerLine(

@@ -48,7 +48,7 @@ class Line(Entry):
     """One line of the ledger."""
 
     id: UUID = field(kw_only=True)
-    person_id: UUID = field(kw_only=True)
+    person_id: UUID | None = field(kw_only=True)
     invoice_id: UUID | None = field(default=None, kw_only=True)
     payment_id: UUID | None = field(default=None, kw_only=True)
 

@@ -10,6 +10,7 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor
 from app.agreements import plan_queries
 from app.agreements.access import visible_contract
+from app.agreements.authorship import SERVER
 from app.agreements.models import Contract, ContractCue, Milestone
 from app.agreements.plan import advice_on
 from app.agreements.plan_queries import terms_of
@@ -154,7 +155,7 @@ def ledger_lines(session: Session, contract: Contract) -> list[schemas.LedgerLin
             milestone=milestones[line.milestone_id] if line.milestone_id else None,
             round_number=line.round_number,
             tax_bp=line.tax_bp,
-            by=line.person.name,
+            by=line.person.name if line.person else SERVER,
             about_id=line.about_id,
             invoice_id=invoice_id,
             invoice_number=numbers[invoice_id] if invoice_id else None,

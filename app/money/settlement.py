@@ -32,7 +32,7 @@ def accept_cue(
     cue_id: UUID,
     *,
     designer_ids: Collection[UUID],
-    person_id: UUID,
+    person_id: UUID | None,
     by: AcceptedBy = AcceptedBy.VERDICT,
 ) -> None:
     """Make a cue's share due by the release clause, now that every variation is approved.
@@ -48,10 +48,10 @@ def accept_cue(
     settle(session, covered.contract_id, person_id, is_by_server=by_clause)
 
 
-def add_accepted_cue(session: Session, contract_id: UUID, cue_id: UUID, *, person_id: UUID) -> None:
+def add_accepted_cue(session: Session, contract_id: UUID, cue_id: UUID, *, person_id: UUID | None) -> None:
     """Take a cue that was approved before into its contract, which is agreed; what was accepted anywhere stays there.
 
-    `person_id` is who had approved it. Adopting twice is adopting once.
+    `person_id` is who had approved it; None: nobody, by a clause on silence. Adopting twice is adopting once.
     """
     contract = lock_contract(session, contract_id)
     covered = plan_queries.cue_of(session, contract_id, cue_id)
@@ -60,7 +60,8 @@ def add_accepted_cue(session: Session, contract_id: UUID, cue_id: UUID, *, perso
     if contract.state is not ContractState.AGREED or plan_queries.is_accepted_elsewhere(session, contract_id, cue_id):
         return
     covered.accepted_at, covered.accepted_by = contract.agreed_at, AcceptedBy.ADOPTION
-    _record(session, covered, "adopted", None, {"approved_by": session.get_one(Person, person_id).name})
+    approved_by = session.get_one(Person, person_id).name if person_id else f"the clause {SILENCE}"
+    _record(session, covered, "adopted", None, {"approved_by": approved_by})
     settle(session, contract_id, person_id, is_by_server=True)
 
 
@@ -75,7 +76,7 @@ def record_reminder(session: Session, contract_id: UUID, cue_id: UUID, *, to_id:
     record.append(session, contract_id, "reminded", facts, by=None)
 
 
-def reopen_cue(session: Session, cue_id: UUID, *, person_id: UUID) -> None:
+def reopen_cue(session: Session, cue_id: UUID, *, person_id: UUID | None) -> None:
     """Take a cue's share back by a reversing line, where a verdict was reversed or undone."""
     covered = _locked(session, cue_id, None)
     if covered is None or covered.accepted_at is None or covered.cut_at is not None:
@@ -220,7 +221,7 @@ def _locked(session: Session, cue_id: UUID, designer_ids: Collection[UUID] | Non
     return covered
 
 
-def settle(session: Session, contract_id: UUID, person_id: UUID, *, is_by_server: bool = False) -> None:
+def settle(session: Session, contract_id: UUID, person_id: UUID | None, *, is_by_server: bool = False) -> None:
     """Bring a contract's ledger to what its cues and their states make due; callers hold its lock."""
     session.flush()
     contract = session.get_one(Contract, contract_id)

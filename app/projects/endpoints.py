@@ -8,6 +8,7 @@ from fastapi import APIRouter, Query, Request, Response
 
 from app.accounts.authentication import sha256_of
 from app.accounts.browser_sign_ins import sign_in_browser
+from app.accounts.calendars import calendar_of
 from app.accounts.errors import (
     BadAddress,
     NameNeeded,
@@ -26,7 +27,7 @@ from app.accounts.request_limits import (
     ensure_sign_in_allowed,
 )
 from app.accounts.rules import Actor, Audience
-from app.accounts.schemas import InvitationAccept, PersonBrief, PersonRead, StudioBrief
+from app.accounts.schemas import CalendarRead, InvitationAccept, PersonBrief, PersonRead, StudioBrief
 from app.kit.http import (
     CurrentRuntime,
     DbSession,
@@ -46,6 +47,7 @@ from app.projects.errors import (
     LiaisonNotFound,
     ProducerNeeded,
     ProjectNotFound,
+    ShippedAhead,
     TeamNeeded,
     TokenNotFound,
 )
@@ -67,6 +69,7 @@ def _project(view: overviews.ProjectOverview) -> schemas.ProjectRead:
         created_at=project.created_at,
         archived_at=project.archived_at,
         nda_needed=project.nda_needed,
+        shipped_on=project.shipped_on,
         studio=StudioBrief.model_validate(project.studio),
         approver=PersonBrief.model_validate(view.approver),
         liaisons=[PersonBrief.model_validate(person) for person in view.liaisons],
@@ -120,7 +123,13 @@ def read_project(project_id: UUID, session: DbSession, actor: Actor = allows(Aud
     return _project(overviews.overview(session, actor, project_id))
 
 
-@router.patch("/projects/{project_id}", responses=problems(ProjectNotFound, ProducerNeeded))
+@router.get("/projects/{project_id}/studio-calendar", responses=problems(ProjectNotFound))
+def get_project_calendar(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> CalendarRead:
+    """Return time zone and holidays of the project's studio, by which both sides count its working days."""
+    return calendar_of(session, service.project_access(session, actor, project_id).project.studio_id)
+
+
+@router.patch("/projects/{project_id}", responses=problems(ProjectNotFound, ProducerNeeded, ShippedAhead))
 def change_project(
     project_id: UUID, body: schemas.ProjectChange, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.ProjectRead:
@@ -134,6 +143,7 @@ def change_project(
         cue_prefix=body.cue_prefix,
         archived=body.archived,
         nda_needed=body.nda_needed,
+        shipped_on=body.shipped_on,
     )
     return _project(overviews.overview(session, actor, project_id))
 

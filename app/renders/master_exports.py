@@ -69,7 +69,7 @@ def _provenance(session: Session, take: Take, project: Project) -> Provenance:
         known,
         number=label(project.cue_prefix, cue.number),
         name=cue.name,
-        notes="\n\n".join(part for part in (cue.description, made_from) if part),
+        notes=" ".join(part for part in (cue.description, made_from) if part),
         fields=fields | ({"isLoop": "true"} if cue.loop else {}),
     )
 

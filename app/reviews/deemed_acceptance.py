@@ -28,7 +28,8 @@ def deemed_cues_due(session: Session, now: datetime) -> list[UUID]:
     return [
         one.cue.id
         for one in waiting
-        if one.is_over(now) or ((number := one.reminders(now)) and (one.cue.id, one.since, number) not in sent)
+        if one.wait.is_over(now)
+        or ((number := one.wait.reminders(now)) and (one.cue.id, one.wait.since, number) not in sent)
     ]
 
 
@@ -36,18 +37,18 @@ def apply_deemed(session: Session, cue_id: UUID, now: datetime) -> None:
     """Accept a cue whose days are over, or remind its approver; do nothing if there is a decision meanwhile."""
     queries.lock_cue(session, cue_id)
     for one in deemed_cues(session, Take.cue_id == cue_id):
-        if one.is_over(now):
-            _accept(session, one)
-        elif number := one.reminders(now):
-            _remind(session, one, number)
+        if one.wait.is_over(now):
+            _accept(session, one, now)
+        elif number := one.wait.reminders(now):
+            _remind(session, one, number, now)
 
 
-def _accept(session: Session, one: DeemedCue) -> None:
+def _accept(session: Session, one: DeemedCue, now: datetime) -> None:
     note = (
-        f"Auto-accepted: no response within {one.silence.days} working days, until {one.last_day} "
+        f"Auto-accepted: no response within {one.wait.clause.days} working days, until {one.wait.last_day(now)} "
         f"({one.contract.title})"
     )
-    decision = Decision(session, approver_of(session, one.project), note, deemed_by_contract_id=one.contract.id)
+    decision = Decision(session, None, note, deemed_by_contract_id=one.contract.id)
     for take in one.picks:
         decision.approve(take)
     decision.finish(one.cue)
@@ -57,29 +58,29 @@ def _accept(session: Session, one: DeemedCue) -> None:
         studio_id=one.cue.studio_id,
         cue_id=one.cue.id,
         contract_id=one.contract.id,
-        days=one.silence.days,
+        days=one.wait.clause.days,
     )
 
 
-def _remind(session: Session, one: DeemedCue, number: int) -> None:
+def _remind(session: Session, one: DeemedCue, number: int, now: datetime) -> None:
     reminder = {
         "id": new_id(),
         "studio_id": one.cue.studio_id,
         "project_id": one.cue.project_id,
         "cue_id": one.cue.id,
-        "waiting_since": one.since,
+        "waiting_since": one.wait.since,
         "number": number,
         "created_at": clock.now(),
     }
     if not insert_if_absent(session, Reminder, reminder, unique=("cue_id", "waiting_since", "number")):
         return
-    approver_id = approver_of(session, one.project)
-    record_reminder(session, one.contract.id, one.cue.id, to_id=approver_id, last_day=one.last_day)
+    approver_id, last_day = approver_of(session, one.project), one.wait.last_day(now)
+    record_reminder(session, one.contract.id, one.cue.id, to_id=approver_id, last_day=last_day)
     publish(
         session,
         "approver.reminded",
         studio_id=one.cue.studio_id,
         cue_id=one.cue.id,
         approver_id=approver_id,
-        last_day=one.last_day.isoformat(),
+        last_day=last_day.isoformat(),
     )

@@ -1,17 +1,24 @@
 """The cues that wait under a deemed-acceptance clause, and until when."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import date, datetime
 from uuid import UUID
+from zoneinfo import ZoneInfo
 
 from sqlalchemy import ColumnElement
 from sqlalchemy.orm import Session
 
-from app.agreements.deemed_acceptance import DeemedAcceptance
+from app.accounts.calendars import holidays_of, time_zones_of
+from app.agreements.deemed_acceptance import DeemedAcceptance, Pause, PausedBy, Wait, WorkCalendar
 from app.agreements.models import Contract
 from app.agreements.plan_queries import agreed_terms
+from app.agreements.terms import MoneyTerms, SourcesNeeded
 from app.deliveries.models import Take
+from app.deliveries.queries import source_statements
+from app.deliveries.source_rules import open_points
+from app.deliveries.sources import sources_in
+from app.kit import clock
 from app.kit.in_array import in_array
 from app.projects.models import Project
 from app.reviews import queries, queue_queries
@@ -21,34 +28,40 @@ from app.sound_lists.models import Cue
 
 @dataclass(frozen=True)
 class DeemedCue:
-    """A complete cue that will be deemed accepted without a decision: the versions picked then, waiting since when."""
+    """A complete cue that will be deemed accepted without a decision: the versions picked then, and its wait."""
 
     cue: Cue
     project: Project
     contract: Contract
-    silence: DeemedAcceptance
     picks: Sequence[Take]
-    since: datetime
+    wait: Wait
 
-    @property
-    def last_day(self) -> date:
-        """The day that must pass without a verdict."""
-        return self.silence.last_day(self.since)
 
-    def is_over(self, now: datetime) -> bool:
-        """Whether that day has passed."""
-        return self.silence.is_over(self.since, now)
+@dataclass(frozen=True)
+class _Terms:
+    """What a contract says of silence and of sources."""
 
-    def reminders(self, now: datetime) -> int:
-        """Return the number of reminders due by now."""
-        return self.silence.reminders(self.since, now)
+    silence: DeemedAcceptance
+    wants_sources: bool
+
+
+@dataclass(frozen=True)
+class _Waiting:
+    """A complete cue before it is known what stops its count."""
+
+    cue: Cue
+    project: Project
+    contract: Contract
+    terms: _Terms
+    picks: Sequence[Take]
 
 
 def deemed_cues(session: Session, reach: ColumnElement[bool]) -> list[DeemedCue]:
     """Return the cues that wait under a deemed-acceptance clause.
 
     The newest version of each variation counts, and the cue waits since the last of them does, or since it was agreed:
-    a new delivery restarts the studio's days. Approved versions are not picked again.
+    a new delivery restarts the studio's days. Approved versions are not picked again. A cue whose sources the contract
+    wants first waits since they were stated.
     """
     by_cue: dict[UUID, list[Take]] = {}
     contracts: dict[UUID, tuple[Contract, Project]] = {}
@@ -59,25 +72,93 @@ def deemed_cues(session: Session, reach: ColumnElement[bool]) -> list[DeemedCue]
     if not by_cue:
         return []
     approved = queries.approved_variations(session, by_cue)
-    clauses: dict[UUID, DeemedAcceptance | None] = {}
-    found: list[DeemedCue] = []
+    clauses: dict[UUID, _Terms | None] = {}
+    waiting: list[_Waiting] = []
     for cue_id, takes in by_cue.items():
         contract, project = contracts[cue_id]
         if contract.id not in clauses:
-            clauses[contract.id] = DeemedAcceptance.of(agreed_terms(session, contract))
-        silence, cue = clauses[contract.id], takes[0].cue
+            clauses[contract.id] = _terms_of(session, contract)
+        terms, cue = clauses[contract.id], takes[0].cue
         newest = {take.variation: take for take in reversed(takes)}
-        if silence is None or cue is None or contract.agreed_at is None:
+        if terms is None or cue is None:
             continue
         missing = missing_variations(cue.variations, approved.get(cue_id, []))
         picks = [newest[variation] for variation in missing if variation in newest]
         if missing and len(picks) == len(missing):
-            since = max(contract.agreed_at, *(take.conforming_since or take.state_since for take in picks))
-            found.append(DeemedCue(cue, project, contract, silence, picks, since))
+            waiting.append(_Waiting(cue, project, contract, terms, picks))
+    return _with_waits(session, waiting)
+
+
+def _terms_of(session: Session, contract: Contract) -> _Terms | None:
+    terms = agreed_terms(session, contract)
+    silence = DeemedAcceptance.of(terms)
+    if silence is None:
+        return None
+    return _Terms(silence, MoneyTerms.of(terms).sources_needed is SourcesNeeded.BEFORE_ACCEPTANCE)
+
+
+def _with_waits(session: Session, waiting: Sequence[_Waiting]) -> list[DeemedCue]:
+    by_calendar = [one for one in waiting if one.terms.silence.by_studio_calendar]
+    calendars = _calendars(session, {one.project.studio_id for one in by_calendar})
+    pauses = _pauses(session, by_calendar)
+    stated = _stated(session, [take for one in waiting if one.terms.wants_sources for take in one.picks])
+    found = []
+    for one in waiting:
+        moments = [take.conforming_since or take.state_since for take in one.picks]
+        if one.terms.wants_sources:
+            if any(take.id not in stated for take in one.picks):
+                continue
+            moments += [stated[take.id] for take in one.picks]
+        if one.contract.agreed_at is not None:
+            since = max(one.contract.agreed_at, *moments)
+            calendar = calendars.get(one.project.studio_id, WorkCalendar())
+            wait = Wait.under(one.terms.silence, since, calendar, pauses.get(one.cue.id, ()))
+            found.append(DeemedCue(one.cue, one.project, one.contract, one.picks, wait))
     return found
 
 
-def last_days(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, date]:
+def _calendars(session: Session, studio_ids: Collection[UUID]) -> dict[UUID, WorkCalendar]:
+    holidays: dict[UUID, dict[date, datetime]] = {studio_id: {} for studio_id in studio_ids}
+    for holiday in holidays_of(session, studio_ids):
+        holidays[holiday.studio_id][holiday.day] = holiday.created_at
+    zones = time_zones_of(session, studio_ids)
+    return {studio_id: WorkCalendar(ZoneInfo(zones[studio_id]), holidays[studio_id]) for studio_id in studio_ids}
+
+
+def _pauses(session: Session, waiting: Sequence[_Waiting]) -> Mapping[UUID, Iterable[Pause]]:
+    """Return by cue what stopped its count: questions of the contract's designer on it, and open change orders."""
+    by_cue: dict[UUID, list[Pause]] = {one.cue.id: [] for one in waiting}
+    contracts = {one.cue.id: one.contract for one in waiting}
+    for question in queries.questions_on(session, by_cue):
+        if question.asked_by == contracts[question.cue_id].designer_id:
+            by_cue[question.cue_id].append(Pause("question", question.asked_at, question.answered_at))
+    of_contracts: dict[UUID, list[Pause]] = {}
+    for pause in queries.clock_pauses(session, {contract.id for contract in contracts.values()}):
+        change_order = Pause("change_order", pause.began_at, pause.ended_at)
+        of_contracts.setdefault(pause.contract_id, []).append(change_order)
+    return {cue_id: [*own, *of_contracts.get(contracts[cue_id].id, [])] for cue_id, own in by_cue.items()}
+
+
+def _stated(session: Session, takes: Sequence[Take]) -> dict[UUID, datetime]:
+    """Return when the sources of takes were stated, of those of which nothing is open."""
+    found = source_statements(session, [take.id for take in takes])
+    return {take_id: one.stated_at for take_id, one in found.items() if not open_points(sources_in(one))}
+
+
+@dataclass(frozen=True)
+class LastDay:
+    """The day after which a cue is deemed accepted, and what stops the count until then."""
+
+    day: date
+    paused_by: PausedBy | None
+
+
+def last_days(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, LastDay]:
     """Return by cue the day after which it is deemed accepted; others are left out."""
-    owed = queue_queries.cues_under_contract(session, cue_ids)
-    return {one.cue.id: one.last_day for one in deemed_cues(session, in_array(Take.cue_id, owed))} if owed else {}
+    owed, now = queue_queries.cues_under_contract(session, cue_ids), clock.now()
+    if not owed:
+        return {}
+    return {
+        one.cue.id: LastDay(one.wait.last_day(now), one.wait.paused_by(now))
+        for one in deemed_cues(session, in_array(Take.cue_id, owed))
+    }

@@ -2,7 +2,7 @@
 
 from collections import defaultdict
 from collections.abc import Iterable
-from datetime import date, datetime
+from datetime import datetime
 from typing import Any
 from uuid import UUID
 
@@ -28,7 +28,7 @@ from app.projects.service import project_access
 from app.renders.service import sound_places
 from app.renders.shown_renders import ShownPicture
 from app.reviews import queries, queue_queries
-from app.reviews.deemed_cues import last_days
+from app.reviews.deemed_cues import LastDay, last_days
 from app.reviews.models import ChangeRequest, Comment, Verdict
 from app.reviews.queue_queries import CueOnReview, TakeOnReview
 from app.reviews.rules import VerdictKind, missing_variations, queue_kind
@@ -72,9 +72,7 @@ def review_queue(session: Session, actor: Actor, *, project_id: UUID | None, cur
     contracted = [cue_id for cue_id, of_cue in facts.items() if of_cue.is_contracted]
     last = last_days(session, contracted) if contracted else {}
     items = [
-        _queue_item(
-            takes, cue.since, facts[cue.id], words, last_change=changes.get(cue.id), accepted_after=last.get(cue.id)
-        )
+        _queue_item(takes, cue.since, facts[cue.id], words, last_change=changes.get(cue.id), last_day=last.get(cue.id))
         for cue in shown
         if (takes := by_cue.get(cue.id))
     ]
@@ -105,7 +103,7 @@ def _queue_item(
     words: dict[UUID, SetFinding],
     *,
     last_change: str | None,
-    accepted_after: date | None,
+    last_day: LastDay | None,
 ) -> QueueItem:
     cue = waiting[0].take.cue
     if cue is None:
@@ -119,7 +117,8 @@ def _queue_item(
         rounds_so_far=facts.rounds,
         last_change=last_change,
         approved_variations=facts.approved,
-        accepted_after=accepted_after,
+        accepted_after=last_day.day if last_day else None,
+        silence_paused_by=last_day.paused_by if last_day else None,
         findings_count=len(findings),
         worst_finding=min(findings, key=lambda finding: finding.severity != "error", default=None),
         takes=takes,
@@ -236,12 +235,14 @@ def cue_review(session: Session, actor: Actor, cue_id: UUID) -> CueReviewRead:
     verdicts = queries.verdicts_on(session, Verdict.cue_id == cue.id)
     approver_id = approver_of(session, access.project)
     waiting = [take.variation for take in takes if take.state is TakeState.CONFORMING]
+    last_day = last_days(session, [cue.id]).get(cue.id)
     return CueReviewRead(
         cue=review_cue(cue, prefix),
         kind=queue_kind(cue.variations, waiting),
         accepted=cue.state is not CueState.CUT and not missing_variations(cue.variations, approved),
         approved_variations=approved,
-        accepted_after=last_days(session, [cue.id]).get(cue.id),
+        accepted_after=last_day.day if last_day else None,
+        silence_paused_by=last_day.paused_by if last_day else None,
         approver=PersonBrief.model_validate(people_by_id(session, {approver_id})[approver_id]),
         may_approve=access.is_approver,
         takes=takes,
@@ -264,7 +265,7 @@ def _verdicts_read(verdicts: Iterable[Verdict]) -> Iterable[VerdictRead]:
             take_id=one.take_id,
             kind=one.kind,
             note=one.note,
-            given_by=PersonBrief.model_validate(one.author),
+            given_by=PersonBrief.model_validate(one.author) if one.author else None,
             created_at=one.created_at,
             by_deemed_acceptance=one.deemed_by_contract_id is not None,
             withdrawn=one.id in withdrawn,
@@ -307,7 +308,7 @@ def _said(session: Session, take: Take) -> Iterable[HistoryEntry]:
             yield HistoryEntry(
                 at=verdict.created_at,
                 kind=verdict.kind.value,
-                by=PersonBrief.model_validate(verdict.author),
+                by=PersonBrief.model_validate(verdict.author) if verdict.author else None,
                 by_deemed_acceptance=verdict.deemed_by_contract_id is not None,
                 text=verdict.note,
             )

@@ -7,6 +7,7 @@ from uuid import UUID
 from pydantic import Field
 
 from app.accounts.schemas import PersonBrief
+from app.agreements.deemed_acceptance import PausedBy
 from app.conformance.schemas import FindingRead
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
@@ -116,6 +117,7 @@ class QueueItem(Schema):
     accepted_after: date | None = Field(
         description="Day after which the cue counts as accepted without a verdict, by its contract's clause on silence."
     )
+    silence_paused_by: PausedBy | None = Field(description="What is open, so that the days of the clause do not count.")
     findings_count: int
     worst_finding: FindingRead | None
     takes: list[ReviewTake]
@@ -253,9 +255,7 @@ class HistoryEntry(Schema):
     at: datetime
     kind: Literal["received", "checked", "waived", "approve", "set_aside", "request_change", "withdraw", "comment"]
     by: PersonBrief | None
-    by_deemed_acceptance: bool = Field(
-        False, description="Whether a clause on silence approved it, and `by` said nothing."
-    )
+    by_deemed_acceptance: bool = Field(False, description="Whether a clause on silence approved it; then nobody did.")
     text: str
     start_s: float | None = None
     end_s: float | None = None
@@ -268,11 +268,9 @@ class VerdictRead(Schema):
     take_id: UUID
     kind: VerdictKind
     note: str
-    given_by: PersonBrief
+    given_by: PersonBrief | None = Field(description="Null where a clause on silence decided it.")
     created_at: datetime
-    by_deemed_acceptance: bool = Field(
-        description="Whether a clause on silence decided it, and `given_by` said nothing."
-    )
+    by_deemed_acceptance: bool = Field(description="Whether a clause on silence decided it; then nobody did.")
     withdrawn: bool
 
 
@@ -284,6 +282,7 @@ class CueReviewRead(Schema):
     accepted: bool
     approved_variations: list[int]
     accepted_after: date | None
+    silence_paused_by: PausedBy | None
     approver: PersonBrief
     may_approve: bool
     takes: list[ReviewTake]

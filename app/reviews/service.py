@@ -111,7 +111,7 @@ class Decision:
     """The decisions of one click, or of deemed acceptance, so that they can be undone together."""
 
     def __init__(
-        self, session: Session, person_id: UUID, note: str, *, deemed_by_contract_id: UUID | None = None
+        self, session: Session, person_id: UUID | None, note: str, *, deemed_by_contract_id: UUID | None = None
     ) -> None:
         self._session = session
         self._person_id = person_id
@@ -172,7 +172,7 @@ class Decision:
 
 def new_verdict(
     session: Session,
-    person_id: UUID,
+    person_id: UUID | None,
     take: Take,
     kind: VerdictKind,
     note: str,

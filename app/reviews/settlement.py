@@ -14,7 +14,9 @@ from app.reviews.rules import missing_variations, work_state
 from app.sound_lists.models import Cue
 
 
-def settle_acceptance(session: Session, cue: Cue, *, person_id: UUID, by: AcceptedBy = AcceptedBy.VERDICT) -> bool:
+def settle_acceptance(
+    session: Session, cue: Cue, *, person_id: UUID | None, by: AcceptedBy = AcceptedBy.VERDICT
+) -> bool:
     """Return whether a cue is accepted now, and make its share due, or take it back, accordingly."""
     approved = queries.approved_takes(session, cue.id)
     accepted = not missing_variations(cue.variations, [take.variation for take in approved])
@@ -27,7 +29,7 @@ def settle_acceptance(session: Session, cue: Cue, *, person_id: UUID, by: Accept
 
 
 def add_accepted_cue(session: Session, contract_id: UUID, cue_id: UUID) -> None:
-    """Settle a cue that was accepted before its contract was agreed, in the name of its approver."""
+    """Settle a cue that was accepted before its contract was agreed, in the name of who approved it, if anybody did."""
     queries.lock_cue(session, cue_id)
     cue, contract = session.get_one(Cue, cue_id), session.get_one(Contract, contract_id)
     approved = queries.approved_takes(session, cue_id)

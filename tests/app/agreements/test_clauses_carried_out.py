@@ -33,6 +33,10 @@ def terms_of_the_code() -> set[str]:
     silence = {"silence_days", "silence_reminder_days"}
     assert DeemedAcceptance.of(dict.fromkeys(silence, 5)) is not None
     assert all(DeemedAcceptance.of({name: 5}) is None for name in silence)
+    by_studio = DeemedAcceptance.of({**dict.fromkeys(silence, 5), "silence_calendar": "studio"})
+    assert by_studio is not None
+    assert by_studio.by_studio_calendar
+    silence |= {"silence_calendar"}
     looked_up = re.findall(r'_number\(terms, "(\w+)"\)', (ROOT / "app/amendments/change_order_review.py").read_text())
     return money | silence | set(looked_up)
 

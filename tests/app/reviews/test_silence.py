@@ -2,21 +2,27 @@
 
 import json
 from collections.abc import Sequence
-from datetime import UTC, datetime, timedelta
+from datetime import UTC, date, datetime, time, timedelta
 from types import SimpleNamespace
 from typing import Any
 from uuid import UUID
+from zoneinfo import ZoneInfo
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from sqlalchemy.orm import Session
 
-from app.agreements.deemed_acceptance import DeemedAcceptance
+from app.agreements.clauses import begin, terms_in_force
+from app.agreements.deemed_acceptance import DeemedAcceptance, Pause, Wait, WorkCalendar
 from app.agreements.models import Contract, ContractEvent
 from app.agreements.queries import events_of
+from app.agreements.rules import ContractKind
 from app.deliveries.models import Take
 from app.reviews import jobs
+from app.sound_lists.models import Question
 from tests.app.money.agreed import Agreed, milestone
-from tests.app.reviews.making import told
+from tests.app.reviews.making import refused, told
 from tests.support.server import World
 
 CLAUSE = {"silence_days": 10, "silence_reminder_days": 3}
@@ -93,19 +99,19 @@ def days(count: int) -> timedelta:
     ],
 )
 def test_ten_working_days_are_two_weeks(since: datetime, last_day: str) -> None:
-    silence = DeemedAcceptance(days=10, reminder_days=3)
-    assert silence.last_day(since).isoformat() == last_day
+    wait = Wait(DeemedAcceptance(days=10, reminder_days=3), since)
+    assert wait.last_day(since).isoformat() == last_day
     midnight = datetime.fromisoformat(f"{last_day}T00:00:00+00:00") + days(1)
-    assert not silence.is_over(since, midnight - timedelta(microseconds=1))
-    assert silence.is_over(since, midnight)
+    assert not wait.is_over(midnight - timedelta(microseconds=1))
+    assert wait.is_over(midnight)
 
 
 def test_reminders_come_on_every_third_working_day_before_the_last() -> None:
-    silence = DeemedAcceptance(days=10, reminder_days=3)
-    counted = [silence.reminders(FRIDAY, FRIDAY + days(day)) for day in range(16)]
+    wait = Wait(DeemedAcceptance(days=10, reminder_days=3), FRIDAY)
+    counted = [wait.reminders(FRIDAY + days(day)) for day in range(16)]
     #                  fr sa su mo tu we th fr sa su mo tu we th fr sa
     assert counted == [0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 2, 2, 2, 3, 3, 3]
-    assert DeemedAcceptance(days=6, reminder_days=3).reminders(FRIDAY, FRIDAY + days(60)) == 1
+    assert Wait(DeemedAcceptance(days=6, reminder_days=3), FRIDAY).reminders(FRIDAY + days(60)) == 1
 
 
 def test_the_approver_is_reminded_once_each_time(moved: MovedClock) -> None:
@@ -137,15 +143,19 @@ def test_when_the_days_are_over_the_cue_is_accepted_as_by_an_approval(moved: Mov
     assert agreed.states(take) == ["approved"]
     (line,) = agreed.ledger()["lines"]
     assert (line["kind"], line["amount_minor"], line["clause"]) == ("accepted", 18_000, "silence")
+    lately = told(world.producer.get(f"/v1/projects/{world.project_id}/overview"))["lately"]
+    assert {one["who"] for one in lately if one["kind"] == "approved"} == {"The clause on silence"}
 
     assert moved.entries()[-3:] == ["judged", "accepted", "due"]
     assert moved.authors()[-3:] == [("Soundlist", "server")] * 3, "nobody said anything"
     review = agreed.review(cue)
     (verdict,) = review["verdicts"]
     assert (review["accepted"], verdict["kind"], verdict["by_deemed_acceptance"]) == (True, "approve", True)
+    assert verdict["given_by"] is None, "it bears no person's name"
+    assert line["by"] == "Soundlist"
     assert verdict["note"] == "Auto-accepted: no response within 10 working days, until 2026-12-04 (Effects)"
     history = world.designer.get(f"/v1/takes/{take}/history").json()
-    assert [(one["kind"], one["by_deemed_acceptance"]) for one in history][-1] == ("approve", True)
+    assert [(one["kind"], one["by"], one["by_deemed_acceptance"]) for one in history][-1] == ("approve", None, True)
     told_of = {recipient for recipient, subject, _ in moved.mails() if "sounds auto-accepted" in subject}
     assert told_of == {str(world.designer_id), str(world.approver_id), str(world.producer_id)}
 
@@ -253,3 +263,212 @@ def test_it_is_one_of_the_chores() -> None:
     from app import worker
 
     assert "reviews.apply_deemed_acceptance" in worker.CHORES
+
+
+BY_CALENDAR = {**CLAUSE, "silence_calendar": "studio"}
+BERLIN = ZoneInfo("Europe/Berlin")
+
+
+def wait_of(*pauses: Pause, holidays: tuple[str, ...] = (), since: datetime = FRIDAY, zone: Any = BERLIN) -> Wait:
+    entered_at = FRIDAY - days(30)
+    calendar = WorkCalendar(zone, {date.fromisoformat(day): entered_at for day in holidays})
+    return Wait(DeemedAcceptance(days=10, reminder_days=3, by_studio_calendar=True), since, calendar, pauses)
+
+
+def at(moment: str) -> datetime:
+    return datetime.fromisoformat(moment)
+
+
+@pytest.mark.parametrize(
+    ("wait", "now", "last_day"),
+    [
+        (wait_of(), FRIDAY, "2026-12-04"),
+        (wait_of(holidays=("2026-11-26", "2026-11-27")), FRIDAY, "2026-12-08"),
+        (wait_of(holidays=("2026-11-28",)), FRIDAY, "2026-12-04"),  # a Saturday
+        (wait_of(since=at("2026-11-20T23:30:00+00:00")), FRIDAY, "2026-12-04"),  # Saturday in Berlin
+        (wait_of(since=at("2026-11-22T23:30:00+00:00")), FRIDAY, "2026-12-07"),  # Monday in Berlin is no day then
+        # Open from Tuesday afternoon to Thursday morning: three days do not count.
+        (
+            wait_of(Pause("question", at("2026-11-24T15:00+01:00"), at("2026-11-26T09:00+01:00"))),
+            FRIDAY + days(9),
+            "2026-12-09",
+        ),
+        # Two that overlap are counted once, and one over a weekend costs its two working days.
+        (
+            wait_of(
+                Pause("question", at("2026-11-24T15:00+01:00"), at("2026-11-24T16:00+01:00")),
+                Pause("change_order", at("2026-11-24T10:00+01:00"), at("2026-11-24T18:00+01:00")),
+            ),
+            FRIDAY + days(9),
+            "2026-12-07",
+        ),
+        (
+            wait_of(Pause("question", at("2026-11-27T15:00+01:00"), at("2026-11-30T09:00+01:00"))),
+            FRIDAY + days(12),
+            "2026-12-08",
+        ),
+        # Before the cue began to wait, and on its very day, nothing is stopped.
+        (wait_of(Pause("question", FRIDAY - days(9), FRIDAY + timedelta(hours=1))), FRIDAY + days(9), "2026-12-04"),
+        # Still open on Wednesday: Tuesday and Wednesday do not count, and the day moves on while it is open.
+        (wait_of(Pause("question", at("2026-11-24T15:00+01:00"))), at("2026-11-25T12:00+01:00"), "2026-12-08"),
+        (wait_of(Pause("question", at("2026-11-24T15:00+01:00"))), at("2026-12-25T12:00+01:00"), "2027-01-07"),
+    ],
+)
+def test_days_that_count_by_the_studio_s_calendar(wait: Wait, now: datetime, last_day: str) -> None:
+    assert wait.last_day(now).isoformat() == last_day
+
+
+def test_while_something_is_open_nothing_is_accepted_however_long() -> None:
+    wait = wait_of(Pause("question", at("2026-12-04T15:00+01:00")))
+    assert not wait.is_over(FRIDAY + days(400))
+    answered = wait_of(Pause("question", at("2026-12-04T15:00+01:00"), at("2026-12-07T09:00+01:00")))
+    assert answered.last_day(FRIDAY + days(30)).isoformat() == "2026-12-08"
+    assert not answered.is_over(at("2026-12-08T23:59:59+01:00"))
+    assert answered.is_over(at("2026-12-09T00:00+01:00")), "midnight in the studio's zone"
+
+
+def test_a_holiday_that_is_entered_while_a_cue_waits_does_not_delay_it() -> None:
+    calendar = WorkCalendar(BERLIN, {date(2026, 11, 25): FRIDAY + days(1), date(2026, 11, 26): FRIDAY - days(1)})
+    wait = Wait(DeemedAcceptance(days=10, reminder_days=3, by_studio_calendar=True), FRIDAY, calendar)
+    assert wait.last_day(FRIDAY).isoformat() == "2026-12-07"
+
+
+def test_days_and_hours_that_the_clocks_are_turned_are_days_like_others() -> None:
+    # On 29 March 2026 Berlin's day has 23 hours, on 25 October 25.
+    for since, last_day in ((at("2026-03-27T12:00+01:00"), "2026-04-10"), (at("2026-10-23T12:00+02:00"), "2026-11-06")):
+        wait = wait_of(since=since)
+        assert wait.last_day(since).isoformat() == last_day
+        ends = datetime.combine(date.fromisoformat(last_day) + days(1), time(), BERLIN)
+        assert (wait.is_over(ends - timedelta(seconds=1)), wait.is_over(ends)) == (False, True)
+
+
+@given(
+    began=st.lists(st.tuples(st.integers(0, 600), st.integers(0, 200)), max_size=6),
+    holidays=st.sets(st.integers(0, 60), max_size=10),
+    needed=st.integers(2, 15),
+)
+def test_the_last_day_is_the_one_that_a_plain_count_gives(
+    began: list[tuple[int, int]], holidays: set[int], needed: int
+) -> None:
+    pauses = [(FRIDAY + timedelta(hours=start), FRIDAY + timedelta(hours=start + lasts)) for start, lasts in began]
+    off = {(FRIDAY + days(number)).date() for number in holidays}
+    day, counted = FRIDAY.date(), 0
+    while counted < needed:
+        day += days(1)
+        hours = [datetime.combine(day, time(), UTC) + timedelta(minutes=minute) for minute in range(0, 1_440, 20)]
+        is_open = any(start <= hour <= end for start, end in pauses for hour in hours)
+        counted += day.weekday() < 5 and day not in off and not is_open
+    clause = DeemedAcceptance(days=needed, reminder_days=1, by_studio_calendar=True)
+    calendar = WorkCalendar(UTC, dict.fromkeys(off, FRIDAY - days(1)))
+    wait = Wait(clause, FRIDAY, calendar, tuple(Pause("question", start, end) for start, end in pauses))
+    now = FRIDAY + days(300)
+    assert wait.last_day(now) == day
+    assert wait.reminders(now) == needed - 1
+
+
+@pytest.fixture
+def by_calendar(world: World, monkeypatch: pytest.MonkeyPatch) -> MovedClock:
+    return MovedClock(Agreed(world, terms=BY_CALENDAR), monkeypatch)
+
+
+def test_a_question_of_the_designer_pauses_it_until_it_is_answered(by_calendar: MovedClock) -> None:
+    agreed, world = by_calendar.agreed, by_calendar.agreed.world
+    cue = agreed.cue()
+    take = agreed.take(cue)
+    by_calendar.agree(cue, take)
+    asked = world.designer.post(f"/v1/cues/{cue}/questions", json={"text": "Wood or steel?"}).json()
+    assert agreed.review(cue)["silence_paused_by"] == "question"
+    (item,) = agreed.queue()
+    assert item["silence_paused_by"] == "question"
+    by_calendar.apply_deemed(FRIDAY + days(400))
+    assert agreed.states(take) == ["conforming"]
+    answered = world.approver.post(f"/v1/questions/{asked['id']}/answer", json={"text": "Steel.", "joins": False})
+    assert answered.is_success, answered.text
+    assert agreed.review(cue)["silence_paused_by"] is None
+
+    def open_from_tuesday_to_thursday(session: Session) -> None:
+        question = session.get_one(Question, UUID(asked["id"]))
+        question.asked_at, question.answered_at = FRIDAY + days(4), FRIDAY + days(6)
+
+    world.server.in_database(open_from_tuesday_to_thursday)
+    by_calendar.apply_deemed(datetime(2026, 12, 9, 23, 59, tzinfo=UTC))
+    assert agreed.states(take) == ["conforming"]
+    by_calendar.apply_deemed(datetime(2026, 12, 10, tzinfo=UTC))
+    assert agreed.states(take) == ["approved"]
+
+
+def test_a_question_of_the_team_or_another_designer_pauses_nothing(by_calendar: MovedClock) -> None:
+    agreed, world = by_calendar.agreed, by_calendar.agreed.world
+    cue = agreed.cue()
+    by_calendar.agree(cue, agreed.take(cue))
+    of = {"studio_id": world.studio_id, "project_id": world.project_id, "cue_id": cue}
+    world.server.in_database(
+        lambda session: session.add(Question(**of, text="How loud?", asked_by=world.other_designer_id))
+    )
+    assert agreed.review(cue)["silence_paused_by"] is None
+
+
+def test_a_text_that_names_no_calendar_is_paused_by_nothing(moved: MovedClock) -> None:
+    agreed, world = moved.agreed, moved.agreed.world
+    cue = agreed.cue()
+    take = agreed.take(cue)
+    moved.agree(cue, take)
+    assert world.designer.post(f"/v1/cues/{cue}/questions", json={"text": "Wood or steel?"}).is_success
+    moved.apply_deemed(datetime(2026, 12, 5, tzinfo=UTC))
+    assert agreed.states(take) == ["approved"]
+
+
+def test_an_open_change_order_pauses_every_cue_of_its_contract(by_calendar: MovedClock) -> None:
+    agreed, world = by_calendar.agreed, by_calendar.agreed.world
+    cue = agreed.cue()
+    by_calendar.agree(cue, agreed.take(cue))
+    path = f"/v1/contracts/{agreed.contract_id}/change-orders"
+    changes = [{"kind": "reprice_cue", "cue_id": str(cue), "price_minor": 20_000}]
+    proposed = world.producer.post(path, json={"changes": changes, "reason": "It grew."})
+    assert proposed.is_success, proposed.text
+    assert agreed.review(cue)["silence_paused_by"] == "change_order"
+    answer = world.designer.post(f"{path}/1/refuse", json={"reason": "No."})
+    assert answer.is_success, answer.text
+    assert agreed.review(cue)["silence_paused_by"] is None
+
+
+def test_without_the_sources_that_the_contract_wants_it_does_not_wait(
+    world: World, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    terms = {**BY_CALENDAR, "sources_needed": "before_acceptance"}
+    moved = MovedClock(Agreed(world, terms=terms), monkeypatch)
+    cue = moved.agreed.cue()
+    take = moved.agreed.take(cue)
+    moved.agree(cue, take)
+    assert moved.agreed.review(cue)["accepted_after"] is None
+    moved.apply_deemed(FRIDAY + days(60))
+    assert moved.agreed.states(take) == ["conforming"]
+    told(world.designer.put(f"/v1/takes/{take}/sources", json={"from_scratch": True}))
+    assert moved.agreed.review(cue)["accepted_after"] is not None
+
+
+def test_the_library_leaves_it_out_until_somebody_wants_it() -> None:
+    clauses, terms = begin(ContractKind.SINGLE)
+    assert [clause.stands for clause in clauses if clause.key == "silence"] == [False]
+    assert DeemedAcceptance.of(terms_in_force(clauses, terms)) is None
+
+
+def test_a_producer_keeps_the_calendar_and_both_sides_see_it(world: World) -> None:
+    path = f"/v1/studios/{world.studio_id}/calendar"
+    assert told(world.reviewer.get(path)) == {"time_zone": "UTC", "holidays": []}
+    christmas = {"day": "2026-12-25", "name": "Christmas Day"}
+    saved = told(world.producer.put(path, json={"time_zone": "Europe/Berlin", "holidays": [christmas]}))
+    boxing = {"day": "2026-12-26", "name": "Boxing Day"}
+    again = told(
+        world.producer.put(
+            path, json={"time_zone": "Europe/Berlin", "holidays": [boxing, {**christmas, "name": "Christmas"}]}
+        )
+    )
+    assert [one["name"] for one in again["holidays"]] == ["Christmas", "Boxing Day"]
+    assert again["holidays"][0]["created_at"] == saved["holidays"][0]["created_at"], "it was there before"
+    assert told(world.designer.get(f"/v1/projects/{world.project_id}/studio-calendar")) == again
+    assert world.designer.get(path).status_code == 404
+    assert refused(world.reviewer.put(path, json={"time_zone": "UTC"})) == (403, "producer-needed")
+    assert refused(world.producer.put(path, json={"time_zone": "Mars/Olympus"})) == (422, "time-zone-unknown")
+    twice = {"time_zone": "UTC", "holidays": [christmas, christmas]}
+    assert refused(world.producer.put(path, json=twice)) == (422, "day-named-twice")
