@@ -18,6 +18,7 @@ from app.kit.api_document import ApiDocument
 from app.kit.change_feed import ChangeFeed
 from app.kit.changes import forget_old_changes
 from app.kit.compression import CompressedAnswers, PrecompressedFiles
+from app.kit.host_cookies import HostCookies
 from app.kit.http import PROBLEM_TYPE
 from app.kit.idempotency import delete_expired_responses
 from app.kit.response_headers import WithResponseHeaders, security_headers
@@ -65,6 +66,8 @@ def create_app(runtime: Runtime) -> FastAPI:
     app.state.security_headers = headers
     app.add_middleware(CompressedAnswers)
     app.add_middleware(WithResponseHeaders, headers=headers)
+    if runtime.settings.is_https:
+        app.add_middleware(HostCookies)
     if runtime.settings.trusted_proxies:  # who visits, read from right to left up to the first who is not one of them
         app.add_middleware(ProxyHeadersMiddleware, trusted_hosts=list(runtime.settings.trusted_proxies))
     _serve_frontend(app, runtime.settings.frontend_dir)

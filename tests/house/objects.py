@@ -251,6 +251,7 @@ class House(World):
             **of_it,
             designer_id=self.designer_id,
             number=1,
+            full_number="PRJ-001",
             issued_on=clock.now().date(),
             due_on=clock.now().date(),
             seller="Sound designer",

@@ -25,6 +25,7 @@ from app.accounts.models import Membership, Person, RateLimit, SignIn, Studio
 from app.accounts.rules import Role
 from app.kit import clock
 from app.kit.db import new_id
+from app.kit.host_cookies import PREFIX
 from app.kit.runtime import Runtime
 from app.kit.workers import Worker
 from app.main import create_app
@@ -191,7 +192,8 @@ class World:
         client = self.server.browser()
         if self.server.recorder:
             self.server.recorder.watch_requests(client, self._kind_of(person_id))
-        client.cookies.set(SESSION_COOKIE, secret)
+        prefix = PREFIX if self.server.runtime.settings.is_https else ""
+        client.cookies.set(f"{prefix}{SESSION_COOKIE}", secret)
         client.headers[CSRF_HEADER] = csrf_token(self.server.runtime.settings, secret)
         return client
 

@@ -32,6 +32,13 @@ describe('requests', () => {
     expect(requests[0]?.credentials).toBe('same-origin')
   })
 
+  test('over TLS the token comes in a cookie that is bound to the host', async () => {
+    vi.spyOn(document, 'cookie', 'get').mockReturnValue('theme=dark; __Host-soundlist_csrf=bound%2Ftoken')
+    await anyApi.POST('/v1/projects', { body: {} })
+    expect(requests[0]?.headers.get('X-CSRF-Token')).toBe('bound/token')
+    vi.restoreAllMocks()
+  })
+
   test('what changes something proves that it comes from our page, and is done once', async () => {
     await anyApi.POST('/v1/projects', { body: {} })
     await anyApi.POST('/v1/projects', { body: {} })

@@ -5,13 +5,13 @@ import { ApiProblem, lineLost, problemOf } from './problem'
 import type { paths } from './schema.gen'
 import { signedInAgain, signInsSoFar } from './signIn'
 
-const CSRF_COOKIE = 'soundlist_csrf'
+const CSRF_COOKIE = /(?:^|; )(?:__Host-)?soundlist_csrf=([^;]*)/ // the prefix is there over TLS
 const SAFE = new Set(['GET', 'HEAD', 'OPTIONS'])
 
 /** The token that proves a request comes from our own page. */
 export function csrfToken(): string | undefined {
-  const pair = document.cookie.split('; ').find((part) => part.startsWith(`${CSRF_COOKIE}=`))
-  return pair && decodeURIComponent(pair.slice(CSRF_COOKIE.length + 1))
+  const value = CSRF_COOKIE.exec(document.cookie)?.[1]
+  return value === undefined ? undefined : decodeURIComponent(value)
 }
 
 /** A fresh key for one act, so that sending it twice does it once. randomUUID would want HTTPS. */
