@@ -31,8 +31,9 @@ from app.agreements.errors import (
     TooLongToCompare,
     WrongState,
 )
+from app.agreements.last_contract import last_contract
 from app.agreements.models import Contract, ContractVersion
-from app.agreements.rules import ORDERS, ContractState, Party
+from app.agreements.rules import ORDERS, ContractKind, ContractState, Party
 from app.agreements.template_endpoints import attachment, clauses_of
 from app.agreements.text import Block, blocks_of
 from app.kit.bodies import LARGE_BODY_BYTES
@@ -140,7 +141,13 @@ def list_contracts(
     "/projects/{project_id}/contracts",
     status_code=201,
     responses=problems(
-        ProjectNotFound, ProducerNeeded, EngagementNotFound, NoContractNeeded, FrameworkNeeded, TemplateNotFound
+        ProjectNotFound,
+        ProducerNeeded,
+        EngagementNotFound,
+        NoContractNeeded,
+        FrameworkNeeded,
+        TemplateNotFound,
+        ContractNotFound,
     ),
 )
 def create_contract(
@@ -157,9 +164,25 @@ def create_contract(
         currency=body.currency,
         template_id=body.template_id,
         framework_id=body.framework_id,
+        same_as_id=body.same_as_id,
         with_music=body.with_music,
     )
     return _contract(session, actor, contract)
+
+
+@router.get(
+    "/projects/{project_id}/last-contract", responses=problems(ProjectNotFound, ProducerNeeded, EngagementNotFound)
+)
+def read_last_contract(
+    project_id: UUID,
+    engagement_id: UUID,
+    session: DbSession,
+    kind: ContractKind = ContractKind.SINGLE,
+    actor: Actor = allows(Audience.PRODUCER),
+) -> schemas.LastContractRead:
+    """Return the contract that a new one can begin like: the last with this designer, else the studio's last."""
+    found = last_contract(session, actor, project_id, engagement_id=engagement_id, kind=kind)
+    return schemas.LastContractRead(contract=schemas.LastContract.model_validate(found) if found else None)
 
 
 @router.get("/contracts/{contract_id}", responses=problems(ContractNotFound))

@@ -23,6 +23,7 @@ from app.agreements.errors import (
     TemplateNotFound,
 )
 from app.agreements.facts import facts_of
+from app.agreements.last_contract import begun_like
 from app.agreements.models import Contract, ContractAcceptance, ContractVersion
 from app.agreements.plan import activate_plan
 from app.agreements.rules import (
@@ -81,9 +82,10 @@ def create_contract(
     currency: str,
     template_id: UUID | None = None,
     framework_id: UUID | None = None,
+    same_as_id: UUID | None = None,
     with_music: bool = False,
 ) -> Contract:
-    """Begin a draft with one designer, from the library or from a template of the studio."""
+    """Begin a draft with one designer: from the library, from a template of the studio, or like another contract."""
     access = project_access(session, actor, project_id)
     access.ensure_producer()
     engagement = engagement_by_id(session, project_id, engagement_id)
@@ -104,6 +106,16 @@ def create_contract(
         if template is None or template.kind is not kind:
             raise TemplateNotFound(f"the studio has no template {template_id} for a {KIND_WORDS[kind]}")
         clauses, terms = [Clause.of(row) for row in template.clauses], dict(template.terms)
+    same_as = None
+    if same_as_id is not None:
+        same_as, clauses, terms = begun_like(
+            session,
+            actor,
+            same_as_id,
+            studio_id=access.project.studio_id,
+            kind=kind,
+            designer_id=engagement.designer_id,
+        )
     queries.lock_contracts_of(session, project_id)
     contract = Contract(
         studio_id=access.project.studio_id,
@@ -117,10 +129,15 @@ def create_contract(
         currency=currency,
         created_by=actor.person,
     )
+    note = f"Begun as a {KIND_WORDS[kind]}"
+    if same_as is not None:
+        contract.release_clause, contract.holdback_bp = same_as.release_clause, same_as.holdback_bp
+        contract.deposit_bp = same_as.deposit_bp
+        note = f"Begun like {same_as.title}"
     session.add(contract)
     session.flush()
     whole = visible_contract(session, actor, contract.id)
-    add_version(session, actor, whole, clauses, terms, note=f"Begun as a {KIND_WORDS[kind]}")
+    add_version(session, actor, whole, clauses, terms, note=note)
     return whole
 
 

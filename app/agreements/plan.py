@@ -16,6 +16,7 @@ from app.agreements.amounts import split
 from app.agreements.errors import BadPlan, PlanLocked, UnderContract
 from app.agreements.models import Contract, ContractCue, Milestone
 from app.agreements.plan_check import Advice, PlannedPayment, check_plan
+from app.agreements.plan_proposal import DEPOSIT_BP, ProposedMilestone, WantedCue, propose_milestones
 from app.agreements.plan_queries import terms_of
 from app.agreements.rules import ContractKind, ContractState
 from app.agreements.terms import PriceMode
@@ -67,6 +68,19 @@ def review_plan(
         *check_plan(payments, contract.currency),
         *_covered_elsewhere(session, contract, cue_ids),
     ]
+
+
+def propose_plan(
+    session: Session, actor: Actor, contract_id: UUID, *, total_minor: int | None
+) -> list[ProposedMilestone]:
+    """Return milestones to begin a plan from, over the cues that no agreed contract covers; nothing is saved."""
+    contract = contract_for_producer(session, actor, contract_id)
+    cues = plan_queries.wanted_cues(session, contract.project_id)
+    return propose_milestones(
+        [WantedCue(cue.id, cue.category, cue.due_on) for cue in cues],
+        total_minor=total_minor,
+        deposit_bp=contract.deposit_bp or DEPOSIT_BP,
+    )
 
 
 def save_plan(session: Session, actor: Actor, contract_id: UUID, plan: Sequence[PlannedMilestone]) -> Contract:

@@ -11,6 +11,7 @@ from app.agreements.models import Contract, ContractCue, ContractVersion, Milest
 from app.agreements.rules import ContractState
 from app.agreements.terms import MoneyTerms
 from app.sound_lists.models import Cue
+from app.sound_lists.rules import CueState
 
 
 def milestones_of(session: Session, contract_id: UUID) -> Sequence[Milestone]:
@@ -86,6 +87,19 @@ def covered_elsewhere(session: Session, contract_id: UUID, cue_ids: Collection[U
             ContractCue.accepted_at.is_(None),
         )
         .order_by(Cue.number)
+    ).all()
+
+
+def wanted_cues(session: Session, project_id: UUID) -> Sequence[Cue]:
+    """Return the cues of a project that are not cut, and that no agreed contract covers, in list order."""
+    covered = select(ContractCue.id).join(Contract, Contract.id == ContractCue.contract_id)
+    is_covered = covered.where(
+        ContractCue.cue_id == Cue.id, Contract.state == ContractState.AGREED, ContractCue.cut_at.is_(None)
+    ).exists()
+    return session.scalars(
+        select(Cue)
+        .where(Cue.project_id == project_id, Cue.state != CueState.CUT, ~is_covered)
+        .order_by(Cue.position, Cue.number)
     ).all()
 
 

@@ -61,6 +61,20 @@ def agreed_in(session: Session, actor: Actor, project_id: UUID) -> Sequence[Cont
     ).all()
 
 
+def last_sent(
+    session: Session, actor: Actor, studio_id: UUID, kind: ContractKind, designer_id: UUID
+) -> Contract | None:
+    """Return a studio's last contract of a kind that was sent once: with this designer, else with any."""
+    was_sent = exists().where(ContractVersion.contract_id == Contract.id, ContractVersion.sent_at.is_not(None))
+    return session.scalar(
+        select(Contract)
+        .where(Contract.studio_id == studio_id, Contract.kind == kind, was_sent, in_reach(actor))
+        .options(*WHOLE)
+        .order_by((Contract.designer_id == designer_id).desc(), Contract.id.desc())
+        .limit(1)
+    )
+
+
 def lock_contract(session: Session, contract_id: UUID) -> Contract:
     """Return a current contract, locked until the transaction ends."""
     return session.scalars(

@@ -125,6 +125,9 @@ class ContractAdd(Schema):
     currency: Currency = "USD"
     template_id: UUID | None = None
     framework_id: UUID | None = None
+    same_as_id: UUID | None = Field(
+        None, description="A contract of the studio, whose clauses and terms it begins with."
+    )
     with_music: bool = False
 
 
@@ -221,6 +224,22 @@ class MayRead(Schema):
     accept: bool
     end: bool
     amend: bool = Field(description="Whether they may propose a change order, or give notice.")
+
+
+class LastContractRead(Schema):
+    """The contract that another one can begin like; null where the studio has sent none of its kind."""
+
+    contract: "LastContract | None"
+
+
+class LastContract(Schema):
+    """A contract to begin like."""
+
+    id: UUID
+    title: str
+    designer: PersonBrief
+    currency: str
+    created_at: datetime
 
 
 class ContractBrief(Schema):

@@ -51,6 +51,21 @@ def read_plan(contract_id: UUID, session: DbSession, actor: Actor = allows(Audie
     return overview.plan(session, actor, contract_id)
 
 
+@router.get(
+    "/contracts/{contract_id}/milestones/proposal",
+    responses=problems(ContractNotFound, ProducerNeeded),
+)
+def propose_plan(
+    contract_id: UUID,
+    session: DbSession,
+    actor: Actor = allows(Audience.PRODUCER),
+    total_minor: schemas.Minor | None = None,
+) -> schemas.PlanProposal:
+    """Return milestones by the due dates and categories of the sound list, to begin a plan from; nothing is saved."""
+    proposed = plan.propose_plan(session, actor, contract_id, total_minor=total_minor)
+    return schemas.PlanProposal(milestones=[schemas.ProposedMilestoneRead(**vars(one)) for one in proposed])
+
+
 @router.put(
     "/contracts/{contract_id}/milestones",
     responses=problems(ContractNotFound, ProducerNeeded, PlanLocked, BadPlan),

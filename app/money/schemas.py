@@ -52,6 +52,22 @@ class PlanSet(Schema):
     milestones: Annotated[list[MilestoneSet], Field(max_length=100)]
 
 
+class ProposedMilestoneRead(Schema):
+    """A milestone to begin from."""
+
+    name: str
+    due_on: date | None
+    is_deposit: bool
+    amount_minor: int | None
+    cue_ids: Sequence[UUID]
+
+
+class PlanProposal(Schema):
+    """Milestones over the cues that no agreed contract covers, in order."""
+
+    milestones: Sequence[ProposedMilestoneRead]
+
+
 class MilestoneCueRead(Schema):
     """A cue under contract: what was agreed for it and what became of it."""
 

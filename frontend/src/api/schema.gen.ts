@@ -465,6 +465,30 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/studios/{studio_id}/calendar": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Studio Calendar
+         * @description Return the studio's time zone and holidays, by which working days are counted.
+         */
+        get: operations["get_studio_calendar"];
+        /**
+         * Save Studio Calendar
+         * @description Replace the studio's time zone and holidays. For a cue that waits already, a holiday entered now is ignored.
+         */
+        put: operations["save_studio_calendar"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects": {
         parameters: {
             query?: never;
@@ -511,6 +535,26 @@ export interface paths {
          * @description Change what a project is called, or put it away.
          */
         patch: operations["change_project"];
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/studio-calendar": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Project Calendar
+         * @description Return time zone and holidays of the project's studio, by which both sides count its working days.
+         */
+        get: operations["get_project_calendar"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
         trace?: never;
     };
     "/v1/projects/{project_id}/liaisons/{person_id}": {
@@ -1157,6 +1201,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/contracts/{contract_id}/milestones/proposal": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Propose Plan
+         * @description Return milestones by the due dates and categories of the sound list, to begin a plan from; nothing is saved.
+         */
+        get: operations["propose_plan"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/contracts/{contract_id}/plan-check": {
         parameters: {
             query?: never;
@@ -1739,6 +1803,26 @@ export interface paths {
          * @description Begin a draft with one designer, from the library or a template of the studio.
          */
         post: operations["create_contract"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/last-contract": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Last Contract
+         * @description Return the contract that a new one can begin like: the last with this designer, else the studio's last.
+         */
+        get: operations["read_last_contract"];
+        put?: never;
+        post?: never;
         delete?: never;
         options?: never;
         head?: never;
@@ -2744,6 +2828,26 @@ export interface paths {
          * @description Withdraw a take's dry stem; the take is judged without it again.
          */
         delete: operations["withdraw_dry_stem"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/checks": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Checks
+         * @description List the checks of this server in the order of reports: how forms show them, and what a spec may state.
+         */
+        get: operations["list_checks"];
+        put?: never;
+        post?: never;
+        delete?: never;
         options?: never;
         head?: never;
         patch?: never;
@@ -5083,6 +5187,34 @@ export interface components {
             url: string;
         };
         /**
+         * CalendarRead
+         * @description The calendar of a studio, by which working days are counted.
+         */
+        CalendarRead: {
+            /** Time Zone */
+            time_zone: string;
+            /** Holidays */
+            holidays: components["schemas"]["HolidayRead"][];
+        };
+        /**
+         * CalendarSave
+         * @description The calendar of a studio.
+         */
+        CalendarSave: {
+            /**
+             * Time Zone
+             * @description Of the IANA list.
+             * @example Europe/Berlin
+             */
+            time_zone: string;
+            /**
+             * Holidays
+             * @description Besides Saturdays and Sundays.
+             * @default []
+             */
+            holidays: components["schemas"]["HolidayAdd"][];
+        };
+        /**
          * CameBack
          * @description A take that is with the designer again.
          */
@@ -5363,6 +5495,76 @@ export interface components {
             changes: (components["schemas"]["AddCue"] | components["schemas"]["CutCue"] | components["schemas"]["RepriceCue"] | components["schemas"]["AddRound"] | components["schemas"]["MoveDate"] | components["schemas"]["AddWork"])[];
         };
         /**
+         * CheckDescription
+         * @description A check: what it is called, why it is there, and what a spec may state of it.
+         */
+        CheckDescription: {
+            /**
+             * Name
+             * @example true-peak
+             */
+            name: string;
+            /** Label */
+            label: string;
+            /**
+             * Summary
+             * @description What holds of a sound when it finds nothing.
+             */
+            summary: string;
+            /** Why */
+            why: string;
+            /** How To Fix */
+            how_to_fix: string;
+            /**
+             * Severity
+             * @description Where the spec says nothing.
+             * @enum {string}
+             */
+            severity: "error" | "warning";
+            /**
+             * May Return
+             * @description Whether a spec may make it an error, so that takes are returned for it.
+             */
+            may_return: boolean;
+            /**
+             * Is In Categories
+             * @description Whether the form of a category offers its severity.
+             */
+            is_in_categories: boolean;
+            /** Limits */
+            limits: components["schemas"]["CheckLimitDescription"][];
+        };
+        /**
+         * CheckLimitDescription
+         * @description A limit that a check holds files to.
+         */
+        CheckLimitDescription: {
+            /**
+             * Key
+             * @description In the table `limits` of a spec.
+             * @example true_peak_dbtp
+             */
+            key: string;
+            /** Label */
+            label: string;
+            /** Unit */
+            unit: string;
+            /** Least */
+            least: number;
+            /** Greatest */
+            greatest: number;
+            /**
+             * Is Range
+             * @description Whether a spec states `min` and `max`.
+             */
+            is_range: boolean;
+            /**
+             * Usual
+             * @description What holds where the spec says nothing; null for no limit.
+             */
+            usual: number | null;
+        };
+        /**
          * CheckRead
          * @description The newest check of a take.
          */
@@ -5602,6 +5804,11 @@ export interface components {
             template_id?: string | null;
             /** Framework Id */
             framework_id?: string | null;
+            /**
+             * Same As Id
+             * @description A contract of the studio, whose clauses and terms it begins with.
+             */
+            same_as_id?: string | null;
             /**
              * With Music
              * @default false
@@ -6338,6 +6545,8 @@ export interface components {
             approved_variations: number[];
             /** Accepted After */
             accepted_after: string | null;
+            /** Silence Paused By */
+            silence_paused_by: ("question" | "change_order") | null;
             approver: components["schemas"]["PersonBrief"];
             /** May Approve */
             may_approve: boolean;
@@ -7369,7 +7578,7 @@ export interface components {
             by: components["schemas"]["PersonBrief"] | null;
             /**
              * By Deemed Acceptance
-             * @description Whether a clause on silence approved it, and `by` said nothing.
+             * @description Whether a clause on silence approved it; then nobody did.
              * @default false
              */
             by_deemed_acceptance: boolean;
@@ -7379,6 +7588,38 @@ export interface components {
             start_s?: number | null;
             /** End S */
             end_s?: number | null;
+        };
+        /**
+         * HolidayAdd
+         * @description A day on which a studio does not work.
+         */
+        HolidayAdd: {
+            /**
+             * Day
+             * Format: date
+             */
+            day: string;
+            /** Name */
+            name: string;
+        };
+        /**
+         * HolidayRead
+         * @description A day on which a studio does not work.
+         */
+        HolidayRead: {
+            /**
+             * Day
+             * Format: date
+             */
+            day: string;
+            /** Name */
+            name: string;
+            /**
+             * Created At
+             * Format: date-time
+             * @description Cues that waited before are not delayed by it.
+             */
+            created_at: string;
         };
         /**
          * ImportAsk
@@ -7874,6 +8115,34 @@ export interface components {
             oldest_at: string | null;
         };
         /**
+         * LastContract
+         * @description A contract to begin like.
+         */
+        LastContract: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Title */
+            title: string;
+            designer: components["schemas"]["PersonBrief"];
+            /** Currency */
+            currency: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+        };
+        /**
+         * LastContractRead
+         * @description The contract that another one can begin like; null where the studio has sent none of its kind.
+         */
+        LastContractRead: {
+            contract: components["schemas"]["LastContract"] | null;
+        };
+        /**
          * LedgerLineRead
          * @description One line of a ledger: why, how much, by which clause, for which cue, and whose act it follows.
          */
@@ -8033,6 +8302,13 @@ export interface components {
             noise_floor_dbfs: number | null;
             /** Mono Loss Db */
             mono_loss_db: number | null;
+            /**
+             * Others
+             * @description Limits of checks that are named by `/v1/checks` alone, by key.
+             */
+            others: {
+                [key: string]: number;
+            };
         };
         /**
          * LineKind
@@ -9502,6 +9778,14 @@ export interface components {
             message: string;
         };
         /**
+         * PlanProposal
+         * @description Milestones over the cues that no agreed contract covers, in order.
+         */
+        PlanProposal: {
+            /** Milestones */
+            milestones: components["schemas"]["ProposedMilestoneRead"][];
+        };
+        /**
          * PlanRead
          * @description The milestones of a contract, and what is unwise about them.
          */
@@ -9669,6 +9953,11 @@ export interface components {
             archived?: boolean | null;
             /** Nda Needed */
             nda_needed?: boolean | null;
+            /**
+             * Shipped On
+             * @description The day on which the game came out.
+             */
+            shipped_on?: string | null;
         };
         /**
          * ProjectMoney
@@ -9708,6 +9997,11 @@ export interface components {
              * @description Designers see brief, list and spec once they accepted an NDA.
              */
             nda_needed: boolean;
+            /**
+             * Shipped On
+             * @description The day on which the game came out, as a producer recorded it.
+             */
+            shipped_on: string | null;
             studio: components["schemas"]["StudioBrief"];
             approver: components["schemas"]["PersonBrief"];
             /** Liaisons */
@@ -9717,6 +10011,22 @@ export interface components {
             mine: components["schemas"]["Mine"];
             /** Spec Version */
             spec_version: number;
+        };
+        /**
+         * ProposedMilestoneRead
+         * @description A milestone to begin from.
+         */
+        ProposedMilestoneRead: {
+            /** Name */
+            name: string;
+            /** Due On */
+            due_on: string | null;
+            /** Is Deposit */
+            is_deposit: boolean;
+            /** Amount Minor */
+            amount_minor: number | null;
+            /** Cue Ids */
+            cue_ids: string[];
         };
         /**
          * QuestionAdd
@@ -9799,6 +10109,11 @@ export interface components {
              * @description Day after which the cue counts as accepted without a verdict, by its contract's clause on silence.
              */
             accepted_after: string | null;
+            /**
+             * Silence Paused By
+             * @description What is open, so that the days of the clause do not count.
+             */
+            silence_paused_by: ("question" | "change_order") | null;
             /** Findings Count */
             findings_count: number;
             worst_finding: components["schemas"]["FindingRead"] | null;
@@ -12040,7 +12355,8 @@ export interface components {
             kind: components["schemas"]["VerdictKind"];
             /** Note */
             note: string;
-            given_by: components["schemas"]["PersonBrief"];
+            /** @description Null where a clause on silence decided it. */
+            given_by: components["schemas"]["PersonBrief"] | null;
             /**
              * Created At
              * Format: date-time
@@ -12048,7 +12364,7 @@ export interface components {
             created_at: string;
             /**
              * By Deemed Acceptance
-             * @description Whether a clause on silence decided it, and `given_by` said nothing.
+             * @description Whether a clause on silence decided it; then nobody did.
              */
             by_deemed_acceptance: boolean;
             /** Withdrawn */
@@ -12183,6 +12499,11 @@ export interface components {
              * @description Day after which it counts as accepted without a verdict, by its contract's clause on silence.
              */
             accepted_after: string | null;
+            /**
+             * Silence Paused By
+             * @description What is open, so that the days of the clause do not count.
+             */
+            silence_paused_by: ("question" | "change_order") | null;
         };
         /**
          * WithOthers
@@ -13488,6 +13809,99 @@ export interface operations {
             };
         };
     };
+    get_studio_calendar: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CalendarRead"];
+                };
+            };
+            /** @description `studio-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    save_studio_calendar: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["CalendarSave"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CalendarRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `time-zone-unknown`, `day-named-twice` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     list_projects: {
         parameters: {
             query?: {
@@ -13643,6 +14057,46 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `shipped-ahead` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_project_calendar: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CalendarRead"];
                 };
             };
             /** @description `project-not-found` */
@@ -15591,6 +16045,57 @@ export interface operations {
             };
         };
     };
+    propose_plan: {
+        parameters: {
+            query?: {
+                total_minor?: number | null;
+            };
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PlanProposal"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
     check_plan: {
         parameters: {
             query?: never;
@@ -17338,7 +17843,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `project-not-found`, `engagement-not-found`, `template-not-found` */
+            /** @description `project-not-found`, `engagement-not-found`, `template-not-found`, `contract-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -17363,6 +17868,58 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_last_contract: {
+        parameters: {
+            query: {
+                engagement_id: string;
+                kind?: components["schemas"]["ContractKind"];
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["LastContractRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found`, `engagement-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
                 };
             };
         };
@@ -20841,6 +21398,26 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_checks: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CheckDescription"][];
                 };
             };
         };

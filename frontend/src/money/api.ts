@@ -21,6 +21,7 @@ export type Estimates = Schemas['EstimatesRead']
 export type LedgerLine = Schemas['LedgerLineRead']
 export type Plan = Schemas['PlanRead']
 export type PlanSet = Schemas['PlanSet']
+export type PlanProposal = Schemas['PlanProposal']
 export type PlanChecked = Schemas['PlanChecked']
 export type Contract = Schemas['ContractRead']
 export type ListedCue = Schemas['CueRead']
@@ -78,6 +79,14 @@ export const estimatesQuery = (contractId: string) =>
     queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/estimates', of(contractId))),
     retry: false,
   })
+
+/** Milestones by the due dates and categories of the list, to begin a plan from. */
+export const proposedPlan = (contractId: string, totalMinor: number | null) =>
+  answered(
+    api.GET('/v1/contracts/{contract_id}/milestones/proposal', {
+      params: { path: { contract_id: contractId }, query: totalMinor === null ? {} : { total_minor: totalMinor } },
+    }),
+  )
 
 export const milestoneQuery = (milestoneId: string) =>
   queryOptions({

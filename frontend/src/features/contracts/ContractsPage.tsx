@@ -1,7 +1,6 @@
-import { Checkbox, Select, TextInput } from '@mantine/core'
+import { Checkbox } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
-import { Link, useNavigate, useParams } from '@tanstack/react-router'
-import { type FormEvent, useState } from 'react'
+import { Link, useParams } from '@tanstack/react-router'
 
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
@@ -14,21 +13,18 @@ import { State } from '@/ui/State'
 
 import {
   type ContractBrief,
-  type ContractKind,
   contractsQuery,
   type Project,
   projectQuery,
   templatesQuery,
   useAskForNda,
-  useBeginContract,
   useDropTemplate,
   useImportTemplate,
 } from './api'
+import { BeginContract } from './BeginContract'
 import classes from './Contracts.module.css'
 import { Refusal } from './Refusal'
-import { isKind, KIND_MEANINGS, KIND_WORDS, KINDS, progress } from './words'
-
-const KIND_CHOICES = KINDS.map((kind) => ({ value: kind, label: `${KIND_WORDS[kind]}: ${KIND_MEANINGS[kind]}` }))
+import { KIND_WORDS, progress } from './words'
 
 /** The contracts of a project: how each stands, and beginning another. */
 export function ContractsPage() {
@@ -51,7 +47,7 @@ export function ContractsPage() {
           </div>
           {runs && (
             <div className="stack">
-              <Begin project={project} contracts={contracts} />
+              <BeginContract project={project} contracts={contracts} />
               <Nda project={project} />
               <Templates project={project} />
             </div>
@@ -100,131 +96,6 @@ function Listed({ contracts, project }: { contracts: readonly ContractBrief[]; p
           )
         })}
       </Rows>
-    </Card>
-  )
-}
-
-function Begin({ project, contracts }: { project: Project; contracts: readonly ContractBrief[] }) {
-  const navigate = useNavigate()
-  const begin = useBeginContract(project.id)
-  const { data: templates } = useQuery(templatesQuery(project.studio.id))
-  const designers = project.engagements.filter(({ ended_at, kind }) => ended_at === null && kind !== 'in-house')
-  const [engagement, setEngagement] = useState<string | null>(null)
-  const [kind, setKind] = useState<ContractKind>('single')
-  const [title, setTitle] = useState('')
-  const [currency, setCurrency] = useState('USD')
-  const [template, setTemplate] = useState<string | null>(null)
-  const [framework, setFramework] = useState<string | null>(null)
-  const [music, setMusic] = useState(false)
-  const chosen = engagement ?? designers[0]?.id ?? null
-  const agreesWith = designers.find(({ id }) => id === chosen)?.designer.id
-  const frameworks = contracts.filter(
-    (each) => each.kind === 'framework' && each.state === 'agreed' && each.designer.id === agreesWith,
-  )
-  const own = (templates ?? []).filter((each) => each.kind === kind)
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    if (begin.isPending || chosen === null) return
-    const designer = designers.find(({ id }) => id === chosen)?.designer.name ?? ''
-    begin.mutate(
-      {
-        engagement_id: chosen,
-        kind,
-        title: title.trim() || `${KIND_WORDS[kind]} with ${designer}`,
-        currency: currency.trim().toUpperCase(),
-        template_id: template,
-        framework_id: kind === 'statement_of_work' ? (framework ?? frameworks[0]?.id ?? null) : null,
-        with_music: music,
-      },
-      {
-        onSuccess: ({ id }) =>
-          void navigate({
-            to: '/projects/$projectId/contracts/$contractId/draft',
-            params: { projectId: project.id, contractId: id },
-          }),
-      },
-    )
-  }
-  return (
-    <Card aria-labelledby="begin">
-      <CardHead id="begin" title="New contract" />
-      {designers.length === 0 ? (
-        <div className={classes.empty}>
-          <EmptyState head="No designer to contract yet" level={3}>
-            Invite a designer on the People page first. In-house designers need no contract.
-          </EmptyState>
-        </div>
-      ) : (
-        <form onSubmit={send} noValidate className={classes.form} aria-label="New contract">
-          <Select
-            label="With"
-            data={designers.map(({ id, designer }) => ({ value: id, label: designer.name }))}
-            value={chosen}
-            allowDeselect={false}
-            onChange={(id) => {
-              setEngagement(id)
-              setFramework(null)
-            }}
-          />
-          <Select
-            label="Kind"
-            data={KIND_CHOICES}
-            value={kind}
-            allowDeselect={false}
-            onChange={(value) => {
-              if (!isKind(value)) return
-              setKind(value)
-              setTemplate(null)
-            }}
-          />
-          {kind === 'statement_of_work' && (
-            <Select
-              label="Framework agreement"
-              data={frameworks.map(({ id, title: name }) => ({ value: id, label: name }))}
-              value={framework ?? frameworks[0]?.id ?? null}
-              placeholder="No framework agreement is signed yet"
-              onChange={setFramework}
-            />
-          )}
-          <TextInput
-            label="Title (optional)"
-            value={title}
-            maxLength={120}
-            onChange={({ currentTarget }) => setTitle(currentTarget.value)}
-          />
-          <TextInput
-            label="Currency"
-            description="Three letters, such as USD or EUR"
-            value={currency}
-            maxLength={3}
-            onChange={({ currentTarget }) => setCurrency(currentTarget.value)}
-          />
-          {own.length > 0 && (
-            <Select
-              label="Start from"
-              data={[
-                { value: '', label: 'Clause library' },
-                ...own.map(({ id, name }) => ({ value: id, label: name })),
-              ]}
-              value={template ?? ''}
-              allowDeselect={false}
-              onChange={(value) => setTemplate(value === '' ? null : value)}
-            />
-          )}
-          {kind !== 'nda' && template === null && (
-            <Checkbox
-              label="Includes music (ancillary rights, editions, soundtrack)"
-              checked={music}
-              onChange={({ currentTarget }) => setMusic(currentTarget.checked)}
-            />
-          )}
-          <Refusal error={begin.error} />
-          <p className="small mid">A starting point for both parties’ lawyers, not legal advice.</p>
-          <Button type="submit" variant="primary" aria-busy={begin.isPending}>
-            Create draft
-          </Button>
-        </form>
-      )}
     </Card>
   )
 }

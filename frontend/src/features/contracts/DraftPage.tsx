@@ -128,7 +128,7 @@ function Editor({ contract: newest, back }: { contract: Contract; back: string }
           <p className="mid">A starting point for both parties’ lawyers, not legal advice.</p>
         </div>
         <div className={classes.buttons}>
-          <ButtonLink component={Link} to={back}>
+          <ButtonLink component={Link} to={back} onClick={isChanged ? kept.discard : undefined}>
             {isChanged ? 'Discard changes' : 'Back to contract'}
           </ButtonLink>
           <Button

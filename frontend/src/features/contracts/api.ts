@@ -113,6 +113,20 @@ export const templatesQuery = (studioId: string) =>
     queryFn: () => answered(api.GET('/v1/studios/{studio_id}/contract-templates', ofStudio(studioId))),
   })
 
+/** The contract that a new one can begin like: the last of its kind with this designer, else the studio's last. */
+export const lastContractQuery = (projectId: string, engagementId: string, kind: ContractKind) =>
+  queryOptions({
+    queryKey: [...keys.list(projectId), 'last', engagementId, kind],
+    queryFn: async () => {
+      const { contract } = await answered(
+        api.GET('/v1/projects/{project_id}/last-contract', {
+          params: { path: { project_id: projectId }, query: { engagement_id: engagementId, kind } },
+        }),
+      )
+      return contract
+    },
+  })
+
 export const previewQuery = (contractId: string, draft: Draft) =>
   queryOptions({
     queryKey: ['contract', contractId, 'preview', draft],

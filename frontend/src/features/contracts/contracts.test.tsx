@@ -1,4 +1,4 @@
-import { screen, within } from '@testing-library/react'
+import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
 import { describe, expect, test, vi } from 'vitest'
@@ -256,6 +256,44 @@ describe('a producer', () => {
     may: { ...MAY, change: true },
   }
   const shown = { blocks: [block('text', 'It includes 3 rounds.')], problems: [] }
+
+  test('begins like the last contract, unless told otherwise', async () => {
+    const project = {
+      id: 'p1',
+      studio: { id: 's1', name: 'Shield Wing studio' },
+      mine: { is_producer: true, is_team: true },
+      nda_needed: false,
+      engagements: [{ id: 'e1', kind: 'contract', ended_at: null, designer: { id: 'x3', name: 'Sound designer' } }],
+    }
+    const last = {
+      id: 'c0',
+      title: 'Palette',
+      designer: { id: 'x3', name: 'Sound designer' },
+      currency: 'EUR',
+      created_at: '2026-10-01T10:00:00Z',
+    }
+    const { asked } = serve(
+      given({
+        'GET /v1/projects/p1': project,
+        'GET /v1/projects/p1/contracts': [],
+        'GET /v1/studios/s1/contract-templates': [],
+        'GET /v1/projects/p1/last-contract': { contract: last },
+        'POST /v1/projects/p1/contracts': draft,
+        'GET /v1/contracts/c1': draft,
+      }),
+    )
+    openApp('/projects/p1/contracts')
+    const form = within(await screen.findByRole('form', { name: 'New contract' }))
+    expect(await form.findByDisplayValue('Same as last contract: Palette')).toBeVisible()
+    expect(form.getByText(/its clauses, fees and terms/)).toBeVisible()
+    expect(form.getByLabelText('Currency')).toHaveValue('EUR')
+    await userEvent.click(form.getByRole('button', { name: 'Create draft' }))
+    await waitFor(() =>
+      expect(asked.find(({ method, path }) => method === 'POST' && path === '/v1/projects/p1/contracts')?.body).toEqual(
+        expect.objectContaining({ same_as_id: 'c0', currency: 'EUR', template_id: null }),
+      ),
+    )
+  })
 
   test('edits beside the text, and saves a version that names the one it came from', async () => {
     const { asked } = serve(

@@ -24,9 +24,10 @@ import { EmptyState } from '@/ui/EmptyState'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import classes from './Plan.module.css'
-import { type Fault, NO_CUE, paysMinor, planOf, type TypedCue, typedOf, type TypedPlan } from './plan'
+import { type Fault, NO_CUE, paysMinor, planOf, type TypedCue, typedOf, type TypedPlan, typedProposal } from './plan'
 import { PlannedCues } from './PlannedCues'
 import { PlannedMilestones } from './PlannedMilestones'
+import { ProposePlan } from './ProposePlan'
 
 const SETTLED_MS = 300 // after the last key, the plan is looked at
 
@@ -143,7 +144,11 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
           <p className="mid">{modeInWords(contract)}</p>
         </div>
         <div className={classes.buttons}>
-          <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contract.id}`}>
+          <ButtonLink
+            component={Link}
+            to={`/projects/${projectId}/contracts/${contract.id}`}
+            onClick={isChanged ? draft.discard : undefined}
+          >
             {isChanged ? 'Discard changes' : 'Back to contract'}
           </ButtonLink>
           <Button
@@ -167,6 +172,14 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
             currency={currency}
             onChange={(milestones) => setTyped((now) => ({ ...now, milestones }))}
             onAdd={add}
+            begin={
+              <ProposePlan
+                contractId={contract.id}
+                currency={currency}
+                isByDay={contract.version.terms.price_mode === 'day_rate'}
+                onProposed={(proposal) => setTyped(typedProposal(proposal, currency))}
+              />
+            }
           />
           <PlannedCues cues={cues} typed={typed} currency={currency} projectId={projectId} onChange={change} />
         </div>

@@ -1,9 +1,9 @@
 import { Checkbox, TextInput } from '@mantine/core'
+import type { ReactNode } from 'react'
 
 import { money } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { EmptyState } from '@/ui/EmptyState'
 import { FieldError } from '@/ui/FieldError'
 
 import classes from './Plan.module.css'
@@ -17,10 +17,20 @@ interface PlannedMilestonesProps {
   currency: string
   onChange: (milestones: TypedMilestone[]) => void
   onAdd: () => void
+  /** What is shown while there are none. */
+  begin: ReactNode
 }
 
 /** The milestones of a plan, in order; each with what is wrong about it. */
-export function PlannedMilestones({ milestones, pays, faults, currency, onChange, onAdd }: PlannedMilestonesProps) {
+export function PlannedMilestones({
+  milestones,
+  pays,
+  faults,
+  currency,
+  onChange,
+  onAdd,
+  begin,
+}: PlannedMilestonesProps) {
   return (
     <Card aria-labelledby="milestones">
       <CardHead
@@ -33,13 +43,7 @@ export function PlannedMilestones({ milestones, pays, faults, currency, onChange
           </Button>
         }
       />
-      {milestones.length === 0 && (
-        <div className={classes.pad}>
-          <EmptyState head="No milestones yet" level={3}>
-            Usually a deposit at signing, then rising payments: palette, alpha, beta.
-          </EmptyState>
-        </div>
-      )}
+      {milestones.length === 0 && begin}
       {milestones.map((one, place) => (
         <Milestone
           key={one.key}

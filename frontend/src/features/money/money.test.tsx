@@ -6,7 +6,7 @@ import { beforeAll, beforeEach, describe, expect, test } from 'vitest'
 import type { ContractMoney, Figures, Invoice, ProjectMoney } from '@/money/api'
 import { openApp } from '@/test/openApp'
 import { aMe, aServer, PROJECT } from '@/test/review'
-import { answer, refusal } from '@/test/server'
+import { answer, type Asked, refusal } from '@/test/server'
 
 beforeAll(() => import('./MoneyPage'))
 
@@ -317,7 +317,7 @@ describe('a designer', () => {
   })
 
   test('numbers invoices in a series of their own; a gap is said, and a used number cannot be issued', async () => {
-    server.on('GET /v1/contracts/effects/invoice-draft', ({ query }) => {
+    server.on('GET /v1/contracts/effects/invoice-draft', ({ query }: Asked) => {
       const number = query.get('full_number')
       if (number === '15') return { ...DRAFT, full_number: '15', number_advice: '13 to 14 are left out.' }
       if (number !== '12') return DRAFT

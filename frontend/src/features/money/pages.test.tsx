@@ -215,6 +215,34 @@ describe('the plan of a draft', () => {
     })
   })
 
+  test('is proposed from dates and categories in one act, and each milestone can be changed', async () => {
+    const PROPOSAL = 'GET /v1/contracts/effects/milestones/proposal'
+    server.on(SAVE, { contract_id: 'effects', currency: 'USD', milestones: [], advice: [] }).on(PROPOSAL, {
+      milestones: [
+        { name: 'Deposit', due_on: null, is_deposit: true, amount_minor: 150_000, cue_ids: [] },
+        { name: 'UI, 4 December', due_on: '2026-12-04', is_deposit: false, amount_minor: 225_000, cue_ids: ['ping'] },
+        { name: 'Voice', due_on: null, is_deposit: false, amount_minor: 225_000, cue_ids: ['oath'] },
+      ],
+    })
+    await opened()
+    const form = within(screen.getByRole('form', { name: 'Propose milestones' }))
+    type(form.getByLabelText(/^Total price/), '6,000')
+    expect(await faults()).toEqual([])
+    await userEvent.click(form.getByRole('button', { name: 'Propose milestones' }))
+    const voice = within(await screen.findByRole('group', { name: 'Voice' }))
+    expect(server.of(PROPOSAL)[0]?.query.get('total_minor')).toBe('600000')
+    type(voice.getByLabelText('Date'), '2026-12-18')
+    await userEvent.click(screen.getByRole('button', { name: 'Save plan' }))
+    await waitFor(() => expect(server.of(SAVE)).toHaveLength(1))
+    expect(server.of(SAVE)[0]?.body).toMatchObject({
+      milestones: [
+        { name: 'Deposit', is_deposit: true, amount_minor: 150_000, cues: [] },
+        { name: 'UI, 4 December', due_on: '2026-12-04', amount_minor: 225_000, cues: [{ cue_id: 'ping' }] },
+        { name: 'Voice', due_on: '2026-12-18', amount_minor: 225_000, cues: [{ cue_id: 'oath' }] },
+      ],
+    })
+  })
+
   test('that was agreed says where it stands', async () => {
     server.on('GET /v1/contracts/effects', { ...CONTRACT, state: 'agreed', may: { change: false } })
     openApp(`/projects/${PROJECT}/contracts/effects/plan`)

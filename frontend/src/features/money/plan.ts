@@ -1,4 +1,4 @@
-import type { ListedCue, Plan, PlanSet } from '@/money/api'
+import type { ListedCue, Plan, PlanProposal, PlanSet } from '@/money/api'
 import { amount, minorOf } from '@/money/words'
 
 /** A milestone as it is typed; its key lasts as long as the page. */
@@ -56,6 +56,24 @@ export function typedOf({ milestones, currency }: Plan): TypedPlan {
         isDeposit: one.is_deposit,
       }
     }),
+  }
+}
+
+/** What was proposed, as fields show it; nothing of it is saved yet. */
+export function typedProposal({ milestones }: PlanProposal, currency: string): TypedPlan {
+  const keyed = milestones.map((one) => ({ ...one, key: crypto.randomUUID() }))
+  return {
+    milestones: keyed.map(({ key, name, due_on: dueOn, amount_minor: minor, is_deposit: isDeposit }) => ({
+      key,
+      name,
+      dueOn: dueOn ?? '',
+      amount: minor === null ? '' : amount(minor, currency),
+      tax: '',
+      isDeposit,
+    })),
+    cues: Object.fromEntries(
+      keyed.flatMap(({ key, cue_ids: ids }) => ids.map((id) => [id, { ...NO_CUE, milestone: key }])),
+    ),
   }
 }
 
