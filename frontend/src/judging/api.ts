@@ -3,13 +3,11 @@ import {
   type QueryClient,
   queryOptions,
   useMutation,
-  useQuery,
   useQueryClient,
 } from '@tanstack/react-query'
 
 import { answered, api, everyPage } from '@/api'
 import type { components } from '@/api/schema.gen'
-import { finePeaks, type Peaks } from '@/audio'
 
 type Schemas = components['schemas']
 export type QueueItem = Schemas['QueueItem']
@@ -29,7 +27,6 @@ export const keys = {
   review: (cueId: string) => ['cue-review', cueId] as const,
   drafts: (projectId: string) => ['change-requests', projectId, 'draft'] as const,
   history: (takeId: string) => ['take-history', takeId] as const,
-  peaks: (url: string) => ['peaks', url] as const,
 }
 
 /** What a verdict changes elsewhere: lists and dashboards of the project, on any page. */
@@ -75,28 +72,6 @@ export const draftsQuery = (projectId: string) =>
         ),
       ),
   })
-
-async function readPeaks(url: string): Promise<Peaks> {
-  const read = await answered<Schemas['PeaksRead']>(
-    fetch(url, { credentials: 'same-origin' }).then(async (response) => ({
-      response,
-      data: response.ok ? ((await response.json()) as Schemas['PeaksRead']) : undefined,
-    })),
-  )
-  return finePeaks(read)
-}
-
-/** The fine shape of one sound: undefined while it is on its way, null where the server has none. */
-export function usePeaks(url: string | null | undefined): Peaks | null | undefined {
-  const { data, isError } = useQuery({
-    queryKey: keys.peaks(url ?? ''),
-    queryFn: () => readPeaks(url ?? ''),
-    enabled: Boolean(url),
-    staleTime: Infinity,
-  })
-  if (url === undefined) return undefined
-  return url === null || isError ? null : data
-}
 
 /** Refetch what a verdict, a change or a sending affected. */
 export async function refresh(client: QueryClient, projectId: string): Promise<void> {

@@ -1,8 +1,9 @@
-import { Tooltip } from '@mantine/core'
-import type { ReactNode } from 'react'
+import { lazy, type ReactNode, Suspense } from 'react'
 
 import { Icon, type IconName } from './Icon'
 import classes from './State.module.css'
+
+const StateReason = lazy(async () => ({ default: (await import('./StateReason')).StateReason }))
 
 export type Tone = 'ok' | 'bad' | 'warn' | 'change' | 'review' | 'idle'
 
@@ -75,11 +76,10 @@ export function State({ kind, children, pill = false, strong = false, reason }: 
   )
   if (reason === undefined) return <span className={className}>{inside}</span>
   return (
-    <Tooltip label={reason} events={{ hover: true, focus: true, touch: true }} multiline>
-      <button type="button" className={`${className} ${classes.asking}`}>
+    <Suspense fallback={<span className={className}>{inside}</span>}>
+      <StateReason className={`${className} ${classes.asking}`} reason={reason}>
         {inside}
-        <span className="visually-hidden">: {reason}</span>
-      </button>
-    </Tooltip>
+      </StateReason>
+    </Suspense>
   )
 }

@@ -37,8 +37,9 @@ describe('State', () => {
 
   test('the reason of a waiver is there for those who focus it', async () => {
     draw(<State kind="waived" reason="Flat tops are style here." />)
+    const state = await screen.findByRole('button', { name: 'Waived: Flat tops are style here.' })
     await userEvent.tab()
-    expect(screen.getByRole('button', { name: 'Waived: Flat tops are style here.' })).toHaveFocus()
+    expect(state).toHaveFocus()
     expect(await screen.findByRole('tooltip')).toHaveTextContent('Flat tops are style here.')
   })
 })

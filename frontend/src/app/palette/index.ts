@@ -1,4 +1,3 @@
-export { CommandPalette } from './CommandPalette'
 export {
   type Command,
   type Found,

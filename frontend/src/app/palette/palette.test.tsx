@@ -4,7 +4,8 @@ import { expect, test, vi } from 'vitest'
 
 import { draw } from '@/test/draw'
 
-import { type Command, CommandPalette, type SearchProvider, useCommands, useSearchProvider } from './index'
+import { CommandPalette } from './CommandPalette'
+import { type Command, type SearchProvider, useCommands, useSearchProvider } from './index'
 
 const SOUNDS = ['shield_hit', 'suit_hit', 'foot_deck_walk']
 

@@ -2,8 +2,9 @@ import { Outlet } from '@tanstack/react-router'
 import { type ReactNode, useState } from 'react'
 
 import { useHotkeys } from '../keys'
+import { LazyDialog } from '../LazyDialog'
 import { NOBODY } from '../session'
-import { KeysSheet } from './KeysSheet'
+import { loadKeysSheet } from './overlays'
 import { Mark } from './Mark'
 import classes from './Shell.module.css'
 import { ShellLink } from './ShellLink'
@@ -27,7 +28,7 @@ export function GuestFrame({ children = <Outlet /> }: { children?: ReactNode }) 
       <main id="main" tabIndex={-1} className={classes.main}>
         {children}
       </main>
-      <KeysSheet opened={showingKeys} onClose={() => setShowingKeys(false)} />
+      <LazyDialog load={loadKeysSheet} opened={showingKeys} onClose={() => setShowingKeys(false)} given={{}} />
     </>
   )
 }

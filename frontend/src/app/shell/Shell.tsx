@@ -4,12 +4,13 @@ import { useState } from 'react'
 import { isMac } from '@/ui/keyNames'
 
 import { useHotkeys } from '../keys'
-import { CommandPalette, useCommands } from '../palette'
+import { LazyDialog } from '../LazyDialog'
+import { useCommands } from '../palette'
 import type { Session } from '../session'
 import { ProjectName } from '../title'
 import { AwayNote } from './AwayNote'
-import { KeysSheet } from './KeysSheet'
 import { isClosed, NdaFirst } from './NdaFirst'
+import { loadKeysSheet, loadPalette } from './overlays'
 import { useScheme } from './scheme'
 import { placesOf, screensOf } from './screens'
 import classes from './Shell.module.css'
@@ -90,9 +91,9 @@ export function Shell({ session }: { session: Session }) {
           <Outlet />
         )}
       </main>
-      <CommandPalette opened={finding} onClose={() => setFinding(false)} />
+      <LazyDialog load={loadPalette} opened={finding} onClose={() => setFinding(false)} given={{}} />
       {data.signInAgain}
-      <KeysSheet opened={showingKeys} onClose={() => setShowingKeys(false)} />
+      <LazyDialog load={loadKeysSheet} opened={showingKeys} onClose={() => setShowingKeys(false)} given={{}} />
     </ProjectName>
   )
 }

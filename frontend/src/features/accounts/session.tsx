@@ -1,6 +1,6 @@
 import { type QueryClient, useQuery, useQueryClient } from '@tanstack/react-query'
 import { redirect, useParams, useRouter } from '@tanstack/react-router'
-import { useEffect } from 'react'
+import { lazy, Suspense, useEffect } from 'react'
 
 import { answered, api, ApiProblem, leaveSession } from '@/api'
 import { type Me, meQuery } from '@/api/me'
@@ -16,9 +16,10 @@ import { countQuery } from '@/judging/api'
 import { counted } from '@/judging/words'
 
 import { sessionQuery } from './api'
-import { DemoSwitch } from './DemoSwitch'
 import { partWord } from './parts'
 import { SignInAgain } from './SignInAgain'
+
+const DemoSwitch = lazy(async () => ({ default: (await import('./DemoSwitch')).DemoSwitch }))
 
 const isSignedOut = (error: unknown): boolean => error instanceof ApiProblem && error.status === 401
 
@@ -96,7 +97,11 @@ function useShell(): ShellData {
     operates: me.is_operator || me.studios.some(({ roles }) => roles.includes('producer')),
     signOut: () => void signOut(client, () => router.navigate({ to: '/sign-in', search: {} })),
     signInAgain: isDemo ? undefined : <SignInAgain me={me} />,
-    switcher: isDemo ? <DemoSwitch projectId={project?.id} /> : undefined,
+    switcher: isDemo ? (
+      <Suspense fallback={null}>
+        <DemoSwitch projectId={project?.id} />
+      </Suspense>
+    ) : undefined,
   }
 }
 

@@ -11,8 +11,8 @@ import {
   Waveform,
   WaveThumb,
 } from '@/audio'
-import { usePeaks } from '@/judging/api'
 import { spotOf, wordsOf, worstFirst } from '@/judging/findings'
+import { usePeaks } from '@/judging/peaks'
 import { FixPanel, type Fixing, useFixing } from '@/fixing'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'

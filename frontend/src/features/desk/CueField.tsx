@@ -1,10 +1,9 @@
-import { Select } from '@mantine/core'
 import { useState } from 'react'
 
 import { Button } from '@/ui/Button'
-import { useFocusOnMount } from '@/ui/useFocusOnMount'
+import { useLazy } from '@/ui/useLazy'
 
-import { type Cue, useCues } from './api'
+import type { Cue } from './api'
 import classes from './Unmatched.module.css'
 
 interface CueFieldProps {
@@ -16,13 +15,12 @@ interface CueFieldProps {
   onBack: () => void
 }
 
-const optionOf = ({ id, label, name, use }: Cue) => ({ value: id, label: `${label} ${name}${use ? `, ${use}` : ''}` })
+const loadSearch = () => import('./CueSearch').then(({ CueSearch }) => CueSearch)
 
 /** The list, searched by number, name or use; then the variation of a set. */
 export function CueField({ projectId, label, one, onPick, onBack }: CueFieldProps) {
-  const { data: cues } = useCues(projectId)
   const [cue, setCue] = useState<Cue | null>(null)
-  const field = useFocusOnMount<HTMLInputElement>()
+  const Search = useLazy(loadSearch, true, onBack)
   if (cue !== null) {
     return (
       <VariationField
@@ -35,26 +33,17 @@ export function CueField({ projectId, label, one, onPick, onBack }: CueFieldProp
   }
   return (
     <div className={classes.search}>
-      <Select
-        className="grow"
-        aria-label={label}
-        placeholder="Number, name or use"
-        searchable
-        ref={field}
-        data={cues?.map(optionOf) ?? []}
-        limit={50}
-        nothingFoundMessage="No cue matches."
-        comboboxProps={{ transitionProps: { duration: 0 } }}
-        onChange={(id) => {
-          const found = cues?.find((each) => each.id === id)
-          if (!found) return
-          if (one && found.stems.length > 1) setCue(found)
-          else onPick(found, null)
-        }}
-        onKeyDown={(event) => {
-          if (event.key === 'Escape') onBack()
-        }}
-      />
+      {Search && (
+        <Search
+          projectId={projectId}
+          label={label}
+          onPick={(found) => {
+            if (one && found.stems.length > 1) setCue(found)
+            else onPick(found, null)
+          }}
+          onBack={onBack}
+        />
+      )}
       <Button variant="quiet" onClick={onBack}>
         Back
       </Button>

@@ -1,24 +1,19 @@
-import { Select, Textarea } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 import { type DragEvent, useState } from 'react'
 
-import { ApiProblem } from '@/api'
-import { DraftNote, useDraft } from '@/app/drafts'
 import { HotkeyButton } from '@/app/keys'
 import { ShellLink } from '@/app/shell/ShellLink'
-import { showToast } from '@/app/toast'
-import { ended } from '@/judging/findings'
 import { unlessJudged } from '@/judging/words'
 import { fixesQuery } from '@/fixing'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ago, length, plural } from '@/ui/format'
 import { State } from '@/ui/State'
-import { useFocusOnMount } from '@/ui/useFocusOnMount'
 import { filesOfDrop, type Picked } from '@/uploads'
 
-import { type AskedQuestion, type Desk, type ToMake, useAsk, useCues } from './api'
+import type { AskedQuestion, Desk, ToMake } from './api'
+import { AskForm } from './AskForm'
 import { type DeskList, useWithApprover } from './pages'
 import classes from './Side.module.css'
 
@@ -180,11 +175,15 @@ export function WithApproverCard({ projectId, desk }: { projectId: string; desk:
 
 /** For each day after which silence accepts: which cues, and when. */
 function waitsOf(cues: readonly Desk['with_approver'][number][]): string[] {
-  const days = [...new Set(cues.flatMap(({ accepted_after: day }) => day ?? []))]
-  return days.map((day) => {
-    const names = cues.filter(({ accepted_after: after }) => after === day).map(({ name }) => name)
+  const waits = new Map<string, string[]>()
+  for (const { name, accepted_after: day, silence_paused_by: pausedBy } of cues) {
+    if (day === null) continue
+    const says = unlessJudged(day, pausedBy)
+    waits.set(says, [...(waits.get(says) ?? []), name])
+  }
+  return [...waits].map(([says, names]) => {
     const which = cues.length > 1 && names.length === cues.length ? 'Each' : names.join(', ')
-    return `${which}: ${unlessJudged(day)}`
+    return `${which}: ${says}`
   })
 }
 
@@ -266,77 +265,5 @@ export function AskedCard({ projectId, questions, cueId }: AskedCardProps) {
         ))}
       </ul>
     </Card>
-  )
-}
-
-function AskForm({ projectId, cueId, onDone }: { projectId: string; cueId: string | null; onDone: () => void }) {
-  const { data: cues } = useCues(projectId)
-  const [chosen, setChosen] = useState(cueId)
-  const [text, setText, draft] = useDraft(`ask:${projectId}`, '')
-  const [missing, setMissing] = useState<{ cue?: string; text?: string }>({})
-  const ask = useAsk(projectId)
-  const cueField = useFocusOnMount<HTMLInputElement>(cueId === null)
-  const textField = useFocusOnMount<HTMLTextAreaElement>(cueId !== null)
-  const send = () => {
-    const lacks = {
-      cue: chosen === null ? 'Choose a cue.' : undefined,
-      text: text.trim() === '' ? 'Write your question.' : undefined,
-    }
-    setMissing(lacks)
-    if (chosen === null || lacks.text !== undefined || ask.isPending) return
-    ask.mutate(
-      { cueId: chosen, text: text.trim() },
-      {
-        onSuccess: ({ cue_name }) => {
-          draft.discard()
-          showToast(`Question about ${cue_name} sent. You get the answer here and by email.`)
-          onDone()
-        },
-      },
-    )
-  }
-  const refusal = ask.error instanceof ApiProblem ? ask.error : null
-  return (
-    <form
-      className={classes.ask}
-      onSubmit={(event) => {
-        event.preventDefault()
-        send()
-      }}
-      noValidate
-    >
-      <Select
-        label="Cue"
-        searchable
-        data={cues?.map(({ id, label, name }) => ({ value: id, label: `${label} ${name}` })) ?? []}
-        value={chosen}
-        onChange={setChosen}
-        error={missing.cue}
-        ref={cueField}
-        comboboxProps={{ transitionProps: { duration: 0 } }}
-      />
-      <Textarea
-        label="Question"
-        rows={3}
-        maxLength={2000}
-        value={text}
-        onChange={(event) => setText(event.currentTarget.value)}
-        error={missing.text ?? (refusal ? ended(refusal.of('text')?.message ?? refusal.detail) : undefined)}
-        ref={textField}
-        onKeyDown={(event) => {
-          if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) send()
-          if (event.key === 'Escape') onDone()
-        }}
-      />
-      <DraftNote draft={draft} />
-      <div className={classes.askFoot}>
-        <Button variant="quiet" onClick={onDone}>
-          Cancel
-        </Button>
-        <Button type="submit" variant="primary">
-          Send question
-        </Button>
-      </div>
-    </form>
   )
 }

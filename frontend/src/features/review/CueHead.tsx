@@ -1,4 +1,3 @@
-import { Menu } from '@mantine/core'
 import { useState } from 'react'
 
 import { ApiProblem } from '@/api'
@@ -9,14 +8,16 @@ import { useDraftCount } from '@/judging/Drafts'
 import { inOrder, MASTER, variationName } from '@/judging/hearing'
 import { asked, capital } from '@/judging/words'
 import { Button } from '@/ui/Button'
-import { plural, shortDay } from '@/ui/format'
+import { plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
+import { LazyMenu } from '@/ui/LazyMenu'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { Segmented } from '@/ui/Segmented'
 import { State, type StateKind } from '@/ui/State'
 
 import { useCut } from './api'
 import classes from './Review.module.css'
+import { STATE_OF_TAKE } from './stateOfTake'
 
 interface CueHeadProps {
   review: CueReview
@@ -35,15 +36,8 @@ interface CueHeadProps {
   onQueue: () => void
 }
 
-const STATE_OF_TAKE: Record<ReviewTake['state'], StateKind> = {
-  received: 'checking',
-  conforming: 'to_review',
-  returned: 'returned',
-  unjudged: 'unjudged',
-  approved: 'approved',
-  change_requested: 'change_requested',
-  set_aside: 'set_aside',
-}
+const loadMore = () => import('./CueMenus').then(({ MoreMenu }) => MoreMenu)
+const loadVersions = () => import('./CueMenus').then(({ VersionsMenu }) => VersionsMenu)
 
 /** Which cue it is, what was asked for, which version and which file of it is heard. */
 export function CueHead(props: CueHeadProps) {
@@ -81,14 +75,11 @@ export function CueHead(props: CueHeadProps) {
           )}
           {review.takes.length > 0 && !props.blind && <Versions review={review} hand={hand} onTake={props.onTake} />}
           {props.mayCut && cue.state !== 'cut' && (
-            <Menu position="bottom-end" transitionProps={{ duration: 0 }}>
-              <Menu.Target>
-                <Button icon="sliders" square aria-label={`More for ${cue.name}`} />
-              </Menu.Target>
-              <Menu.Dropdown>
-                <Menu.Item onClick={() => setCutting(true)}>Cut this cue</Menu.Item>
-              </Menu.Dropdown>
-            </Menu>
+            <LazyMenu
+              button={<Button icon="sliders" square aria-label={`More for ${cue.name}`} />}
+              load={loadMore}
+              given={{ onCut: () => setCutting(true) }}
+            />
           )}
         </div>
       </div>
@@ -124,27 +115,21 @@ function Versions({ review, hand, onTake }: VersionsProps) {
   const isSet = review.cue.variations > 1
   const versions = inOrder(review.takes).filter((take) => !isSet || take.variation === hand?.variation)
   return (
-    <Menu position="bottom-end" transitionProps={{ duration: 0 }}>
-      <Menu.Target>
+    <LazyMenu
+      button={
         <Button>
           {hand ? `Version ${hand.number}` : 'Versions'} of {versions.length}
           <Icon name="chevron" />
         </Button>
-      </Menu.Target>
-      <Menu.Dropdown>
-        <Menu.Label>{isSet && hand ? `Versions of ${variationName(hand.variation)}` : 'Versions'}</Menu.Label>
-        {versions.toReversed().map((take) => (
-          <Menu.Item
-            key={take.id}
-            rightSection={<State kind={STATE_OF_TAKE[take.state]} />}
-            onClick={() => onTake(take)}
-          >
-            Version {take.number}, {shortDay(take.received_at)}
-            {take.id === hand?.id && ', selected'}{' '}
-          </Menu.Item>
-        ))}
-      </Menu.Dropdown>
-    </Menu>
+      }
+      load={loadVersions}
+      given={{
+        title: isSet && hand ? `Versions of ${variationName(hand.variation)}` : 'Versions',
+        versions: versions.toReversed(),
+        hand,
+        onTake,
+      }}
+    />
   )
 }
 

@@ -10,10 +10,11 @@ import {
   type TimeRange,
   Waveform,
 } from '@/audio'
-import { type ReviewTake, usePeaks } from '@/judging/api'
+import { type ReviewTake } from '@/judging/api'
 import { MASTER, soundOf } from '@/judging/hearing'
 import { useRelease } from '@/judging/useHearing'
 import { sentence } from '@/judging/words'
+import { usePeaks } from '@/judging/peaks'
 import { figure } from '@/ui/format'
 
 import classes from './Review.module.css'

@@ -3,7 +3,7 @@ import { useMemo, useState } from 'react'
 
 import { HotkeyButton } from '@/app/keys'
 import { type FindingMark, LevelStrip, type Player, type PlayerState, SpectrumStrip, Waveform } from '@/audio'
-import { usePeaks } from '@/judging/api'
+import { usePeaks } from '@/judging/peaks'
 import { Card, CardHead } from '@/ui/Card'
 import { length, rate } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
