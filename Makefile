@@ -120,6 +120,7 @@ docs: setup  ## Write the generated pages
 
 openapi: .make/python .make/node  ## Write the OpenAPI document and the frontend's types
 	$(BIN)/soundlist openapi frontend/openapi.json
+	$(BIN)/python -m tests.support.described_checks frontend/src/test/checks.json
 	cd frontend && npm run --silent gen
 
 audit-dependencies: .make/python  ## Look for known vulnerabilities in what is locked, where advisories can be reached

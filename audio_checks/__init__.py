@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from audio_checks.audit.manifest import manifest_entry, manifest_of, read_manifest, write_manifest
     from audio_checks.audit.played import with_plays, with_project
     from audio_checks.audit.report import Audit
+    from audio_checks.checks import Check, CheckLimit, all_checks
     from audio_checks.errors import (
         AudioChecksError,
         FixRefused,
@@ -82,6 +83,8 @@ __all__ = [
     "AudioFile",
     "Audit",
     "BandLevels",
+    "Check",
+    "CheckLimit",
     "CueFacts",
     "DeliverySpec",
     "DryStem",
@@ -120,6 +123,7 @@ __all__ = [
     "TargetPreset",
     "Unreadable",
     "WaveShape",
+    "all_checks",
     "audit_build",
     "average_spectrum",
     "check_file",
@@ -193,6 +197,7 @@ _HOMES = {
         "SpecError",
         "Unreadable",
     ),
+    "audio_checks.checks": ("Check", "CheckLimit", "all_checks"),
     "audio_checks.report.findings": ("FileReport", "Finding", "Report"),
     "audio_checks.matching.index": ("ListedCue", "NameIndex"),
     "audio_checks.measure.average_spectrum": ("BandLevels",),

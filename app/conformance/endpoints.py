@@ -5,11 +5,12 @@ from uuid import UUID
 
 from fastapi import Response
 
+import audio_checks
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.conformance import fixes, service
 from app.conformance.errors import CheckNotFound, FixNotReady, NothingToFix, NothingToWaive
-from app.conformance.schemas import CheckRead, FixOffer, FixRead, WaiverAdd
+from app.conformance.schemas import CheckDescription, CheckRead, FixOffer, FixRead, WaiverAdd
 from app.deliveries.errors import OwnDesignerNeeded, TakeNotFound, WrongState
 from app.deliveries.schemas import TakeRead
 from app.deliveries.service import read_take, take_for
@@ -20,6 +21,12 @@ router = Router(prefix="/v1", tags=["conformance"], route_class=Route)
 SAME_TAKE: dict[int | str, dict[str, Any]] = {
     200: {"model": TakeRead, "description": "The fix was used before; this is its take."}
 }
+
+
+@router.get("/checks")
+def list_checks(_actor: Actor = allows(Audience.ANYONE)) -> list[CheckDescription]:
+    """List the checks of this server in the order of reports: how forms show them, and what a spec may state."""
+    return [CheckDescription.model_validate(check) for check in audio_checks.all_checks().values()]
 
 
 @router.get("/takes/{take_id}/check", response_model=CheckRead, responses=problems(TakeNotFound, CheckNotFound))

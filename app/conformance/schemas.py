@@ -127,6 +127,32 @@ class FixedFrom(Schema):
     used_at: datetime
 
 
+class CheckLimitDescription(Schema):
+    """A limit that a check holds files to."""
+
+    key: str = Field(description="In the table `limits` of a spec.", examples=["true_peak_dbtp"])
+    label: str
+    unit: str
+    least: float
+    greatest: float
+    is_range: bool = Field(description="Whether a spec states `min` and `max`.")
+    usual: float | None = Field(description="What holds where the spec says nothing; null for no limit.")
+
+
+class CheckDescription(Schema):
+    """A check: what it is called, why it is there, and what a spec may state of it."""
+
+    name: str = Field(examples=["true-peak"])
+    label: str
+    summary: str = Field(description="What holds of a sound when it finds nothing.")
+    why: str
+    how_to_fix: str
+    severity: Literal["error", "warning"] = Field(description="Where the spec says nothing.")
+    may_return: bool = Field(description="Whether a spec may make it an error, so that takes are returned for it.")
+    is_in_categories: bool = Field(description="Whether the form of a category offers its severity.")
+    limits: list[CheckLimitDescription]
+
+
 class FixRead(Schema):
     """The possible or finished fix of a take."""
 

@@ -140,6 +140,7 @@ class LimitsRead(Schema):
     loudness_lufs: RangeRead
     noise_floor_dbfs: float | None
     mono_loss_db: float | None
+    others: dict[str, float] = Field(description="Limits of checks that are named by `/v1/checks` alone, by key.")
 
 
 class NameTokenRead(Schema):

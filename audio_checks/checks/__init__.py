@@ -4,8 +4,11 @@ A check module has a docstring (one line `name`: what holds; then Why, How to fi
 which its page is made, and
 
 - `SEVERITY`: "error" or "warning" by default; `OVER_FILES = True` where it judges files together;
-- `LIMITS`, where it brings limits of its own: keys of the table `limits` of a spec, with the least and
-  greatest value; it reads them from `spec.limits.others`;
+- `LABEL`: what forms and lists call it, in one to three words;
+- `LIMITS`, where the spec limits what it measures: keys of the table `limits`, each with the least and
+  greatest value and, where it is not the check's, its label. The unit ends the key. A limit that is
+  no field of `Limits` is read from `spec.limits.others`;
+- `IN_CATEGORIES = True`, where the form of a category offers its severity;
 - `NOT_FIXED`, where no fix is offered for what it finds: one sentence that says why;
 - `FIGURES`: the measurements it reads, so that they are made while the file streams by;
 - `JUDGEMENT`, where it makes a finding of a judgement: the name of that, see `audio_checks.judge`;
@@ -23,15 +26,46 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 from importlib import import_module
 from types import ModuleType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from audio_checks.report.findings import Finding
 from audio_checks.spec import check_names
 from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
+from audio_checks.spec.parts import NO_LIMITS, Range
 
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
     from audio_checks.report.judged import JudgedFile
+
+UNITS = {  # by the word that ends a key
+    "dbfs": "dBFS", "dbtp": "dBTP", "lufs": "LUFS", "lu": "LU", "db": "dB", "ms": "ms", "s": "s", "hz": "Hz",
+    "percent": "%", "kbps": "kbit/s", "bytes": "bytes",
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class CheckLimit:
+    """One limit that a check holds files to, as a form shows it.
+
+    Attributes
+    ----------
+    key, label, unit : str
+        Its key in the table `limits` of a spec, what it is called, and its unit, which ends the key.
+    least, greatest : float
+        What a spec may state.
+    is_range : bool
+        Whether a spec states `min` and `max`.
+    usual : float or None
+        What holds where the spec says nothing; None for no limit.
+    """
+
+    key: str
+    label: str
+    unit: str
+    least: float
+    greatest: float
+    is_range: bool
+    usual: float | None
 
 
 @dataclass(frozen=True)
@@ -54,6 +88,33 @@ class Check:
         return name
 
     @property
+    def label(self) -> str:
+        """What forms and lists call it."""
+        label: str = getattr(self.module, "LABEL", self.name.replace("-", " ").capitalize())
+        return label
+
+    @property
+    def severity(self) -> check_names.Severity:
+        """Its severity where the spec says nothing."""
+        return check_names.DEFAULT_SEVERITY[self.name]
+
+    @property
+    def may_return(self) -> bool:
+        """Whether a spec may make it an error: not where what it finds depends on what else was delivered."""
+        return self.name not in check_names.OVER_FILES
+
+    @property
+    def is_in_categories(self) -> bool:
+        """Whether the form of a category offers its severity."""
+        return bool(getattr(self.module, "IN_CATEGORIES", False))
+
+    @property
+    def limits(self) -> tuple[CheckLimit, ...]:
+        """The limits that it holds files to."""
+        stated: dict[str, tuple[Any, ...]] = getattr(self.module, "LIMITS", {})
+        return tuple(_limit(key, self.label, *facts) for key, facts in stated.items())
+
+    @property
     def not_fixed(self) -> str | None:
         """Why no fix is offered for what it finds; None where it does not say."""
         why: str | None = getattr(self.module, "NOT_FIXED", None)
@@ -63,6 +124,16 @@ class Check:
     def summary(self) -> str:
         """What holds when it finds nothing, in one line."""
         return self.parts["summary"]
+
+    @property
+    def why(self) -> str:
+        """Why it is there."""
+        return self.parts["why"]
+
+    @property
+    def how_to_fix(self) -> str:
+        """How to put right what it finds."""
+        return self.parts["how to fix"]
 
     @property
     def parts(self) -> dict[str, str]:
@@ -102,6 +173,20 @@ def all_checks() -> dict[str, Check]:
 
 def _load(name: str) -> Check:
     return Check(name, import_module(f"{__name__}.{name.replace('-', '_')}"))
+
+
+def _limit(key: str, of_check: str, least: float, greatest: float, label: str = "") -> CheckLimit:
+    usual = getattr(NO_LIMITS, key, None)
+    is_range = isinstance(usual, Range)
+    return CheckLimit(
+        key=key,
+        label=label or of_check,
+        unit=UNITS.get(key.rpartition("_")[2], ""),
+        least=least,
+        greatest=greatest,
+        is_range=is_range,
+        usual=None if is_range else usual,
+    )
 
 
 def parts_of(docstring: str) -> dict[str, str]:

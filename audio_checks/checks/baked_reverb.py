@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "warning"
+LABEL = "Baked-in reverb"
 FIGURES = ()
 JUDGEMENT = "reverb"
 

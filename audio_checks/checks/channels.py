@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "error"
+LABEL = "Channels"
+IN_CATEGORIES = True
 NOT_FIXED = (
     "Which channels stay, and how they are mixed, is the designer's choice: export the sound with the channels "
     "that are wanted."

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "warning"
+LABEL = "Clicks"
 NOT_FIXED = "Taking it out changes the sound around it, so it is done by ear: in the session, or in a restoration tool."
 FIGURES = ("clicks", "click_places")
 PLACES_NAMED = 3

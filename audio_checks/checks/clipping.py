@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from audio_checks.measure.flat_tops import FlatTop
 
 SEVERITY = "warning"
+LABEL = "Clipping"
+IN_CATEGORIES = True
 NOT_FIXED = (
     "What was cut off at the top is gone, and a lower level does not bring it back: lower the level before the "
     "limiter or converter, and export again."

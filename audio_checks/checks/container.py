@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "error"
+LABEL = "Container"
+IN_CATEGORIES = True
 FIGURES = ()
 
 

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "warning"
+LABEL = "Abrupt start"
 NOT_FIXED = "What stood before the cut is not in the file: choose an earlier start in the session."
 FIGURES = ("start_edge",)
 AROUND_S = 0.01

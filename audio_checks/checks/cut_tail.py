@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "warning"
+LABEL = "Abrupt end"
 NOT_FIXED = "What stood after the cut is not in the file: let the sound ring out in the session."
 FIGURES = ("end_edge",)
 AROUND_S = 0.01

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "error"
+LABEL = "DC offset"
+LIMITS = {"dc_offset_percent": (0.0, 100.0)}
 FIGURES = ("dc_offset_percent",)
 
 

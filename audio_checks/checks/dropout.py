@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "warning"
+LABEL = "Dropouts"
 NOT_FIXED = "The missing sound is not in the file: export it again from the session."
 FIGURES = ("dropouts", "dropout_places", "repeats", "repeat_places")
 PLACES_NAMED = 3

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from audio_checks.report.judged import JudgedFile
 
 SEVERITY = "warning"
+LABEL = "Duplicate audio"
 OVER_FILES = True
 NOT_FIXED = "Which sound belongs here, only its designer knows: deliver the one that is meant."
 FIGURES = ()

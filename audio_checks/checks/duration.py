@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "error"
+LABEL = "Length"
+IN_CATEGORIES = True
 NOT_FIXED = "How long a sound lasts is its designer's choice: edit it in the session."
 FIGURES = ()
 USUAL_FPS = 60.0

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "error"
+LABEL = "Encoding"
+IN_CATEGORIES = True
 FIGURES = ()
 WORDS = {"pcm": "integer (PCM)", "float": "float", "vorbis": "Vorbis", "opus": "Opus", "mp3": "MP3"}
 CODECS = ("vorbis", "opus", "mp3")

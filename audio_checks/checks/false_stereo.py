@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "warning"
+LABEL = "Dual mono"
 NOT_FIXED = "Whether it should be mono is its designer's choice: export it with one channel, or with two that differ."
 FIGURES = ("channel_difference_db",)
 LIMIT_DB = -60.0

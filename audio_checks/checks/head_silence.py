@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "error"
+LABEL = "Leading silence"
+LIMITS = {"head_silence_ms": (0.0, 3_600_000.0), "edge_silence_below_dbfs": (-200.0, 60.0, "Trim threshold")}
 FIGURES = ("sample_peak_dbfs", "head_silence_ms")
 
 

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "warning"
+LABEL = "Loop points"
 NOT_FIXED = "Where a loop begins and ends is its designer's choice: set the points in the editor."
 FIGURES = ("seam_step_db", "seam_slope_db")
 STEP_DB = 6.0  # over the largest step nearby

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "warning"
+LABEL = "Lossy source"
 FIGURES = ()
 JUDGEMENT = "lossy"
 

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "error"
+LABEL = "Loudness"
+LIMITS = {"loudness_lufs": (-200.0, 60.0)}
 FIGURES = ("integrated_lufs", "short_loudness_lufs")
 ONE_BLOCK_S = 0.4  # a gating block of BS.1770: below, integrated loudness is not defined
 

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "warning"
+LABEL = "Metadata"
 NOT_FIXED = "Only its designer knows what the field should say: fill it in the editor."
 FIGURES = ()
 

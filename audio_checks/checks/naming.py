@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from audio_checks.report.judged import JudgedFile
 
 SEVERITY = "error"
+LABEL = "Name"
+IN_CATEGORIES = True
 FIGURES = ()
 LONGEST_SHOWN = 80
 RESERVED = frozenset(

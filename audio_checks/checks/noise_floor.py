@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "error"
+LABEL = "Noise floor"
+LIMITS = {"noise_floor_dbfs": (-200.0, 60.0)}
 NOT_FIXED = "Taking it out changes the sound around it, so it is done by ear: in the session, or in a restoration tool."
 FIGURES = ("noise_floor_dbfs",)
 

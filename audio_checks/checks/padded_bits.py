@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "warning"
+LABEL = "Zero-padded bits"
 NOT_FIXED = (
     "The finer steps were never recorded: export the session at its own depth, or deliver the depth that is there."
 )

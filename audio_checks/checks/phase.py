@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "warning"
+LABEL = "Mono fold-down loss"
+LIMITS = {"mono_loss_db": (0.0, 120.0)}
 NOT_FIXED = (
     "How the channels stand to each other is part of the sound: turn the polarity round or narrow the width in "
     "the session."

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "warning"  # an error when renders are judged
+LABEL = "Placeholder"
+IN_CATEGORIES = True
 NOT_FIXED = "A placeholder is replaced by the sound itself."
 FIGURES = ()
 

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from audio_checks.report.judged import JudgedFile
 
 SEVERITY = "warning"
+LABEL = "Reverb across a set"
 OVER_FILES = True
 NOT_FIXED = "Reverb cannot be taken off a file: export the sounds again without it."
 FIGURES = ()

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "warning"
+LABEL = "Reversed sound"
 FIGURES = ()
 JUDGEMENT = "reversed"
 

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "error"
+LABEL = "Sample peak"
+LIMITS = {"sample_peak_dbfs": (-200.0, 60.0), "tolerance_db": (0.0, 12.0, "Tolerance on levels")}
 FIGURES = ("sample_peak_dbfs", "sample_peak_s")
 
 

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "error"
+LABEL = "Sample rate"
+IN_CATEGORIES = True
 NOT_FIXED = (
     "A fix never changes the sample rate: going down is a render to a target, and nothing above what was "
     "recorded is made up. Export the session at an accepted rate."

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "error"
+LABEL = "Silence"
+LIMITS = {"silence_below_dbfs": (-200.0, 60.0, "Counts as silence below")}
 NOT_FIXED = "There is no sound to fix: unmute the track or choose the right range, and export again."
 FIGURES = ("sample_peak_dbfs", "channel_peaks_dbfs")
 

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "error"
+LABEL = "File structure"
 FIGURES = ()
 
 

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "error"
+LABEL = "Trailing silence"
+LIMITS = {"tail_silence_ms": (0.0, 3_600_000.0)}
 FIGURES = ("sample_peak_dbfs", "tail_silence_ms")
 
 

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "error"
+LABEL = "True peak"
+LIMITS = {"true_peak_dbtp": (-200.0, 60.0)}
 FIGURES = ("true_peak_dbtp", "true_peak_s")
 
 

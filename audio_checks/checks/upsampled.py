@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
 
 SEVERITY = "warning"
+LABEL = "Upsampled sound"
 FIGURES = ()
 JUDGEMENT = "upsampled"
 

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from audio_checks.report.judged import JudgedFile
 
 SEVERITY = "warning"
+LABEL = "Inconsistent variation"
 OVER_FILES = True
 NOT_FIXED = "A set is balanced by ear, all of it together: in the session."
 FIGURES = ("integrated_lufs", "short_loudness_lufs", "likeness_print")

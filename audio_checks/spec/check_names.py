@@ -1,7 +1,8 @@
 """The checks that the format of a spec knows, read from the checks' own files, none of which is imported here.
 
 A check states beside its functions what others need of it: `SEVERITY` by default; `OVER_FILES` where it judges files
-together; `LIMITS`, a key of the table `limits` with the least and greatest value, where it brings a limit of its own.
+together; `LIMITS`, keys of the table `limits` that it holds files to, each with the least and greatest value and, where
+it is not that of the check, its label.
 """
 
 import ast
@@ -52,5 +53,7 @@ DEFAULT_SEVERITY: dict[str, Severity] = {
 # What they find depends on what else was delivered, before and after: no file can be returned for it.
 OVER_FILES = frozenset(name for name, stated in _stated().items() if stated.get("OVER_FILES"))
 LIMITS_OF_CHECKS: dict[str, tuple[float, float]] = {
-    key: bounds for stated in _stated().values() for key, bounds in stated.get("LIMITS", {}).items()
+    key: (bounds[0], bounds[1])
+    for name in DEFAULT_SEVERITY
+    for key, bounds in _stated().get(name, {}).get("LIMITS", {}).items()
 }

@@ -18,9 +18,8 @@ from audio_checks.spec.kinds import (
     Whole,
     Word,
 )
+from audio_checks.spec.parts import NO_LIMITS, Range
 
-LEVEL_DB = Number(-200.0, 60.0)
-MS = Number(0.0, 3_600_000.0)
 RATES = Whole(1000, 768_000)
 LEVEL = Word(("error", "warning", "off"))
 LEVEL_OVER_FILES = Word(
@@ -32,7 +31,6 @@ LEVEL_OVER_FILES = Word(
 )
 
 DURATION = Table({"min": Number(0.0), "max": Number(0.0)}, may_be_any=True)
-LOUDNESS = Table({"min": LEVEL_DB, "max": LEVEL_DB}, may_be_any=True)
 
 ACCEPT = Table(
     {
@@ -48,18 +46,10 @@ ACCEPT = Table(
 )
 LIMITS = Table(
     {
-        "sample_peak_dbfs": LEVEL_DB,
-        "true_peak_dbtp": LEVEL_DB,
-        "dc_offset_percent": Number(0.0, 100.0),
-        "silence_below_dbfs": LEVEL_DB,
-        "head_silence_ms": MS,
-        "tail_silence_ms": MS,
-        "edge_silence_below_dbfs": LEVEL_DB,
-        "tolerance_db": Number(0.0, 12.0),
-        "loudness_lufs": LOUDNESS,
-        "noise_floor_dbfs": LEVEL_DB,
-        "mono_loss_db": Number(0.0, 120.0),
-        **{key: Number(*bounds) for key, bounds in LIMITS_OF_CHECKS.items()},
+        key: Table({"min": Number(*bounds), "max": Number(*bounds)}, may_be_any=True)
+        if isinstance(getattr(NO_LIMITS, key, None), Range)
+        else Number(*bounds)
+        for key, bounds in LIMITS_OF_CHECKS.items()
     }
 )
 TOKEN = Table(

@@ -43,7 +43,8 @@ class Accept:
 class Limits:
     """The levels and edges a file must keep to; None does not limit.
 
-    `others` has the limits that checks bring in their own files (`LIMITS`), by key.
+    Their ranges are stated by the checks that hold files to them (`LIMITS`). `others` has limits that are not fields
+    here, by key: a check that is added needs no change of this file.
     """
 
     sample_peak_dbfs: float | None = None
@@ -58,6 +59,9 @@ class Limits:
     noise_floor_dbfs: float | None = None
     mono_loss_db: float | None = None
     others: Mapping[str, float] = field(default_factory=dict, hash=False)
+
+
+NO_LIMITS = Limits()
 
 
 @dataclass(frozen=True)
@@ -185,7 +189,7 @@ def read_accept(table: Tables) -> Accept:
 def read_limits(table: Tables) -> Limits:
     """Return what the table `limits` says."""
     plain = {key: value for key, value in stated(table).items() if key != "loudness_lufs"}
-    others = {key: plain.pop(key) for key in LIMITS_OF_CHECKS if key in plain}
+    others = {key: plain.pop(key) for key in LIMITS_OF_CHECKS if key in plain and not hasattr(NO_LIMITS, key)}
     return Limits(**plain, loudness_lufs=_range(table.get("loudness_lufs"), "limits.loudness_lufs"), others=others)
 
 

@@ -1,3 +1,4 @@
+import checks from './checks.json'
 import type { Answers } from './server'
 
 const WHO = {
@@ -48,6 +49,7 @@ const RESOLVED = {
     loudness_lufs: NONE,
     noise_floor_dbfs: null,
     mono_loss_db: null,
+    others: {},
   },
   naming: { pattern: null, extension: '.wav', tokens: [], separator: '_', grammar: null, portable: true },
   required_metadata: [],
@@ -205,6 +207,7 @@ export const inProject = (part: Part = 'producer', more: Answers = {}): Answers 
   'GET /v1/projects/p1': aProject(part),
   'GET /v1/projects/p1/overview': anOverview(),
   'GET /v1/projects/p1/spec': aSpec(),
+  'GET /v1/checks': checks,
   'GET /v1/studios/s1/invitations': [],
   'GET /v1/projects/p1/sound-list': { revision: 1, cues: [aCue('shield_hit', 'impact'), aCue('theme', 'music')] },
   'GET /v1/projects/p1/placeholders/countdown': {

@@ -1,66 +1,23 @@
 """A check is one file: put beside the others, it is in the spec, the lists, the reports, the fixes and the pages."""
 
 import json
-import os
-import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
-import audio_checks
+from tests.support.added_check import copy_with_check, run
 from tests.support.waves import sine, write_wav
 
-CHECK = '''"""`long-crest`: the crest factor stays under the limit of the spec.
-
-Why: a sound with tall peaks is quiet for its peak level.
-How to fix: use a limiter.
-Source: the delivery spec, `[limits] crest_db`.
-"""
-
-from audio_checks.report.findings import Finding
-
-SEVERITY = "warning"
-LIMITS = {"crest_db": (0.0, 60.0)}
-NOT_FIXED = "How tall its peaks are is its designer's choice."
-FIGURES = ("crest_db",)
-
-
-def applies(spec, cue):
-    return "crest_db" in spec.limits.others
-
-
-def check(file, spec):
-    limit = spec.limits.others["crest_db"]
-    crest = file.measurements.crest_db
-    if crest > limit:
-        yield Finding(
-            code="long-crest:over", message=f"crest factor {crest:.1f} dB, limit {limit:g} dB", fix="use a limiter",
-            measured=crest, limit=limit, unit="dB",
-        )
-'''
 SPEC = 'format = 1\n[limits]\ncrest_db = 2.0\n[checks]\nlong-crest = "error"\n'
 
 
 @pytest.fixture(scope="module")
 def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A copy of the package with one file more."""
-    tree = tmp_path_factory.mktemp("tree")
-    shutil.copytree(
-        Path(audio_checks.__file__).parent, tree / "audio_checks", ignore=shutil.ignore_patterns("__pycache__")
-    )
-    (tree / "audio_checks" / "checks" / "long_crest.py").write_text(CHECK)
+    tree = copy_with_check(tmp_path_factory.mktemp("tree"))
     (tree / "spec.toml").write_text(SPEC)
     write_wav(tree / "tone.wav", sine(hz=997, dbfs=-6))
     return tree
-
-
-def run(tree: Path, *command: str) -> subprocess.CompletedProcess[str]:
-    environment = os.environ | {"PYTHONPATH": str(tree)}
-    return subprocess.run(
-        [sys.executable, "-P", *command], cwd=tree, env=environment, capture_output=True, text=True, timeout=120
-    )
 
 
 def test_the_command_line_knows_it(tree: Path):

@@ -45,6 +45,7 @@ const SPEC: Spec = {
     loudness_lufs: { min: -40, max: -10 },
     noise_floor_dbfs: null,
     mono_loss_db: null,
+    others: {},
   },
   naming: { pattern: null, extension: '.wav', tokens: [], separator: '_', grammar: null, portable: true },
   required_metadata: [],

@@ -1,3 +1,4 @@
+import { useMyProject } from '@/api/me'
 import { Checkbox } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
@@ -5,6 +6,7 @@ import { useState } from 'react'
 
 import { ApiProblem } from '@/api'
 import { ButtonLink } from '@/ui/Button'
+import { ClearanceLinks } from '@/ui/ClearanceLinks'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { bytes, countOf, plural } from '@/ui/format'
@@ -74,6 +76,7 @@ export function PackCard({ projectId }: { projectId: string }) {
 }
 
 function PackLine({ pack, projectId, masters }: { pack: Pack; projectId: string; masters: boolean }) {
+  const isProducer = useMyProject(projectId)?.is_producer ?? false
   const { target, files, bytes: size, missing } = pack
   return (
     <li className={classes.pack}>
@@ -117,6 +120,13 @@ function PackLine({ pack, projectId, masters }: { pack: Pack; projectId: string;
           PDF
         </a>
       </p>
+      {isProducer && (
+        <ClearanceLinks
+          path={`/v1/projects/${projectId}`}
+          query={`?target=${encodeURIComponent(target)}`}
+          of={target}
+        />
+      )}
       {missing.length > 0 && (
         <details className="small">
           <summary className={`row tone-warn ${classes.missing}`}>

@@ -25,6 +25,8 @@ export type Token = Schemas['TokenRead']
 export type TokenMade = Schemas['TokenMade']
 export type Scope = Schemas['Scope']
 export type Spec = Schemas['SpecRead']
+export type Check = Schemas['CheckDescription']
+export type CheckLimit = Schemas['CheckLimitDescription']
 export type SpecBrief = Schemas['SpecBrief']
 export type SpecDraftChecked = Schemas['SpecDraftChecked']
 export type Member = Schemas['MemberRead']
@@ -98,6 +100,13 @@ export const cuesQuery = (projectId: string) =>
       return pages.flatMap(({ cues }) => cues)
     },
   })
+
+/** What the server checks: it stays the same as long as the page is open. */
+export const checksQuery = queryOptions({
+  queryKey: ['checks'] as const,
+  queryFn: () => answered(api.GET('/v1/checks')),
+  staleTime: Infinity,
+})
 
 export function useOpenProject() {
   const client = useQueryClient()

@@ -7,7 +7,7 @@ import { plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 
 import type { Cue } from '../api'
-import { FORM_CHECKS } from './checks'
+import { checksWithoutLimit, useChecks } from './checks'
 import { Against, Choice, SeverityField, useWriting } from './fields'
 import { AcceptFields, LimitFields } from './GroupFields'
 import { differences, kindOf, SOUND_KINDS } from './say'
@@ -73,7 +73,8 @@ function Category({ name, cues }: { name: string; cues: number }) {
   const wrong = isAt(trouble, base)
   const [opened, setOpened] = useState(false)
   const open = opened || wrong
-  const differs = differences(tables, name)
+  const checks = useChecks()
+  const differs = differences(tables, name, checks)
   const kind = at(tables, [...base, 'kind'])
   const remove = () =>
     change((whole: Tables) => {
@@ -103,12 +104,19 @@ function Category({ name, cues }: { name: string; cues: number }) {
           </div>
           <LimitFields base={base} />
           <ul className={classes.checks}>
-            {FORM_CHECKS.map(({ name: check, word, usual }) => (
-              <li key={check}>
-                <span>{word}</span>
-                <SeverityField base={[...base, 'checks']} check={check} label={`${word} of ${name}`} usual={usual} />
-              </li>
-            ))}
+            {checksWithoutLimit(checks)
+              .filter((check) => check.is_in_categories)
+              .map(({ name: check, label, severity }) => (
+                <li key={check}>
+                  <span>{label}</span>
+                  <SeverityField
+                    base={[...base, 'checks']}
+                    check={check}
+                    label={`${label} of ${name}`}
+                    usual={severity}
+                  />
+                </li>
+              ))}
           </ul>
           <Against place={base} />
           <Button variant="quiet" icon="cross" onClick={remove}>{`Remove ${name}`}</Button>

@@ -1,6 +1,6 @@
 import { rate } from '@/ui/format'
 
-import { type LimitName, LIMITS } from './checks'
+import { type HeldLimit, statedLimits, useChecks } from './checks'
 import { Choices, NumberField, SeverityField } from './fields'
 import classes from './SpecForm.module.css'
 
@@ -41,45 +41,43 @@ export function AcceptFields({ base }: { base: readonly string[] }) {
 
 /** The levels and edges, each with what follows when it is broken. */
 export function LimitFields({ base }: { base: readonly string[] }) {
+  const limits = statedLimits(useChecks())
   return (
     <div className={classes.limits}>
-      {LIMITS.map((limit) => (
+      {limits.map((limit) => (
         <LimitLine key={limit.key} limit={limit} base={base} />
       ))}
-      <div className={classes.limit}>
-        <span>Loudness</span>
-        <div className={classes.pair}>
-          <NumberField
-            place={[...base, 'limits', 'loudness_lufs', 'min']}
-            label="Minimum loudness"
-            unit="LUFS"
-            hideLabel
-          />
-          <NumberField
-            place={[...base, 'limits', 'loudness_lufs', 'max']}
-            label="Maximum loudness"
-            unit="LUFS"
-            hideLabel
-          />
-        </div>
-        <SeverityField base={[...base, 'checks']} check="loudness" label="Loudness" />
-      </div>
     </div>
   )
 }
 
 function LimitLine({
-  limit: { key, word, unit, check, severity },
+  limit: { key, label, unit, is_range: isRange, check },
   base,
 }: {
-  limit: LimitName
+  limit: HeldLimit
   base: readonly string[]
 }) {
+  const place = [...base, 'limits', key]
+  const word = label.toLowerCase()
   return (
     <div className={classes.limit}>
-      <span>{word}</span>
-      <NumberField place={[...base, 'limits', key]} label={word} unit={unit} hideLabel />
-      {check && <SeverityField base={[...base, 'checks']} check={check} label={word} usual={severity} />}
+      <span title={check.why}>{label}</span>
+      {isRange ? (
+        <div className={classes.pair}>
+          <NumberField place={[...place, 'min']} label={`Minimum ${word}`} unit={unit} hideLabel />
+          <NumberField place={[...place, 'max']} label={`Maximum ${word}`} unit={unit} hideLabel />
+        </div>
+      ) : (
+        <NumberField place={place} label={label} unit={unit} hideLabel />
+      )}
+      <SeverityField
+        base={[...base, 'checks']}
+        check={check.name}
+        label={label}
+        usual={check.severity}
+        returns={check.may_return}
+      />
     </div>
   )
 }

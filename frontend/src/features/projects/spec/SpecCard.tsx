@@ -10,6 +10,7 @@ import { Icon } from '@/ui/Icon'
 import { cuesQuery, packsQuery, type Pack, type Project, type Spec, specQuery } from '../api'
 import { Refusal } from '../Refusal'
 import { listed, speaks } from '../words'
+import { useChecks } from './checks'
 import { acceptLines, differences, kindOf, type Line, limitLines, targetLines } from './say'
 import classes from './SpecCard.module.css'
 import { tableIn } from './tables'
@@ -18,6 +19,7 @@ import { tableIn } from './tables'
 export function SpecCard({ project }: { project: Project }) {
   const { id: projectId, mine } = project
   const { data: spec, error } = useQuery(specQuery(projectId))
+  const checks = useChecks()
   const { data: packs } = useQuery({ ...packsQuery(projectId), enabled: mine.is_team })
   const copy = async (toml: string) => {
     await navigator.clipboard.writeText(toml)
@@ -65,7 +67,7 @@ export function SpecCard({ project }: { project: Project }) {
         <>
           <div className={classes.parts}>
             <Part head="Accepted masters" lines={acceptLines(spec)} />
-            <Part head="Limits" lines={limitLines(spec)} legend />
+            <Part head="Limits" lines={limitLines(spec, checks)} legend />
             <Part head="Game files, rendered from each master" lines={[...targetLines(spec), ...madeLine(packs)]} />
           </div>
           <Categories spec={spec} projectId={projectId} />
@@ -132,6 +134,7 @@ function Part({ head, lines, legend = false }: { head: string; lines: readonly L
 
 function Categories({ spec, projectId }: { spec: Spec; projectId: string }) {
   const { data: cues = [] } = useQuery(cuesQuery(projectId))
+  const checks = useChecks()
   const counts = new Map<string, number>()
   for (const { category, state } of cues)
     if (category && state !== 'cut') counts.set(category, (counts.get(category) ?? 0) + 1)
@@ -140,7 +143,7 @@ function Categories({ spec, projectId }: { spec: Spec; projectId: string }) {
     name,
     cues: counts.get(name) ?? 0,
     kind: kindOf(spec.tables, name),
-    differs: differences(spec.tables, name),
+    differs: differences(spec.tables, name, checks),
   }))
   const isUsed = (row: { cues: number }) => counts.size === 0 || row.cues > 0
   const shown = rows.filter((row) => row.differs.length > 0 && isUsed(row))

@@ -7,7 +7,7 @@ import { Icon } from '@/ui/Icon'
 
 import type { Cue } from '../api'
 import { Categories } from './Categories'
-import { FAULT_CHECKS, FORM_CHECKS, TUNING } from './checks'
+import { checksWithoutLimit, tuningLimits, useChecks } from './checks'
 import { Against, Choices, NumberField, SeverityField, useWriting } from './fields'
 import { AcceptFields, LimitFields } from './GroupFields'
 import { fits } from './naming'
@@ -19,6 +19,7 @@ const ENGINE = ['reverb', 'occlusion', 'pitch', 'doppler'].map((value) => ({ val
 
 /** The spec as fields, each at the place that its TOML names. */
 export function SpecForm({ cues }: { cues: readonly Cue[] }) {
+  const checks = useChecks()
   return (
     <div className="stack">
       <Card aria-labelledby="form-accept">
@@ -32,8 +33,8 @@ export function SpecForm({ cues }: { cues: readonly Cue[] }) {
         <div className={classes.inside}>
           <LimitFields base={[]} />
           <div className={`${classes.two} ${classes.tuning}`}>
-            {TUNING.map(({ key, word, unit, usual }) => (
-              <NumberField key={key} place={['limits', key]} label={word} unit={unit} usual={usual} />
+            {tuningLimits(checks).map(({ key, label, unit, usual }) => (
+              <NumberField key={key} place={['limits', key]} label={label} unit={unit} usual={usual ?? undefined} />
             ))}
           </div>
         </div>
@@ -45,10 +46,10 @@ export function SpecForm({ cues }: { cues: readonly Cue[] }) {
           note="returns: the version is sent back; warns: it goes to review with a note"
         />
         <ul className={`${classes.inside} ${classes.checks}`}>
-          {[...FORM_CHECKS, ...FAULT_CHECKS].map(({ name, word, usual, overFiles }) => (
+          {checksWithoutLimit(checks).map(({ name, label, why, severity, may_return: returns }) => (
             <li key={name}>
-              <span>{word}</span>
-              <SeverityField base={['checks']} check={name} label={word} usual={usual} returns={!overFiles} />
+              <span title={why}>{label}</span>
+              <SeverityField base={['checks']} check={name} label={label} usual={severity} returns={returns} />
               <Against place={['checks', name]} />
             </li>
           ))}

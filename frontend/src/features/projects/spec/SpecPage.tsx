@@ -4,7 +4,7 @@ import { Link, useParams } from '@tanstack/react-router'
 import { useTitle } from '@/app/title'
 import { EmptyState } from '@/ui/EmptyState'
 
-import { projectQuery, specQuery } from '../api'
+import { checksQuery, projectQuery, specQuery } from '../api'
 import { Refusal } from '../Refusal'
 import { speaks } from '../words'
 import { SpecEditor } from './SpecEditor'
@@ -15,6 +15,7 @@ export function SpecPage() {
   const { projectId } = useParams({ from: '/shell/projects/$projectId/spec' })
   const { data: project, error } = useQuery(projectQuery(projectId))
   const { data: spec, error: noSpec } = useQuery(specQuery(projectId))
+  const { data: checks, error: noChecks } = useQuery(checksQuery)
   if (project && !speaks(project)) {
     return (
       <div className="page page-narrow">
@@ -39,8 +40,12 @@ export function SpecPage() {
   }
   return (
     <div className="page">
-      {project && spec ? <SpecEditor key={projectId} project={project} spec={spec} /> : <h1>Delivery spec</h1>}
-      <Refusal error={error ?? noSpec} />
+      {project && spec && checks ? (
+        <SpecEditor key={projectId} project={project} spec={spec} />
+      ) : (
+        <h1>Delivery spec</h1>
+      )}
+      <Refusal error={error ?? noSpec ?? noChecks} />
     </div>
   )
 }

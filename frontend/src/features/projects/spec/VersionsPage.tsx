@@ -113,7 +113,7 @@ function OneVersion({ projectId, version, against, newest, numbers, onAgainst, o
   const before = useSpecTry(projectId, { tables: other?.tables ?? {} }, other !== undefined && view === 'rules').data
   const takeUp = () => {
     if (!spec || !held || !onTakeUp) return
-    keepDraft(projectId, { ...draftOf(spec, 'toml'), basedOn: held.version, note: `As version ${version}` })
+    keepDraft(projectId, { ...draftOf(spec, 'toml'), basedOn: held.version, note: `As version ${version}` }, true)
     onTakeUp()
   }
   return (

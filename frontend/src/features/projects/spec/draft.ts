@@ -44,6 +44,7 @@ export function keptDraft(projectId: string): SpecDraft | null {
   return isDraft(kept) ? kept : null
 }
 
-export function keepDraft(projectId: string, draft: SpecDraft | null): void {
-  drafts.keepDraft(keyOf(projectId), draft)
+/** Keep what is written; another version taken up elsewhere is handed over to the editor. */
+export function keepDraft(projectId: string, draft: SpecDraft | null, handedOver = false): void {
+  drafts.keepDraft(keyOf(projectId), draft, handedOver)
 }

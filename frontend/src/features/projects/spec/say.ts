@@ -1,8 +1,8 @@
 import { channels, figure, rate } from '@/ui/format'
 
-import type { Spec } from '../api'
+import type { Check, Spec } from '../api'
 import { listed } from '../words'
-import { FAULT_CHECKS, FORM_CHECKS, LIMITS, type Severity, severityOf } from './checks'
+import { type Severity, severityOf, statedLimits, tuningLimits } from './checks'
 import { at, type Tables, tableIn } from './tables'
 
 /** A number as exactly as it was said, with one decimal at least where the unit is a level. */
@@ -33,10 +33,16 @@ export function lengthOf(range: { min?: number | null; max?: number | null }): s
   return min === null ? 'any' : `${exact(min)} s or more`
 }
 
-const loudnessOf = ({ min = null, max = null }: { min?: number | null; max?: number | null }): string => {
-  if (min !== null && max !== null) return `${exact(min, 1)} to ${exact(max, 1)} LUFS`
-  return max === null ? `${exact(min ?? 0, 1)} LUFS or more` : `up to ${exact(max, 1)} LUFS`
+/** A level has one decimal at least, a time as many as were said. */
+const inUnit = (value: number, unit: string): string => exact(value, unit.endsWith('s') ? 0 : 1)
+
+const rangeOf = ({ min = null, max = null }: { min?: number | null; max?: number | null }, unit: string): string => {
+  if (min !== null && max !== null) return `${inUnit(min, unit)} to ${inUnit(max, unit)} ${unit}`
+  return max === null ? `${inUnit(min ?? 0, unit)} ${unit} or more` : `up to ${inUnit(max, unit)} ${unit}`
 }
+
+/** A label within a sentence: "true peak", and "DC offset" all the same. */
+const lower = (label: string): string => (/^[A-Z]{2}/.test(label) ? label : label.toLowerCase())
 
 export interface Line {
   word: string
@@ -61,36 +67,26 @@ export function acceptLines({ resolved: { accept } }: Spec): Line[] {
 }
 
 /** The levels and edges a file keeps to, with what happens when it does not. */
-export function limitLines({ resolved: { limits, checks, engine } }: Spec): Line[] {
-  const of = (name: string) => severityOf(checks, name)
-  const lines: Line[] = []
-  const add = (word: string, value: string, severity: Severity) => {
-    if (severity !== 'off') lines.push({ word, value, severity })
-  }
-  if (limits.sample_peak_dbfs !== null) {
-    add('Sample peak', `${exact(limits.sample_peak_dbfs, 1)} dBFS`, of('sample-peak'))
-  }
-  if (limits.true_peak_dbtp !== null) add('True peak', `${exact(limits.true_peak_dbtp, 1)} dBTP`, of('true-peak'))
-  if (limits.loudness_lufs.min !== null || limits.loudness_lufs.max !== null) {
-    add('Loudness', loudnessOf(limits.loudness_lufs), of('loudness'))
-  }
-  if (limits.dc_offset_percent !== null) add('DC offset', `${exact(limits.dc_offset_percent, 1)} %`, of('dc-offset'))
-  const { head_silence_ms: head, tail_silence_ms: tail } = limits
-  if (head !== null && tail !== null && of('head-silence') === of('tail-silence')) {
-    add('Leading / trailing silence', `${exact(head)} / ${exact(tail)} ms`, of('head-silence'))
-  } else {
-    if (head !== null) add('Leading silence', `${exact(head)} ms`, of('head-silence'))
-    if (tail !== null) add('Trailing silence', `${exact(tail)} ms`, of('tail-silence'))
-  }
-  if (limits.silence_below_dbfs !== null) {
-    add('Counts as silence below', `${exact(limits.silence_below_dbfs, 1)} dBFS`, of('silence'))
-  }
-  if (limits.mono_loss_db !== null) {
-    add('Mono fold-down loss', `${exact(limits.mono_loss_db, 1)} dB`, severityOf(checks, 'phase', 'warning'))
-  }
-  add('Clipping', 'none', severityOf(checks, 'clipping', 'warning'))
-  if (engine.adds.length > 0) lines.push({ word: 'Applied in engine', value: engine.adds.join(', ') })
-  return lines
+export function limitLines(
+  { resolved: { limits, checks: severities, engine } }: Spec,
+  checks: readonly Check[],
+): Line[] {
+  const all: Tables = { ...limits, ...limits.others }
+  const lines = statedLimits(checks).flatMap(({ key, label, unit, is_range: isRange, check }) => {
+    const { min, max } = range(all[key])
+    const limit = all[key]
+    const value =
+      isRange && (min !== null || max !== null)
+        ? rangeOf({ min, max }, unit)
+        : typeof limit === 'number'
+          ? `${inUnit(limit, unit)} ${unit}`
+          : null
+    const severity = severityOf(severities, check.name, check.severity)
+    return value === null || severity === 'off' ? [] : [{ word: label, value, severity }]
+  })
+  const clipping = severityOf(severities, 'clipping', 'warning')
+  if (clipping !== 'off') lines.push({ word: 'Clipping', value: 'none', severity: clipping })
+  return [...lines, ...(engine.adds.length > 0 ? [{ word: 'Applied in engine', value: engine.adds.join(', ') }] : [])]
 }
 
 const DITHERS: Record<string, string> = { tpdf: 'TPDF', shaped: 'shaped', none: 'none' }
@@ -130,13 +126,6 @@ export function targetLines({ resolved: { targets } }: Spec): Line[] {
 
 const SEVERITY_VERBS: Record<Severity, string> = { error: 'returns', warning: 'warns', off: 'not checked' }
 
-const CHECK_WORDS = new Map([
-  ...LIMITS.flatMap(({ check, word }) => (check ? [[check, word.toLowerCase()] as const] : [])),
-  ...[...FORM_CHECKS, ...FAULT_CHECKS].map(({ name, word }) => [name, word.toLowerCase()] as const),
-  ['loudness', 'loudness'] as const,
-  ['dc-offset', 'DC offset'] as const,
-])
-
 const range = (value: unknown) => {
   const { min, max } = tableIn(value)
   return { min: typeof min === 'number' ? min : null, max: typeof max === 'number' ? max : null }
@@ -168,32 +157,20 @@ function acceptDifferences(own: Tables, base: Tables): string[] {
   return said
 }
 
-function limitDifferences({ head_silence_ms: head, tail_silence_ms: tail, ...own }: Tables): string[] {
-  const edges =
-    typeof head === 'number' && typeof tail === 'number'
-      ? [`leading / trailing silence ${exact(head)} / ${exact(tail)} ms`]
-      : limitWords({
-          ...(head === undefined ? {} : { head_silence_ms: head }),
-          ...(tail === undefined ? {} : { tail_silence_ms: tail }),
-        })
-  return [...limitWords(own), ...edges]
-}
-
-function limitWords(own: Tables): string[] {
+function limitDifferences(own: Tables, checks: readonly Check[]): string[] {
+  const known = [...statedLimits(checks), ...tuningLimits(checks)]
   return Object.entries(own).map(([key, value]) => {
-    const limit = LIMITS.find((one) => one.key === key)
-    const word =
-      (limit?.key === 'dc_offset_percent' ? limit.word : limit?.word.toLowerCase()) ??
-      key.replace(/_(lufs|dbfs|db)$/, '').replaceAll('_', ' ')
-    if (value === 'any') return `${word} not limited`
-    if (key === 'loudness_lufs') return `loudness ${loudnessOf(range(value))}`
-    const unit = limit?.unit ?? (key.endsWith('dbfs') ? 'dBFS' : 'dB')
-    return `${word} ${typeof value === 'number' ? exact(value, unit.startsWith('dB') ? 1 : 0) : String(value)} ${unit}`
+    const { label = key, unit = '', is_range: isRange = false } = known.find((limit) => limit.key === key) ?? {}
+    if (value === 'any') return `${lower(label)} not limited`
+    const figures = isRange
+      ? rangeOf(range(value), unit)
+      : `${typeof value === 'number' ? inUnit(value, unit) : String(value)} ${unit}`
+    return `${lower(label)} ${figures}`
   })
 }
 
 /** What a category asks otherwise than the spec at large, in words; nothing where it only has a name. */
-export function differences(tables: Tables, category: string): string[] {
+export function differences(tables: Tables, category: string, checks: readonly Check[]): string[] {
   const own = tableIn(at(tables, ['categories', category]))
   const naming = tableIn(own.naming)
   const adds = tableIn(own.engine).adds
@@ -201,9 +178,9 @@ export function differences(tables: Tables, category: string): string[] {
     ...acceptDifferences(tableIn(own.accept), tableIn(tables.accept)),
     ...Object.entries(tableIn(own.checks)).map(
       ([name, severity]) =>
-        `${CHECK_WORDS.get(name) ?? name} ${SEVERITY_VERBS[severity as Severity] ?? String(severity)}`,
+        `${lower(checks.find((check) => check.name === name)?.label ?? name)} ${SEVERITY_VERBS[severity as Severity] ?? String(severity)}`,
     ),
-    ...limitDifferences(tableIn(own.limits)),
+    ...limitDifferences(tableIn(own.limits), checks),
     ...('pattern' in naming ? [naming.pattern === 'any' ? 'any name' : `named ${String(naming.pattern)}`] : []),
     ...(Array.isArray(adds) ? [adds.length === 0 ? 'no engine effects' : `engine adds ${listed(words(adds))}`] : []),
     ...Object.entries(tableIn(own.targets)).map(([name, value]) => {

@@ -4,6 +4,7 @@ import axe from 'axe-core'
 import { beforeEach, describe, expect, test, vi } from 'vitest'
 
 import { HandContext } from '@/test/audioContext'
+import checks from '@/test/checks.json'
 import { openApp } from '@/test/openApp'
 import { aSpec, inProject, people, TABLES, TOML, tried } from '@/test/project'
 import { answer, type Answers, type Asked, refusal, serve, wrote } from '@/test/server'
@@ -48,6 +49,38 @@ describe('by form', () => {
     expect(screen.getByLabelText('Sample peak, dBFS')).toHaveValue('')
     expect(screen.getByRole('button', { name: /Save version 4/ })).toBeDisabled()
     expect(screen.getByText('no changes')).toBeVisible()
+  })
+
+  test('a check that the server adds is there with its limit, and needs nothing else', async () => {
+    const { asked } = await openSpec({
+      'GET /v1/checks': [
+        ...checks,
+        {
+          ...checks.find(({ name }) => name === 'noise-floor'),
+          name: 'long-crest',
+          label: 'Tall peaks',
+          severity: 'warning',
+          limits: [
+            {
+              key: 'crest_db',
+              label: 'Crest factor',
+              unit: 'dB',
+              least: 0,
+              greatest: 60,
+              is_range: false,
+              usual: null,
+            },
+          ],
+        },
+        { ...checks.find(({ name }) => name === 'hum'), name: 'buzz', label: 'Buzz' },
+      ],
+    })
+    expect(screen.getByRole('group', { name: 'Buzz: result' })).toBeVisible()
+    const peaks = screen.getByRole('group', { name: 'Crest factor: result' })
+    expect(within(peaks).getByRole('button', { name: 'warns' })).toHaveAttribute('aria-pressed', 'true')
+    type(screen.getByLabelText('Crest factor, dB'), '12')
+    await screen.findByText('The spec is valid.')
+    expect(wrote(asked, TRY).at(-1)?.body).toMatchObject({ tables: { limits: { crest_db: 12 } } })
   })
 
   test('a change is tried as it is typed, and saved as tables with its note', async () => {
