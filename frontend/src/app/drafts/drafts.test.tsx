@@ -1,7 +1,8 @@
 import { act, fireEvent, render, screen } from '@testing-library/react'
 import { beforeEach, expect, test, vi } from 'vitest'
 
-import { DraftNote, forgetDrafts, keptDraft, openDraftsOf, useDraft } from '.'
+import { DraftNote, forgetDrafts, keepDraft, keptDraft, openDraftsOf, useDraft } from '.'
+import { isAnythingTyped, leaveTyped } from './store'
 
 function Note({ about = 'c1' }: { about?: string }) {
   const [text, setText, draft] = useDraft(`note:${about}`, '')
@@ -83,4 +84,22 @@ test('leaving asks only where the browser could not keep it', () => {
   })
   type('too large')
   expect(leaves()).toBe(false)
+})
+
+test('what was typed since the page was opened makes leaving ask; what was restored or handed over does not', () => {
+  const page = render(<Note />)
+  expect(isAnythingTyped()).toBe(false)
+  type('half a sentence')
+  expect(isAnythingTyped()).toBe(true)
+  leaveTyped()
+  page.unmount()
+  render(<Note />)
+  expect(field().value).toBe('half a sentence')
+  expect(isAnythingTyped()).toBe(false)
+  type('half a sentence more')
+  expect(isAnythingTyped()).toBe(true)
+  fireEvent.click(screen.getByText('Send'))
+  expect(isAnythingTyped()).toBe(false)
+  keepDraft('sheet:p1', { text: 'pasted' }, true)
+  expect(isAnythingTyped()).toBe(false)
 })

@@ -6,6 +6,9 @@ let owner = ''
 /** What the browser could not keep lives as long as the page. */
 const memory = new Map<string, unknown>()
 
+/** What was typed since this page was opened, and is not sent: leaving asks about it. */
+const typed = new Set<string>()
+
 interface Kept {
   atMs: number
   value: unknown
@@ -32,6 +35,7 @@ function read(fullKey: string): Kept | null {
 export function openDraftsOf(personId: string): void {
   if (owner === personId) return
   owner = personId
+  typed.clear()
   try {
     for (const key of keys(`${PREFIX}:`)) {
       if (Date.now() - (read(key)?.atMs ?? 0) > KEPT_FOR_MS) localStorage.removeItem(key)
@@ -49,7 +53,20 @@ export function forgetDrafts(): void {
     // There are none.
   }
   memory.clear()
+  typed.clear()
   owner = ''
+}
+
+export const isAnythingTyped = (): boolean => owner !== '' && typed.size > 0
+
+/** The person leaves: what they typed is kept for when they come back. */
+export function leaveTyped(): void {
+  typed.clear()
+}
+
+/** The person leaves, and wants none of what they typed. */
+export function discardTyped(): void {
+  for (const key of [...typed]) keepDraft(key, null)
 }
 
 export function keptDraft<T>(key: string): T | null {
@@ -58,8 +75,13 @@ export function keptDraft<T>(key: string): T | null {
   return kept === null || Date.now() - kept.atMs > KEPT_FOR_MS ? null : (kept.value as T)
 }
 
-/** Keep a draft, or delete it where it is null; the answer is whether it outlives this page. */
-export function keepDraft(key: string, value: unknown): boolean {
+/**
+ * Keep a draft, or delete it where it is null; the answer is whether it outlives this page. What is `handedOver` was not
+ * typed here: another page opens with it.
+ */
+export function keepDraft(key: string, value: unknown, handedOver = false): boolean {
+  if (value === null) typed.delete(key)
+  else if (!handedOver && JSON.stringify(value) !== JSON.stringify(keptDraft(key))) typed.add(key)
   memory.delete(keyOf(key))
   try {
     if (owner === '') throw new Error('nobody is signed in')

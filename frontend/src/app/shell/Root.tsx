@@ -1,6 +1,7 @@
 import { Outlet, useRouter } from '@tanstack/react-router'
 import { useEffect } from 'react'
 
+import { LeaveGuard } from '../drafts'
 import { ToastRegion } from '../toast'
 import classes from './Shell.module.css'
 
@@ -33,6 +34,7 @@ export function Root() {
       </a>
       <Outlet />
       <ToastRegion />
+      <LeaveGuard />
     </>
   )
 }

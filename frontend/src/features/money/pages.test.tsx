@@ -4,6 +4,7 @@ import axe from 'axe-core'
 import { beforeAll, beforeEach, describe, expect, test } from 'vitest'
 
 import type { MilestoneSheet } from '@/money/api'
+import { keptDraft } from '@/app/drafts'
 import { openApp } from '@/test/openApp'
 import { aMe, aServer, PROJECT } from '@/test/review'
 import { refusal } from '@/test/server'
@@ -241,6 +242,26 @@ describe('the plan of a draft', () => {
         { name: 'Voice', due_on: '2026-12-18', amount_minor: 225_000, cues: [{ cue_id: 'oath' }] },
       ],
     })
+  })
+
+  test('asks before it is left with something typed; what was typed is kept', async () => {
+    const app = openApp(`/projects/${PROJECT}/contracts/effects/plan`)
+    await screen.findByRole('heading', { level: 1, name: 'Plan: Effects' })
+    await userEvent.keyboard('n')
+    type(within(screen.getByRole('group', { name: 'milestone 1' })).getByLabelText('Name'), 'Alpha')
+    const path = app.at()
+    const away = screen.getAllByRole('link', { name: /^Project/ })[0]!
+    await userEvent.click(away)
+    const dialog = within(await screen.findByRole('dialog', { name: 'Leave this page?' }))
+    expect(await faults()).toEqual([])
+    await userEvent.click(dialog.getByRole('button', { name: 'Stay' }))
+    expect(app.at()).toBe(path)
+    expect(screen.getByRole('group', { name: 'Alpha' })).toBeVisible()
+    await userEvent.click(away)
+    const again = within(await screen.findByRole('dialog', { name: 'Leave this page?' }))
+    await userEvent.click(again.getByRole('button', { name: 'Leave' }))
+    await waitFor(() => expect(app.at()).not.toBe(path))
+    expect(JSON.stringify(keptDraft('plan:effects'))).toContain('Alpha')
   })
 
   test('that was agreed says where it stands', async () => {

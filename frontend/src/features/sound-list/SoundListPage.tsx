@@ -241,7 +241,7 @@ export function SoundListPage(): ReactNode {
       const text = event.clipboardData?.getData('text/plain') ?? ''
       if (text.trim() === '') return
       event.preventDefault()
-      keepSheet(projectId, { ...EMPTY_SHEET, text })
+      keepSheet(projectId, { ...EMPTY_SHEET, text }, true)
       toImport()
     }
     window.addEventListener('paste', paste)

@@ -20,7 +20,8 @@ const keyOf = (projectId: string) => `import:${projectId}`
 export const keptSheet = (projectId: string): SheetDraft | null => keptDraft(keyOf(projectId))
 
 /** Keep it; the answer is whether it outlives a reload, which a large file does not. */
-export const keepSheet = (projectId: string, sheet: SheetDraft | null): boolean => keepDraft(keyOf(projectId), sheet)
+export const keepSheet = (projectId: string, sheet: SheetDraft | null, handedOver = false): boolean =>
+  keepDraft(keyOf(projectId), sheet, handedOver)
 
 /** What was chosen for columns that the text still has; columns without a head are named by their place. */
 export function mappingFor(text: string, { mapping }: SheetDraft, hasHead: boolean): SheetDraft['mapping'] {
