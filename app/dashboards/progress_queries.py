@@ -7,8 +7,8 @@ from functools import cache
 from typing import Any, NamedTuple
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, Select, and_, bindparam, case, exists, func, select, tuple_, union_all
-from sqlalchemy.orm import Session, load_only
+from sqlalchemy import ColumnElement, Select, and_, bindparam, case, exists, func, or_, select, tuple_, union_all
+from sqlalchemy.orm import Session, aliased, load_only
 from typing_extensions import TypeVarTuple
 
 from app.conformance.models import CheckRun, Waiver
@@ -217,7 +217,10 @@ def _open_questions() -> Select[UUID, str]:
 def current_findings(
     session: Session, cue_ids: Collection[UUID], designer_id: UUID | None
 ) -> dict[UUID, list[dict[str, Any]]]:
-    """Return what was found in the takes of some cues that stand, in the order that the takes came."""
+    """Return what was found in the takes of some cues that stand, in the order that the takes came.
+
+    A returned take stands until a newer one of its variation came, as a fix or from the session.
+    """
     found: dict[UUID, list[dict[str, Any]]] = defaultdict(list)
     for cue_id, each in session.execute(_current_findings(designer_id is not None), _given(cue_ids, designer_id)):
         found[cue_id] += each
@@ -227,10 +230,19 @@ def current_findings(
 @cache
 def _current_findings(is_own: bool) -> Select[UUID | None, Any]:
     findings = CheckRun.report["findings"]
+    newer = aliased(Take)
+    is_answered = exists().where(
+        newer.cue_id == Take.cue_id,
+        newer.variation == Take.variation,
+        newer.number > Take.number,
+        newer.state != TakeState.SET_ASIDE,
+        *([newer.designer_id == Take.designer_id] if is_own else []),
+    )
     return (
         _owned(select(Take.cue_id, findings), is_own)
         .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
         .where(in_array(Take.cue_id, "cue_ids"), Take.state.not_in((TakeState.SET_ASIDE, TakeState.CHANGE_REQUESTED)))
+        .where(or_(Take.state.not_in((TakeState.RETURNED, TakeState.UNJUDGED)), ~is_answered))
         .where(findings.as_string() != "[]")
         .order_by(Take.received_at, Take.id)
     )

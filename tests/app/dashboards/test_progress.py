@@ -9,7 +9,10 @@ from uuid import UUID
 
 import pytest
 from fastapi.testclient import TestClient
+from sqlalchemy import select
+from sqlalchemy.orm import Session
 
+from app.conformance.models import CheckRun
 from app.deliveries.rules import TakeState
 from app.kit import clock
 from app.projects.models import Engagement
@@ -197,3 +200,23 @@ def test_the_worst_of_what_stands_is_shown(stage: Stage):
     gone = stage.cue("laser_fire")
     stage.take(gone, state=T.SET_ASIDE)
     assert all_progress(stage.world, stage.world.producer)[str(gone)]["worst_finding"] is None
+
+
+def test_a_return_that_was_answered_no_longer_stands(stage: Stage):
+    cue_id = stage.cue("alarm")
+    returned = stage.take(cue_id, state=T.RETURNED)
+
+    def silent(session: Session) -> None:
+        run = session.scalars(select(CheckRun).where(CheckRun.take_id == returned)).one()
+        finding = run.report["findings"][0] | {"check": "silence", "code": "silence:file", "severity": "error"}
+        run.report = run.report | {"findings": [finding]}
+
+    stage.world.server.in_database(silent)
+    sides = (stage.world.producer, stage.world.designer)
+
+    def shown() -> list[str]:
+        return [all_progress(stage.world, by)[str(cue_id)]["worst_finding"]["code"] for by in sides]
+
+    assert shown() == ["silence:file"] * 2
+    stage.take(cue_id, state=T.CONFORMING)  # as a fix that was used is
+    assert shown() == ["true-peak:over"] * 2
