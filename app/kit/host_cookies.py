@@ -1,7 +1,7 @@
 """Cookies that are bound to this host by their name, where people reach us over TLS.
 
 Browsers take a cookie whose name begins with `__Host-` only from the host itself, over TLS, for every path: neither a
-neighbour's subdomain nor anybody on the way can set one. The application reads and sets cookies by their plain names.
+neighbour's subdomain nor anyone on the way can set one. The application reads and sets cookies by their plain names.
 """
 
 import re
@@ -14,7 +14,7 @@ OWN = re.compile(rf"^(?:{PREFIX})?(?=soundlist_)")
 
 
 class HostCookies:
-    """Gives our cookies the prefix on their way out; what comes back without it was set by somebody else."""
+    """Gives our cookies the prefix on their way out; what comes back without it was set by someone else."""
 
     def __init__(self, app: ASGIApp) -> None:
         self._app = app

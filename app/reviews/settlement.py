@@ -29,7 +29,7 @@ def settle_acceptance(
 
 
 def add_accepted_cue(session: Session, contract_id: UUID, cue_id: UUID) -> None:
-    """Settle a cue that was accepted before its contract was agreed, in the name of who approved it, if anybody did."""
+    """Settle a cue that was accepted before its contract was agreed, in the name of who approved it, if anyone did."""
     queries.lock_cue(session, cue_id)
     cue, contract = session.get_one(Cue, cue_id), session.get_one(Contract, contract_id)
     approved = queries.approved_takes(session, cue_id)

@@ -11,7 +11,7 @@ export interface OpenedProps {
 
 interface LazyDialogProps<Given> extends OpenedProps {
   load: () => Promise<ComponentType<Given & OpenedProps>>
-  /** What the dialog is told besides. */
+  /** What the dialog is given besides. */
   given: Given
 }
 

@@ -11,11 +11,11 @@ export interface MenuProps {
 
 interface LazyMenuProps<Given> extends MenuProps {
   load: () => Promise<ComponentType<Given & MenuProps>>
-  /** What the menu is told besides its button. */
+  /** What the menu is given besides its button. */
   given: Given
 }
 
-/** A button whose menu is loaded when somebody reaches for it, and opens once it is here. */
+/** A button whose menu is loaded when someone reaches for it, and opens once it is here. */
 export function LazyMenu<Given extends object>({ button, load, given }: LazyMenuProps<Given>) {
   const [isWanted, setWanted] = useState(false)
   const Menu = useLazy(load, isWanted, () => setWanted(false))

@@ -9,7 +9,7 @@ interface OpenedMenuProps extends MenuProps {
   children: ReactNode
 }
 
-/** The menu of a LazyMenu. It was loaded since somebody asked for it, so it opens by itself. */
+/** The menu of a LazyMenu. It was loaded since someone asked for it, so it opens by itself. */
 export function OpenedMenu({ button, position, width, children }: OpenedMenuProps) {
   const [isOpen, setOpen] = useState(false)
   const bar = useRef<HTMLSpanElement>(null)
