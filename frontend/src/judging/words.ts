@@ -155,7 +155,16 @@ export const happened = ({
 }): string => (bySilence && kind === 'approve' ? 'Auto-accepted (no response)' : (HAPPENED[kind] ?? kind))
 
 /** Until when a cue waits under its contract's clause on silence. */
-export const unlessJudged = (after: string): string => `auto-accepted after ${day(after)} if nobody responds`
+const PAUSED_BY = {
+  question: 'the designer’s question is open',
+  change_order: 'a change order is open',
+} as const
+
+/** The day after which silence accepts; while something is open its days do not count. */
+export const unlessJudged = (after: string, pausedBy: keyof typeof PAUSED_BY | null = null): string =>
+  pausedBy === null
+    ? `auto-accepted after ${day(after)} if nobody responds`
+    : `auto-acceptance is paused: ${PAUSED_BY[pausedBy]}`
 
 const SOON_MS = 4 * 86_400_000
 

@@ -6,6 +6,7 @@ import { useTitle } from '@/app/title'
 import { EmptyState } from '@/ui/EmptyState'
 import { Segmented } from '@/ui/Segmented'
 
+import { CalendarCard } from './CalendarCard'
 import { OutboxCard } from './OutboxCard'
 import { InvitationsCard, PeopleCard } from './PeopleCards'
 import { QuotasCard } from './QuotasCard'
@@ -35,7 +36,7 @@ export function StudioPage() {
           <h1>{studio.name}</h1>
           <p className="mid">
             {isProducer
-              ? 'People, invitations, emails and limits.'
+              ? 'People, invitations, emails, calendar and limits.'
               : 'The people of the studio. Producers manage them.'}
           </p>
         </div>
@@ -56,6 +57,7 @@ export function StudioPage() {
         {isProducer && (
           <div className="stack">
             <InvitationsCard key={`invitations ${studio.id}`} studioId={studio.id} />
+            <CalendarCard key={`calendar ${studio.id}`} studioId={studio.id} />
             <QuotasCard key={`quotas ${studio.id}`} studioId={studio.id} />
           </div>
         )}

@@ -1,4 +1,4 @@
-import { screen, waitFor, within } from '@testing-library/react'
+import { fireEvent, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import { describe, expect, test } from 'vitest'
 
@@ -272,14 +272,36 @@ describe('the studio', () => {
     { kind: 'cues', used: 412, limit: 500_000, default: 500_000 },
     { kind: 'tokens', used: 5, limit: 5, default: 1_000 },
   ]
+  const CHRISTMAS = { day: '2026-12-25', name: 'Christmas Day', created_at: '2026-01-01T00:00:00Z' }
   const studio = (more: Answers = {}) =>
     as(PRODUCER, {
       'GET /v1/studios/s1/people': PEOPLE,
       'GET /v1/studios/s1/invitations': [],
       'GET /v1/studios/s1/outbox': { can_send: false, mails: [MAIL] },
       'GET /v1/studios/s1/quotas': QUOTAS,
+      'GET /v1/studios/s1/calendar': { time_zone: 'Europe/Berlin', holidays: [CHRISTMAS] },
       ...more,
     })
+
+  test('a holiday is added to the calendar, and the others are kept', async () => {
+    const { asked } = serve(
+      studio({ 'PUT /v1/studios/s1/calendar': { time_zone: 'Europe/Berlin', holidays: [CHRISTMAS] } }),
+    )
+    openApp('/studio')
+    const card = within(await screen.findByRole('region', { name: 'Calendar' }))
+    expect(await card.findByText('Christmas Day')).toBeInTheDocument()
+    fireEvent.change(card.getByLabelText(/^Holiday/), { target: { value: '2026-12-26' } })
+    fireEvent.change(card.getByLabelText(/^Name/), { target: { value: 'Boxing Day' } })
+    fireEvent.click(card.getByRole('button', { name: 'Add holiday' }))
+    await waitFor(() => expect(asked.some(({ method }) => method === 'PUT')).toBe(true))
+    expect(asked.find(({ method }) => method === 'PUT')?.body).toEqual({
+      time_zone: 'Europe/Berlin',
+      holidays: [
+        { day: '2026-12-25', name: 'Christmas Day' },
+        { day: '2026-12-26', name: 'Boxing Day' },
+      ],
+    })
+  })
 
   test('roles are given by one press, and a refusal stays in the card', async () => {
     const { asked } = serve(

@@ -11,6 +11,7 @@ export type Role = Schemas['Role']
 export type StudioInvitation = Schemas['StudioInvitationRead']
 export type Mail = Schemas['MailRead']
 export type Quota = Schemas['QuotaRead']
+export type StudioCalendar = Schemas['CalendarSave'] & { holidays: Schemas['HolidayAdd'][] }
 
 const MINUTE_MS = 60_000
 
@@ -233,5 +234,27 @@ export function useSendMail(studioId: string) {
     mutationFn: (mailId: string) =>
       answered(api.POST('/v1/mails/{mail_id}/send', { params: { path: { mail_id: mailId } } })),
     onSettled: () => client.invalidateQueries({ queryKey: outboxKey(studioId) }),
+  })
+}
+
+const calendarKey = (studioId: string) => ['studio-calendar', studioId] as const
+
+export const useStudioCalendar = (studioId: string) =>
+  useQuery({
+    queryKey: calendarKey(studioId),
+    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/calendar', inStudio(studioId))),
+  })
+
+export function useSaveStudioCalendar(studioId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: ({ time_zone, holidays }: StudioCalendar) =>
+      answered(
+        api.PUT('/v1/studios/{studio_id}/calendar', {
+          ...inStudio(studioId),
+          body: { time_zone, holidays: holidays.map(({ day, name }) => ({ day, name })) },
+        }),
+      ),
+    onSuccess: (saved) => client.setQueryData(calendarKey(studioId), saved),
   })
 }

@@ -15,6 +15,7 @@ import { useUploads } from '@/uploads'
 import { type Delivery, openDeliveryQuery, useCloseDelivery, useDelivery, useRecheck, useSaveNote } from './api'
 import classes from './Delivery.module.css'
 import { DeliveryLines } from './DeliveryLines'
+import { DeliverySources } from './DeliverySources'
 import type { DeliveryUploads } from './deliveryUploads'
 import { Refusal } from './Refusal'
 import { type DeliveryRows, isGoing, type LabelOf, rowsOf } from './rows'
@@ -119,6 +120,7 @@ export function DeliveryCard({
         onRecheck={(takeId) => recheck.mutate(takeId)}
       />
       {children}
+      {delivery && <DeliverySources key={`sources ${delivery.id}`} deliveryId={delivery.id} number={delivery.number} />}
       {delivery && <Foot key={delivery.id} projectId={projectId} delivery={delivery} going={going} />}
     </Card>
   )

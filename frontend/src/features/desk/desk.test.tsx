@@ -86,7 +86,9 @@ const DESK = {
     toMake({ id: 'c3', label: 'SW-003', name: 'laser_fire' }, { variations: 4, missing: 2 }),
     toMake({ id: 'c21', label: 'SW-021', name: 'void_whale' }, { state: 'concept' }),
   ],
-  with_approver: [{ id: 'c7', label: 'SW-007', name: 'shield_hit', accepted_after: '2030-03-15' }],
+  with_approver: [
+    { id: 'c7', label: 'SW-007', name: 'shield_hit', accepted_after: '2030-03-15', silence_paused_by: null },
+  ],
   came_back_next: null,
   came_back_cues: 2,
   to_make_next: null,
@@ -556,7 +558,13 @@ test('what waits with the approver says when it counts as accepted without a ver
 })
 
 test('cues that wait until the same day are told in one line', async () => {
-  const waiting = (name: string, day: string | null) => ({ id: name, label: name, name, accepted_after: day })
+  const waiting = (name: string, day: string | null) => ({
+    id: name,
+    label: name,
+    name,
+    accepted_after: day,
+    silence_paused_by: null,
+  })
   const waits = [waiting('alarm', '2030-03-15'), waiting('bell', '2030-03-15'), waiting('chime', '2030-03-18')]
   serve(answers({ 'GET /v1/projects/p1/desk': { ...DESK, with_approver: waits, with_approver_cues: 3 } }))
   openApp('/desk')
@@ -642,6 +650,40 @@ describe('delivering', () => {
     )
     const region = await screen.findByRole('region', { name: '1,000 files, scrolls' })
     expect(within(region).queryAllByRole('listitem').length).toBeLessThan(100)
+  })
+
+  test('sources are asked once for a delivery, and begin with what was stated last', async () => {
+    const remembered = {
+      from_scratch: false,
+      own_recordings: true,
+      libraries: [{ name: 'Metal Impacts 2', licence: 'single user', file: '' }],
+      generated: [],
+      performers: [],
+      note: '',
+    }
+    const { asked } = serve(
+      answers({
+        'GET /v1/projects/p1/deliveries': { items: [DELIVERY], next: null },
+        'GET /v1/deliveries/d4': { ...DELIVERY, takes: [], dry_stems: [], archives: [] },
+        'GET /v1/deliveries/d4/sources': { delivery_id: 'd4', stated: null, remembered, takes: [] },
+        'PUT /v1/deliveries/d4/sources': { delivery_id: 'd4', stated: null, remembered, takes: [] },
+      }),
+    )
+    openApp('/desk')
+    const part = within(await screen.findByRole('region', { name: 'Sources of delivery 4' }))
+    expect(part.getByRole('button', { name: 'Same as last time' })).toBeInTheDocument()
+    fireEvent.click(part.getByRole('button', { name: 'State sources' }))
+    expect(part.getByLabelText('Own recordings')).toBeChecked()
+    expect(part.getByLabelText('Library')).toHaveValue('Metal Impacts 2')
+    fireEvent.click(part.getByRole('button', { name: 'Add performer' }))
+    fireEvent.change(part.getByLabelText('Performer'), { target: { value: 'A. Voice' } })
+    fireEvent.click(part.getByRole('button', { name: 'Add generated part' }))
+    fireEvent.click(part.getByRole('button', { name: 'Save sources' }))
+    await waitFor(() => expect(asked.some(({ method }) => method === 'PUT')).toBe(true))
+    expect(asked.find(({ method }) => method === 'PUT')?.body).toEqual({
+      ...remembered,
+      performers: [{ name: 'A. Voice', release: '' }],
+    })
   })
 
   test('what the server has is shown with its state; the note is kept, and the delivery closed', async () => {

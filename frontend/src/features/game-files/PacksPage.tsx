@@ -3,10 +3,12 @@ import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 import { type SyntheticEvent, useState } from 'react'
 
+import { useMyProject } from '@/api/me'
 import { useDraft } from '@/app/drafts'
 import { useTitle } from '@/app/title'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { ClearanceLinks } from '@/ui/ClearanceLinks'
 import { EmptyState } from '@/ui/EmptyState'
 import { ago, bytes, day, plural } from '@/ui/format'
 import { State } from '@/ui/State'
@@ -30,6 +32,7 @@ export function PacksPage() {
   const { projectId } = useParams({ from: '/shell/projects/$projectId/packs' })
   const { data, error, hasNextPage, fetchNextPage } = useSealedPacks(projectId)
   const { data: known } = useQuery(targetsQuery(projectId))
+  const isProducer = useMyProject(projectId)?.is_producer ?? false
   const packs = data?.pages.flatMap(({ items }) => items)
   const names = known?.targets.map(({ name }) => name) ?? []
   return (
@@ -57,7 +60,7 @@ export function PacksPage() {
           )}
           <ul>
             {packs?.map((pack) => (
-              <PackLine key={pack.id} pack={pack} />
+              <PackLine key={pack.id} pack={pack} isProducer={isProducer} />
             ))}
           </ul>
           {hasNextPage && (
@@ -72,7 +75,7 @@ export function PacksPage() {
   )
 }
 
-function PackLine({ pack }: { pack: SealedPack }) {
+function PackLine({ pack, isProducer }: { pack: SealedPack; isProducer: boolean }) {
   const [isOpen, setOpen] = useState(false)
   const { data } = useSealedPack(pack.id, isOpen && pack.state === 'sealed')
   const title = `${pack.target} ${pack.number}`
@@ -111,6 +114,7 @@ function PackLine({ pack }: { pack: SealedPack }) {
         </time>
         {pack.with_masters && ', with masters'}.{pack.note && ` “${pack.note}”`}
       </p>
+      {pack.state === 'sealed' && isProducer && <ClearanceLinks path={`/v1/packs/${pack.id}`} of={title} />}
       {pack.state === 'refused' && <p className="small">{sentence(pack.refusal)}</p>}
       {pack.state === 'sealed' && (
         <details className="small" onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>

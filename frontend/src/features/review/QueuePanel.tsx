@@ -128,7 +128,9 @@ function QueueLine({ item, projectId, current, onOpen }: QueueLineProps) {
         )}{' '}
         <span className="small dim mono num">{cue.label}</span>
         {item.accepted_after && (current || isSoon(item.accepted_after)) && (
-          <span className={`small mid ${classes.silence}`}>{capital(unlessJudged(item.accepted_after))}</span>
+          <span className={`small mid ${classes.silence}`}>
+            {capital(unlessJudged(item.accepted_after, item.silence_paused_by))}
+          </span>
         )}
       </Link>
     </li>

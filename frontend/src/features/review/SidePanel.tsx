@@ -15,6 +15,7 @@ import { DraftNote, keepDraft, keptDraft } from '@/app/drafts'
 import type { CueReview, ReviewFinding, ReviewTake } from '@/judging/api'
 import { ReplyField } from '@/judging/ReplyField'
 import { capital, happened, sentence, spot, historyText } from '@/judging/words'
+import { TakeSourcesPart } from '@/sources'
 import { Button } from '@/ui/Button'
 import { Face } from '@/ui/Face'
 import { Finding } from '@/ui/Finding'
@@ -158,6 +159,12 @@ function Comments({ review, projectId, hand, heard, nameOf, said, openSaid, onOp
             <span className="dim end">delivery {hand.delivery_number}</span>
           </p>
           <p className="mid">{[hand.note, hand.delivery_note].filter(Boolean).join(' ')}</p>
+        </section>
+      )}
+      {hand && (
+        <section className={classes.block} aria-label="Sources">
+          <p className="small strong">Sources</p>
+          <TakeSourcesPart key={hand.id} takeId={hand.id} mayState={false} />
         </section>
       )}
       {hand && <Figures take={hand} />}

@@ -11,6 +11,7 @@ import { useTitle } from '@/app/title'
 import { type FindingMark, spotOf as playFrom, usePlayer } from '@/audio'
 import { ended, wordsOf, worstFirst } from '@/judging/findings'
 import { FixPanel, useFixing, useSounds } from '@/fixing'
+import { TakeSourcesPart } from '@/sources'
 import { Card, CardHead } from '@/ui/Card'
 import { ago, bytes, day } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
@@ -198,6 +199,12 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
         <aside className="stack" aria-label="Measurements of this version">
           <FiguresCard check={check} findings={findings} />
           <MasterCard take={take} />
+          <Card aria-labelledby="sources">
+            <CardHead id="sources" title="Sources" />
+            <div className={classes.inside}>
+              <TakeSourcesPart takeId={take.id} mayState={isMaker} />
+            </div>
+          </Card>
           {sounds && sounds.renders.length > 0 && <GameFilesCard files={sounds.renders} />}
           <HistoryCard takeId={take.id} />
         </aside>

@@ -1,0 +1,97 @@
+import { Select, TextInput } from '@mantine/core'
+import { useState } from 'react'
+
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { day } from '@/ui/format'
+import { Row, Rows } from '@/ui/Rows'
+
+import { type StudioCalendar, useSaveStudioCalendar, useStudioCalendar } from './api'
+import { CardProblem } from './PeopleCards'
+import classes from './Studio.module.css'
+
+/** When the studio works: its contracts' clauses on silence count days by it. */
+export function CalendarCard({ studioId }: { studioId: string }) {
+  const { data: calendar, error } = useStudioCalendar(studioId)
+  const save = useSaveStudioCalendar(studioId)
+  return (
+    <Card aria-labelledby="calendar">
+      <CardHead id="calendar" title="Calendar" note="for clauses on silence" />
+      <CardProblem error={error ?? save.error} />
+      {calendar && <Fields calendar={calendar} isPending={save.isPending} onSave={(to) => save.mutate(to)} />}
+      <p className={`small mid ${classes.foot}`}>
+        Saturdays and Sundays never count. A holiday entered now does not delay a cue that is in review already.
+        Designers see this calendar.
+      </p>
+    </Card>
+  )
+}
+
+interface FieldsProps {
+  calendar: StudioCalendar
+  isPending: boolean
+  onSave: (calendar: StudioCalendar) => void
+}
+
+const ZONES = ['UTC', ...Intl.supportedValuesOf('timeZone').filter((zone) => zone !== 'UTC')]
+
+function Fields({ calendar: { time_zone: zone, holidays }, isPending, onSave }: FieldsProps) {
+  const [on, setOn] = useState('')
+  const [name, setName] = useState('')
+  return (
+    <>
+      <div className={classes.inside}>
+        <Select
+          label="Time zone"
+          searchable
+          data={ZONES.includes(zone) ? ZONES : [zone, ...ZONES]}
+          value={zone}
+          limit={50}
+          allowDeselect={false}
+          onChange={(chosen) => chosen && onSave({ time_zone: chosen, holidays })}
+        />
+      </div>
+      {holidays.length > 0 && (
+        <Rows aria-label="Holidays">
+          {holidays.map((holiday) => (
+            <Row key={holiday.day}>
+              <span className="grow">
+                <span className="strong">{holiday.name}</span> <span className="mid">{day(holiday.day)}</span>
+              </span>
+              <Button
+                variant="quiet"
+                icon="cross"
+                aria-label={`Remove ${holiday.name}, ${day(holiday.day)}`}
+                disabled={isPending}
+                onClick={() =>
+                  onSave({ time_zone: zone, holidays: holidays.filter((other) => other.day !== holiday.day) })
+                }
+              />
+            </Row>
+          ))}
+        </Rows>
+      )}
+      <form
+        className={classes.holiday}
+        onSubmit={(event) => {
+          event.preventDefault()
+          onSave({ time_zone: zone, holidays: [...holidays, { day: on, name }] })
+          setOn('')
+          setName('')
+        }}
+      >
+        <TextInput
+          type="date"
+          label="Holiday"
+          required
+          value={on}
+          onChange={({ currentTarget }) => setOn(currentTarget.value)}
+        />
+        <TextInput label="Name" required value={name} onChange={({ currentTarget }) => setName(currentTarget.value)} />
+        <Button type="submit" icon="plus" disabled={isPending}>
+          Add holiday
+        </Button>
+      </form>
+    </>
+  )
+}

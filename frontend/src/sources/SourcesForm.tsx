@@ -1,0 +1,160 @@
+import { Checkbox, TextInput } from '@mantine/core'
+import { useId, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { Button } from '@/ui/Button'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import type { Sources } from './api'
+import classes from './Sources.module.css'
+
+interface SourcesFormProps {
+  /** What the fields begin with. */
+  initial: Sources | null
+  error: unknown
+  isPending: boolean
+  onSave: (sources: Sources) => void
+  onCancel: () => void
+}
+
+const NOTHING: Required<Sources> = {
+  from_scratch: false,
+  own_recordings: false,
+  libraries: [],
+  generated: [],
+  performers: [],
+  note: '',
+}
+
+/** Asks what sounds were made from; rows whose first field is empty are left out. */
+export function SourcesForm({ initial, error, isPending, onSave, onCancel }: SourcesFormProps) {
+  const [sources, setSources] = useState<Required<Sources>>({ ...NOTHING, ...initial })
+  const change = (changed: Partial<Sources>) => setSources((now) => ({ ...now, ...changed }))
+  return (
+    <form
+      className={classes.form}
+      aria-label="Sources"
+      onSubmit={(event) => {
+        event.preventDefault()
+        onSave({
+          ...sources,
+          libraries: sources.libraries.filter(({ name }) => name.trim()),
+          generated: sources.generated.filter(({ tool }) => tool.trim()),
+          performers: sources.performers.filter(({ name }) => name.trim()),
+        })
+      }}
+    >
+      <div className={classes.checks}>
+        <Checkbox
+          label="Made from scratch"
+          checked={sources.from_scratch}
+          onChange={({ currentTarget }) => change({ from_scratch: currentTarget.checked })}
+        />
+        <Checkbox
+          label="Own recordings"
+          checked={sources.own_recordings}
+          onChange={({ currentTarget }) => change({ own_recordings: currentTarget.checked })}
+        />
+      </div>
+      <SourceRows
+        title="Sound libraries"
+        one="library"
+        fields={[
+          ['name', 'Library'],
+          ['licence', 'Licence'],
+          ['file', 'File'],
+        ]}
+        rows={sources.libraries}
+        empty={{ name: '', licence: '', file: '' }}
+        onChange={(libraries) => change({ libraries })}
+      />
+      <SourceRows
+        title="Generated parts"
+        one="generated part"
+        fields={[
+          ['tool', 'Tool and version'],
+          ['part', 'Part of the sound'],
+        ]}
+        rows={sources.generated}
+        empty={{ tool: '', part: '' }}
+        onChange={(generated) => change({ generated })}
+      />
+      <SourceRows
+        title="Performers"
+        one="performer"
+        fields={[
+          ['name', 'Performer'],
+          ['release', 'Release: its date or place'],
+        ]}
+        rows={sources.performers}
+        empty={{ name: '', release: '' }}
+        onChange={(performers) => change({ performers })}
+      />
+      <TextInput
+        label="Note"
+        value={sources.note}
+        onChange={({ currentTarget }) => change({ note: currentTarget.value })}
+      />
+      {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
+      <div className={classes.acts}>
+        <Button variant="primary" type="submit" disabled={isPending}>
+          Save sources
+        </Button>
+        <Button variant="quiet" onClick={onCancel}>
+          Cancel
+        </Button>
+      </div>
+    </form>
+  )
+}
+
+interface SourceRowsProps<Row extends Record<string, string>> {
+  title: string
+  /** What one row is called. */
+  one: string
+  fields: readonly (readonly [keyof Row & string, string])[]
+  rows: readonly Row[]
+  empty: Row
+  onChange: (rows: Row[]) => void
+}
+
+function SourceRows<Row extends Record<string, string>>({
+  title,
+  one,
+  fields,
+  rows,
+  empty,
+  onChange,
+}: SourceRowsProps<Row>) {
+  const heading = useId()
+  return (
+    <div role="group" aria-labelledby={heading} className={classes.group}>
+      <p id={heading} className="small strong">
+        {title}
+      </p>
+      {rows.map((row, place) => (
+        <div key={place} className={classes.row}>
+          {fields.map(([name, label]) => (
+            <TextInput
+              key={name}
+              label={label}
+              value={row[name]}
+              onChange={({ currentTarget: { value } }) =>
+                onChange(rows.map((each, at) => (at === place ? { ...each, [name]: value } : each)))
+              }
+            />
+          ))}
+          <Button
+            variant="quiet"
+            icon="cross"
+            aria-label={`Remove ${one} ${place + 1}`}
+            onClick={() => onChange(rows.filter((_, at) => at !== place))}
+          />
+        </div>
+      ))}
+      <Button variant="quiet" icon="plus" onClick={() => onChange([...rows, empty])}>
+        Add {one}
+      </Button>
+    </div>
+  )
+}

@@ -1,0 +1,27 @@
+import { Icon } from '@/ui/Icon'
+
+import classes from './Sources.module.css'
+
+interface SourcesTextProps {
+  /** What was stated as one line of text; null where nothing was. */
+  words: string | null
+  openPoints: readonly string[]
+}
+
+/** What a sound was made from, and what is still open about it. */
+export function SourcesText({ words, openPoints }: SourcesTextProps) {
+  return (
+    <>
+      <p className={words === null ? 'mid' : classes.words}>{words === null ? 'Not stated yet.' : `${words}.`}</p>
+      {words !== null && openPoints.length > 0 && (
+        <ul className={classes.points} aria-label="Open points">
+          {openPoints.map((point) => (
+            <li key={point} className="small tone-warn toned">
+              <Icon name="triangle" size={14} /> {point}
+            </li>
+          ))}
+        </ul>
+      )}
+    </>
+  )
+}

@@ -1,0 +1,10 @@
+export {
+  deliverySourcesQuery,
+  type Sources,
+  takeSourcesQuery,
+  useStateDeliverySources,
+  useStateTakeSources,
+} from './api'
+export { SourcesForm } from './SourcesForm'
+export { SourcesText } from './SourcesText'
+export { TakeSourcesPart } from './TakeSourcesPart'
