@@ -9,6 +9,7 @@ from app.accounts.sign_up_endpoints import router as sign_up
 from app.accounts.studio_endpoints import router as studios
 from app.agreements.endpoints import router as contracts
 from app.agreements.template_endpoints import router as contract_templates
+from app.agreements.version_endpoints import router as contract_versions
 from app.amendments.endpoints import router as amendments
 from app.builds.clearance_endpoints import router as clearance
 from app.builds.endpoints import router as builds
@@ -41,6 +42,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     money,
     contract_templates,
     contracts,
+    contract_versions,
     amendments,
     deliveries,
     conformance,

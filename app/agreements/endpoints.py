@@ -2,24 +2,23 @@
 
 import json
 from collections.abc import Sequence
-from typing import Annotated, Any
+from typing import Any
 from uuid import UUID
 
-from fastapi import Depends, Path, Query, Request, Response
+from fastapi import Depends, Request
 from starlette.concurrency import run_in_threadpool
 
 from app.accounts.policies import allows, client_address
 from app.accounts.rules import Actor, Audience
 from app.accounts.schemas import PersonBrief
-from app.agreements import comparison, lifecycle, queries, record, schemas, versions
+from app.agreements import lifecycle, queries, schemas, versions
 from app.agreements.access import party_of, visible_contract
-from app.agreements.documents import PDF, TextPdf
+from app.agreements.documents import TextPdf
 from app.agreements.errors import (
     AddressNotProven,
     AlreadyAccepted,
     BadDraft,
     ContractNotFound,
-    ContractVersionNotFound,
     DraftChanged,
     FrameworkNeeded,
     NoContractNeeded,
@@ -28,37 +27,20 @@ from app.agreements.errors import (
     SamePersonOnBothSides,
     TemplateNotFound,
     TextChanged,
-    TooLongToCompare,
     WrongState,
 )
 from app.agreements.last_contract import last_contract
-from app.agreements.models import Contract, ContractVersion
+from app.agreements.models import Contract
 from app.agreements.rules import ORDERS, ContractKind, ContractState, Party
-from app.agreements.template_endpoints import attachment, clauses_of
-from app.agreements.text import Block, blocks_of
+from app.agreements.template_endpoints import clauses_of
+from app.agreements.text import blocks_of
+from app.agreements.version_endpoints import blocks_read, version_read
 from app.kit.bodies import LARGE_BODY_BYTES
-from app.kit.fair_share import FairShare, TooManyAtOnce
 from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
 from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
 from app.projects.errors import EngagementNotFound, ProducerNeeded, ProjectNotFound, TeamNeeded
 
 router = Router(prefix="/v1", tags=["contracts"], route_class=Route)
-COMPARISONS = FairShare(1, "comparison")  # of the four requests that read at once
-VersionNumber = Annotated[int, Path(ge=1, le=2**31 - 1)]
-
-
-def _blocks(blocks: Sequence[Block]) -> list[schemas.BlockRead]:
-    return [schemas.BlockRead.model_validate(block) for block in blocks]
-
-
-def _version(version: ContractVersion, *, is_team: bool) -> schemas.VersionRead:
-    rows = [row for row in version.clauses if is_team or row["stands"]]
-    return schemas.VersionRead(
-        **schemas.VersionBrief.model_validate(version).model_dump(),
-        blocks=_blocks(blocks_of(version.text)),
-        clauses=[schemas.ClauseRow.model_validate(row) for row in rows],
-        terms=version.terms,
-    )
 
 
 def _waits_for(contract: Contract, accepted: Sequence[Party]) -> list[Party]:
@@ -93,7 +75,7 @@ def _contract(session: DbSession, actor: Actor, contract: Contract) -> schemas.C
     return schemas.ContractRead(
         **_brief(contract, actor, accepted),
         studio_name=contract.project.studio.name,
-        version=_version(shown, is_team=is_team),
+        version=version_read(shown, is_team=is_team),
         acceptances=[schemas.AcceptanceRead.model_validate(each) for each in acceptances],
         change_requested=schemas.ContractChangeRead(
             text=change["text"], clause=change["clause"], by=change["by"], at=asked.at
@@ -219,7 +201,7 @@ def preview_contract(
     """Return the text that a draft would have; nothing is saved."""
     text, found = lifecycle.preview(session, actor, contract_id, _draft(body))
     return schemas.DraftPreview(
-        blocks=_blocks(blocks_of(text)), problems=[schemas.DraftProblem.model_validate(each) for each in found]
+        blocks=blocks_read(blocks_of(text)), problems=[schemas.DraftProblem.model_validate(each) for each in found]
     )
 
 
@@ -307,109 +289,3 @@ def end_contract(
     """End a contract that orders no work, or give up a draft."""
     lifecycle.end(session, actor, contract_id, reason=body.reason)
     return _contract(session, actor, visible_contract(session, actor, contract_id))
-
-
-@router.get(
-    "/contracts/{contract_id}/versions",
-    response_model=list[schemas.VersionBrief],
-    responses=problems(ContractNotFound),
-)
-def list_contract_versions(
-    contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
-) -> Sequence[ContractVersion]:
-    """Return the versions that the caller may see, the newest first."""
-    contract = visible_contract(session, actor, contract_id)
-    return versions.visible_versions(session, actor, contract)
-
-
-@router.get(
-    "/contracts/{contract_id}/versions/{version}", responses=problems(ContractNotFound, ContractVersionNotFound)
-)
-def read_contract_version(
-    contract_id: UUID, version: VersionNumber, session: DbSession, actor: Actor = allows(Audience.PROJECT)
-) -> schemas.VersionRead:
-    """Return one version of the text."""
-    contract = visible_contract(session, actor, contract_id)
-    found = versions.visible_version(session, actor, contract, version)
-    return _version(found, is_team=bool(actor.roles_in(contract.studio_id)))
-
-
-@router.get(
-    "/contracts/{contract_id}/versions/{version}/contract.pdf",
-    response_class=Response,
-    responses={
-        **problems(ContractNotFound, ContractVersionNotFound),
-        200: {"content": {PDF: {"schema": {"type": "string", "format": "binary"}}}},
-    },
-)
-def download_contract_pdf(
-    contract_id: UUID,
-    version: VersionNumber,
-    runtime: CurrentRuntime,
-    session: DbSession,
-    actor: Actor = allows(Audience.PROJECT),
-) -> Response:
-    """Return the PDF of a version that was sent: the bytes that both saw."""
-    contract = visible_contract(session, actor, contract_id)
-    found = versions.visible_version(session, actor, contract, version)
-    if found.pdf_sha256 is None:
-        raise ContractVersionNotFound(f"version {version} was not sent, so there is no PDF of it")
-    pdf = runtime.store.read(contract.studio_id, found.pdf_sha256)
-    return Response(pdf, media_type=PDF, headers=attachment(f"{contract.title}, version {version}.pdf"))
-
-
-@router.get(
-    "/contracts/{contract_id}/comparison",
-    responses=problems(ContractNotFound, ContractVersionNotFound, TooLongToCompare, TooManyAtOnce),
-)
-def compare_contract_versions(
-    contract_id: UUID,
-    session: DbSession,
-    from_version: Annotated[int, Query(ge=1, le=2**31 - 1)],
-    to_version: Annotated[int, Query(ge=1, le=2**31 - 1)],
-    actor: Actor = allows(Audience.PROJECT),
-) -> schemas.ComparisonRead:
-    """Return two versions word by word."""
-    contract = visible_contract(session, actor, contract_id)
-    earlier = versions.visible_version(session, actor, contract, from_version)
-    later = versions.visible_version(session, actor, contract, to_version)
-    with COMPARISONS.of(actor.person):
-        lines = comparison.compare(earlier.text, later.text)
-        return schemas.ComparisonRead(
-            from_version=from_version,
-            to_version=to_version,
-            lines=[schemas.ComparedRead.model_validate(line) for line in lines],
-        )
-
-
-@router.get("/contracts/{contract_id}/record", responses=problems(ContractNotFound))
-def read_contract_record(
-    contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
-) -> schemas.RecordRead:
-    """Return the record of a contract, verified now."""
-    contract = visible_contract(session, actor, contract_id)
-    document = record.document_of(session, contract)
-    entries = [entry | {"payload": json.loads(entry["payload"])} for entry in document["entries"]]
-    return schemas.RecordRead(
-        contract_id=contract.id,
-        title=contract.title,
-        length=contract.record_length,
-        sha256=contract.record_sha256,
-        faults=list(record.faults_of(session, contract)),
-        entries=[schemas.RecordEntryRead.model_validate(entry) for entry in entries],
-    )
-
-
-@router.get(
-    "/contracts/{contract_id}/record.json",
-    response_class=Response,
-    responses={**problems(ContractNotFound), 200: {"content": {"application/json": {}}}},
-)
-def download_contract_record(
-    contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
-) -> Response:
-    """Return the record as the file that a party keeps, and that `soundlist verify` reads."""
-    contract = visible_contract(session, actor, contract_id)
-    text = json.dumps(record.document_of(session, contract), ensure_ascii=False, indent=1) + "\n"
-    headers = attachment(f"{contract.title}, record.json")
-    return Response(text, media_type="application/json", headers=headers)

@@ -11,7 +11,7 @@ from app.accounts.schemas import PersonBrief
 from app.agreements.models import Contract
 from app.agreements.plan_queries import running_cue, terms_of
 from app.agreements.terms import SourcesNeeded
-from app.deliveries import queries
+from app.deliveries import queries, source_queries
 from app.deliveries.errors import NoSourceNamed, SourcesFixed, SourcesMissing
 from app.deliveries.models import Delivery, SourceStatement, Take
 from app.deliveries.rules import TakeState
@@ -30,7 +30,10 @@ def state_delivery_sources(session: Session, actor: Actor, delivery_id: UUID, so
     delivery, _ = own_delivery(session, actor, delivery_id)
     _state(session, delivery, None, sources)
     for take in queries.takes_in(session, delivery_id):
-        if take.state is TakeState.APPROVED and queries.source_statement_of(session, delivery_id, take.id) is None:
+        if (
+            take.state is TakeState.APPROVED
+            and source_queries.source_statement_of(session, delivery_id, take.id) is None
+        ):
             put_on_record(session, take)
     return delivery_sources(session, actor, delivery_id)
 
@@ -58,7 +61,7 @@ def _state(session: Session, delivery: Delivery, take_id: UUID | None, sources: 
             "no source is named",
             fix="say what it was made from: from scratch, own recordings, a library, a generated part, a performer",
         )
-    statement = queries.source_statement_of(session, delivery.id, take_id) or SourceStatement(
+    statement = source_queries.source_statement_of(session, delivery.id, take_id) or SourceStatement(
         studio_id=delivery.studio_id,
         project_id=delivery.project_id,
         delivery_id=delivery.id,
@@ -73,10 +76,10 @@ def _state(session: Session, delivery: Delivery, take_id: UUID | None, sources: 
 def delivery_sources(session: Session, actor: Actor, delivery_id: UUID) -> DeliverySources:
     """Return what was stated of a delivery and of each of its takes."""
     delivery, access = delivery_for(session, actor, delivery_id)
-    stated = queries.source_statement_of(session, delivery_id, None)
+    stated = source_queries.source_statement_of(session, delivery_id, None)
     remembered = None
     if access.actor.person_id == delivery.designer_id:
-        remembered = queries.last_source_statement(session, delivery.studio_id, delivery.designer_id)
+        remembered = source_queries.last_source_statement(session, delivery.studio_id, delivery.designer_id)
     takes = queries.takes_in(session, delivery_id)
     return DeliverySources(
         delivery_id=delivery_id,
@@ -100,12 +103,12 @@ def sources_in(statement: SourceStatement) -> Sources:
 
 def sources_of(session: Session, takes: Sequence[Take]) -> dict[UUID, Sources]:
     """Return the stated sources of takes; those without a statement are left out."""
-    found = queries.source_statements(session, [take.id for take in takes])
+    found = source_queries.source_statements(session, [take.id for take in takes])
     return {take_id: sources_in(statement) for take_id, statement in found.items()}
 
 
 def _takes_read(session: Session, takes: Sequence[Take]) -> list[TakeSources]:
-    found = queries.source_statements(session, [take.id for take in takes])
+    found = source_queries.source_statements(session, [take.id for take in takes])
     return [_take_read(take, found.get(take.id)) for take in takes]
 
 
@@ -135,7 +138,7 @@ def put_on_record(session: Session, take: Take) -> None:
 
     Raises SourcesMissing where the contract asks for them before acceptance and they are not all stated.
     """
-    statement = queries.source_statements(session, [take.id]).get(take.id)
+    statement = source_queries.source_statements(session, [take.id]).get(take.id)
     covered = running_cue(session, take.cue_id, {take.designer_id}) if take.cue_id else None
     if covered is not None:
         contract = session.get_one(Contract, covered.contract_id)
@@ -173,7 +176,7 @@ def ensure_stated_to_invoice(session: Session, event: Mapping[str, Any]) -> None
     contract = session.get_one(Contract, UUID(event["contract_id"]))
     if terms_of(session, contract).sources_needed is SourcesNeeded.BEFORE_INVOICE:
         cue_ids = [UUID(cue_id) for cue_id in event["cue_ids"]]
-        _ensure_stated(session, queries.approved_takes_of(session, cue_ids, contract.designer_id))
+        _ensure_stated(session, source_queries.approved_takes_of(session, cue_ids, contract.designer_id))
 
 
 def _ensure_stated(session: Session, takes: Sequence[Take]) -> None:

@@ -29,7 +29,7 @@ class _Counted:
 def following(last: str, last_on: date, today: date, used: Collection[str] = ()) -> str:
     """Return the number after a designer's last one that is not used.
 
-    A series that has the year in it begins anew in another year: after INV-2026-014 comes INV-2027-001.
+    A series that has the year in it begins again at 1 in another year: after INV-2026-014 comes INV-2027-001.
     """
     counted = _counted(last)
     if counted is None:

@@ -15,7 +15,7 @@ from app.agreements.models import Contract
 from app.agreements.plan_queries import agreed_terms
 from app.agreements.terms import MoneyTerms, SourcesNeeded
 from app.deliveries.models import Take
-from app.deliveries.queries import source_statements
+from app.deliveries.source_queries import source_statements
 from app.deliveries.source_rules import open_points
 from app.deliveries.sources import sources_in
 from app.kit import clock

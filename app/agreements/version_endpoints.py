@@ -1,0 +1,150 @@
+"""The endpoints of a contract's texts and of its record."""
+
+import json
+from collections.abc import Sequence
+from typing import Annotated
+from uuid import UUID
+
+from fastapi import Path, Query, Response
+
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience
+from app.agreements import comparison, record, schemas, versions
+from app.agreements.access import visible_contract
+from app.agreements.documents import PDF
+from app.agreements.errors import (
+    ContractNotFound,
+    ContractVersionNotFound,
+    TooLongToCompare,
+)
+from app.agreements.models import ContractVersion
+from app.agreements.template_endpoints import attachment
+from app.agreements.text import Block, blocks_of
+from app.kit.fair_share import FairShare, TooManyAtOnce
+from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
+
+router = Router(prefix="/v1", tags=["contracts"], route_class=Route)
+COMPARISONS = FairShare(1, "comparison")  # of the four requests that read at once
+VersionNumber = Annotated[int, Path(ge=1, le=2**31 - 1)]
+
+
+def blocks_read(blocks: Sequence[Block]) -> list[schemas.BlockRead]:
+    """Return the blocks of a text as they are answered."""
+    return [schemas.BlockRead.model_validate(block) for block in blocks]
+
+
+def version_read(version: ContractVersion, *, is_team: bool) -> schemas.VersionRead:
+    """Return a version with its text; a designer sees only clauses that stand."""
+    rows = [row for row in version.clauses if is_team or row["stands"]]
+    return schemas.VersionRead(
+        **schemas.VersionBrief.model_validate(version).model_dump(),
+        blocks=blocks_read(blocks_of(version.text)),
+        clauses=[schemas.ClauseRow.model_validate(row) for row in rows],
+        terms=version.terms,
+    )
+
+
+@router.get(
+    "/contracts/{contract_id}/versions",
+    response_model=list[schemas.VersionBrief],
+    responses=problems(ContractNotFound),
+)
+def list_contract_versions(
+    contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> Sequence[ContractVersion]:
+    """Return the versions that the caller may see, the newest first."""
+    contract = visible_contract(session, actor, contract_id)
+    return versions.visible_versions(session, actor, contract)
+
+
+@router.get(
+    "/contracts/{contract_id}/versions/{version}", responses=problems(ContractNotFound, ContractVersionNotFound)
+)
+def read_contract_version(
+    contract_id: UUID, version: VersionNumber, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> schemas.VersionRead:
+    """Return one version of the text."""
+    contract = visible_contract(session, actor, contract_id)
+    found = versions.visible_version(session, actor, contract, version)
+    return version_read(found, is_team=bool(actor.roles_in(contract.studio_id)))
+
+
+@router.get(
+    "/contracts/{contract_id}/versions/{version}/contract.pdf",
+    response_class=Response,
+    responses={
+        **problems(ContractNotFound, ContractVersionNotFound),
+        200: {"content": {PDF: {"schema": {"type": "string", "format": "binary"}}}},
+    },
+)
+def download_contract_pdf(
+    contract_id: UUID,
+    version: VersionNumber,
+    runtime: CurrentRuntime,
+    session: DbSession,
+    actor: Actor = allows(Audience.PROJECT),
+) -> Response:
+    """Return the PDF of a version that was sent: the bytes that both saw."""
+    contract = visible_contract(session, actor, contract_id)
+    found = versions.visible_version(session, actor, contract, version)
+    if found.pdf_sha256 is None:
+        raise ContractVersionNotFound(f"version {version} was not sent, so there is no PDF of it")
+    pdf = runtime.store.read(contract.studio_id, found.pdf_sha256)
+    return Response(pdf, media_type=PDF, headers=attachment(f"{contract.title}, version {version}.pdf"))
+
+
+@router.get(
+    "/contracts/{contract_id}/comparison",
+    responses=problems(ContractNotFound, ContractVersionNotFound, TooLongToCompare, TooManyAtOnce),
+)
+def compare_contract_versions(
+    contract_id: UUID,
+    session: DbSession,
+    from_version: Annotated[int, Query(ge=1, le=2**31 - 1)],
+    to_version: Annotated[int, Query(ge=1, le=2**31 - 1)],
+    actor: Actor = allows(Audience.PROJECT),
+) -> schemas.ComparisonRead:
+    """Return two versions word by word."""
+    contract = visible_contract(session, actor, contract_id)
+    earlier = versions.visible_version(session, actor, contract, from_version)
+    later = versions.visible_version(session, actor, contract, to_version)
+    with COMPARISONS.of(actor.person):
+        lines = comparison.compare(earlier.text, later.text)
+        return schemas.ComparisonRead(
+            from_version=from_version,
+            to_version=to_version,
+            lines=[schemas.ComparedRead.model_validate(line) for line in lines],
+        )
+
+
+@router.get("/contracts/{contract_id}/record", responses=problems(ContractNotFound))
+def read_contract_record(
+    contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> schemas.RecordRead:
+    """Return the record of a contract, verified now."""
+    contract = visible_contract(session, actor, contract_id)
+    document = record.document_of(session, contract)
+    entries = [entry | {"payload": json.loads(entry["payload"])} for entry in document["entries"]]
+    return schemas.RecordRead(
+        contract_id=contract.id,
+        title=contract.title,
+        length=contract.record_length,
+        sha256=contract.record_sha256,
+        faults=list(record.faults_of(session, contract)),
+        entries=[schemas.RecordEntryRead.model_validate(entry) for entry in entries],
+    )
+
+
+@router.get(
+    "/contracts/{contract_id}/record.json",
+    response_class=Response,
+    responses={**problems(ContractNotFound), 200: {"content": {"application/json": {}}}},
+)
+def download_contract_record(
+    contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> Response:
+    """Return the record as the file that a party keeps, and that `soundlist verify` reads."""
+    contract = visible_contract(session, actor, contract_id)
+    text = json.dumps(record.document_of(session, contract), ensure_ascii=False, indent=1) + "\n"
+    headers = attachment(f"{contract.title}, record.json")
+    return Response(text, media_type="application/json", headers=headers)
