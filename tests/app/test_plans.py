@@ -121,7 +121,7 @@ def test_a_designers_takes_of_a_page_are_found_by_its_cues(server: RunningServer
     assert not [line for line in lines if re.search(r"\(designer_id ?=", line) and "Filter" not in line]
 
 
-def test_jobs_that_are_done_are_not_read_to_tell_of_the_others(server: RunningServer, made: Made):
+def test_jobs_that_are_done_are_not_read_to_report_the_others(server: RunningServer, made: Made):
     """They are kept for a month: only an index that holds none of them will do."""
     jobs, engine, studio_id = server.runtime.queue, server.runtime.database.engine, made.project_id
     with heard(engine) as statements:

@@ -39,7 +39,7 @@ def statuses(answers: list[Response]) -> list[int]:
     return sorted(answer.status_code for answer in answers)
 
 
-def test_of_two_editors_of_a_cue_one_is_told(world: World, together: Callable[..., list[Response]]):
+def test_of_two_editors_of_a_cue_one_is_refused(world: World, together: Callable[..., list[Response]]):
     (cue,) = add_cues(world, {"name": "door_open"})
     for number in range(ROUNDS):
         edition = world.producer.get(f"/v1/cues/{cue['id']}").json()["edition"]

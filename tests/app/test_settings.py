@@ -57,7 +57,7 @@ def test_a_short_key_is_no_key(environment):
     assert read_settings(serving=False)
 
 
-def test_a_name_like_none_of_ours_is_told_too(environment):
+def test_a_name_like_none_of_ours_is_reported_too(environment):
     environment(SECRET_KEY="k" * 32, ZZZ="1")
     assert wrong() == ["SOUNDLIST_ZZZ is no setting; docs/settings.md lists them"]
 

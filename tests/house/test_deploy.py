@@ -136,7 +136,7 @@ def test_every_volume_and_every_service_waited_for_is_there(compose: dict[str, A
 
 
 @pytest.mark.parametrize("name", ["web", "worker"])
-def test_a_health_check_tells_well_from_ill(ours: dict[str, dict[str, Any]], name: str):
+def test_a_health_check_distinguishes_well_from_ill(ours: dict[str, dict[str, Any]], name: str):
     [how, *command] = ours[name]["healthcheck"]["test"]
     assert how == "CMD"
     [address] = re.findall(r"http://127\.0\.0\.1:[0-9]+(/[a-z]+)", command[-1])
@@ -178,7 +178,7 @@ def test_the_health_checks_ask_what_the_server_answers(server: RunningServer, ou
     assert ours["worker"]["environment"]["SOUNDLIST_METRICS_PORT"] in ours["worker"]["healthcheck"]["test"][-1]
 
 
-def test_the_store_runs_as_it_is_told_to(compose: dict[str, Any], tmp_path: Path):
+def test_the_store_runs_as_configured(compose: dict[str, Any], tmp_path: Path):
     service, port = compose["services"]["s3"], free_port()
     made = compose["services"]["bucket"]["entrypoint"][-1].partition(" && ")[0].replace("/store", str(tmp_path))
     subprocess.run(shlex.split(made), check=True)

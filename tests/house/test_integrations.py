@@ -300,7 +300,7 @@ class TestPerforce:
         (depot / "gone.wav").touch()
         assert ask().returncode == 0
 
-    def test_a_fault_is_told_from_a_finding(self, submit):
+    def test_a_fault_is_distinguished_from_a_finding(self, submit):
         depot, ask = submit
         write_wav(depot / "good.wav", GOOD)
         done = ask(spec="none.toml")

@@ -117,7 +117,7 @@ def refused(operation: Operation, status: int, code: str) -> tuple[int, str]:
 
 
 @each(lambda _: True)
-def test_nobody_is_told_to_sign_in(house: House, operation: Operation) -> None:
+def test_callers_without_credentials_are_asked_to_sign_in(house: House, operation: Operation) -> None:
     for client in (house.nobody, house.guest):
         assert refusal(client, house, operation) == refused(operation, 401, "not-signed-in")
 

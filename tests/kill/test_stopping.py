@@ -17,7 +17,7 @@ DRAIN_S = 60.0  # the longest that there is
 
 
 @pytest.mark.killed_on("sqlite")
-def test_a_process_that_is_told_to_stop_says_so_and_finishes(server: ProcessServer) -> None:
+def test_a_process_that_is_asked_to_stop_says_so_and_finishes(server: ProcessServer) -> None:
     web = server.serve(drain_s=DRAIN_S)
     with httpx.Client(base_url=f"http://127.0.0.1:{server.port}") as line:
         before = line.get("/healthz")

@@ -176,6 +176,6 @@ def test_a_caller_has_one_turn_however_the_request_is_spelt(
     assert (caller_key(RequestCredentials("GET", headers, cookies, "192.0.2.2")) == key) is same
 
 
-def test_strangers_are_told_apart_by_their_address() -> None:
+def test_strangers_are_distinguished_by_their_address() -> None:
     keys = {caller_key(RequestCredentials("GET", {}, {}, place)) for place in ("192.0.2.1", "192.0.2.1", "192.0.2.2")}
     assert keys == {"192.0.2.1", "192.0.2.2"}

@@ -269,7 +269,7 @@ def test_a_link_for_a_new_password_grows_old(server: RunningServer, account: tup
     assert server.browser().post(path, json={"password": NEW_PASSWORD}).status_code == 404
 
 
-def test_asking_for_a_new_password_does_not_tell_who_has_an_account(
+def test_asking_for_a_new_password_does_not_reveal_who_has_an_account(
     server: RunningServer, account: tuple[TestClient, str]
 ) -> None:
     unknown = address()

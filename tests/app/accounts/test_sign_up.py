@@ -41,7 +41,7 @@ def test_the_mailed_link_opens_a_verified_account_once(server: RunningServer, ma
     assert server.browser().post(path, json=REST).json()["code"] == "sign-up-not-found"
 
 
-def test_known_and_unknown_are_one_answer_and_the_owner_is_told(server: RunningServer, mails: MailServer) -> None:
+def test_known_and_unknown_are_one_answer_and_the_owner_is_notified(server: RunningServer, mails: MailServer) -> None:
     known, unknown = address(), address()
     ask(server.browser(), known)
     server.browser().post(f"/v1/sign-ups/{mails.secret_for(known)}", json=REST)

@@ -37,7 +37,7 @@ def test_stretches_are_the_whole_of_both(seed: int) -> None:
     assert all(one.is_same != other.is_same for one, other in itertools.pairwise(found))
 
 
-def test_a_few_changed_words_of_a_long_text_are_the_only_ones_told() -> None:
+def test_a_few_changed_words_of_a_long_text_are_the_only_ones_shown() -> None:
     text = "\n\n".join(f"Clause {place}: the designer delivers what the studio asks for." for place in range(600))
     later = text.replace("Clause 311: the designer", "Clause 311: the composer")
     changed = [line for line in compare(text, later) if line.change != "same"]

@@ -23,7 +23,7 @@ def strike(contract: dict[str, Any], key: str) -> list[dict[str, Any]]:
     return [{**row, "stands": False} if row["key"] == key else row for row in contract["version"]["clauses"]]
 
 
-def test_the_text_tells_list_spec_and_open_questions(world: World, contracts: Contracts):
+def test_the_text_shows_list_spec_and_open_questions(world: World, contracts: Contracts):
     cues = add(
         world, {"name": "Shield | hit", "duration_s": 1.5, "variations": 4}, {"name": "Radar *ping*", "loop": True}
     )
@@ -185,7 +185,7 @@ def test_the_designer_asks_for_a_change(world: World, contracts: Contracts):
     assert [run["text"] for run in rounds["runs"] if run["is_in"] == "later"] == ["1"]
 
 
-def test_sending_anew_tells_the_list_of_that_moment(world: World, contracts: Contracts):
+def test_sending_again_shows_the_list_of_that_moment(world: World, contracts: Contracts):
     begun = contracts.begin()
     add(world, {"name": "Radar ping"})
     sent = contracts.send(begun)
@@ -302,7 +302,7 @@ def test_another_designer_sees_nothing_of_it(world: World, contracts: Contracts)
         assert world.approver.get(f"/v1/contracts/{agreed['id']}{path}").status_code == 200, path
 
 
-def test_whose_step_is_next_is_told_by_mail(world: World, contracts: Contracts):
+def test_the_party_whose_step_is_next_is_notified_by_mail(world: World, contracts: Contracts):
     contracts.agree(contracts.begin())
     world.server.wait_for_jobs()
     mails = contracts.ask(world.producer, "GET", f"/studios/{world.studio_id}/outbox")["mails"]

@@ -97,7 +97,7 @@ def told(earlier: str, later: str) -> list[tuple[str, str]]:
     ]
 
 
-def test_words_are_told_apart():
+def test_words_are_distinguished():
     assert told("Two rounds are included.", "Three rounds are included.") == [
         ("changed", "[earlier Two][later Three][both  rounds are included.]")
     ]
@@ -126,5 +126,5 @@ def test_both_texts_can_be_read_back(earlier: str, later: str):
 
 
 @given(WORDS.map(" ".join))
-def test_nothing_changed_is_nothing_told(text: str):
+def test_no_change_is_no_notification(text: str):
     assert [run.is_in for run in words_between(text, text)] == ["both"]

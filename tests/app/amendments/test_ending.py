@@ -336,7 +336,7 @@ def test_the_statement_as_pdf(agreed: Agreed) -> None:
     assert agreed.world.designer.get(path).content == first.content, "what both agreed to is what is kept"
 
 
-def test_both_are_told_by_mail(agreed: Agreed) -> None:
+def test_both_are_notified_by_mail(agreed: Agreed) -> None:
     half_way(agreed)
     told(give_notice(agreed))
     both_agree(agreed)

@@ -312,7 +312,7 @@ def test_it_is_read_by_an_index(world: World) -> None:
         assert not any(whole_reads(connection, each, {"builds_fingerprints"}) for each in asked)
 
 
-def test_an_audit_of_the_pack_says_all_the_same_and_tells_what_was_raised(world: World, tmp_path: Path) -> None:
+def test_an_audit_of_the_pack_says_all_the_same_and_names_what_was_raised(world: World, tmp_path: Path) -> None:
     accepted_list(world)
     build = tmp_path / "build"
     with pack(world) as archive:

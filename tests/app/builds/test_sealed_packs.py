@@ -46,7 +46,7 @@ def told(changes: dict[str, Any]) -> dict[str, set[str]]:
     return found
 
 
-def test_what_changed_is_told_by_path() -> None:
+def test_what_changed_is_reported_by_path() -> None:
     found = changes_between({"a": "1", "b": "1", "c": "1"}, {"b": "2", "c": "1", "d": "1"})
     assert (found.new, found.changed, found.gone, found.same) == (["d"], ["b"], ["a"], 1)
 

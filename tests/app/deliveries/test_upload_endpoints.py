@@ -167,7 +167,7 @@ def test_only_the_designer_may_send_a_byte(world: World, who: str, status: int) 
     assert world.designer.head(location, headers=TUS).headers["upload-offset"] == "0"
 
 
-def test_another_engaged_designer_cannot_tell_that_it_exists(world: World) -> None:
+def test_another_engaged_designer_does_not_learn_that_it_exists(world: World) -> None:
     world.server.in_database(
         lambda session: session.add(
             Engagement(

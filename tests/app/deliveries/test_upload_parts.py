@@ -181,7 +181,7 @@ def on_a_bad_line(s3: S3Server, tmp_path_factory: pytest.TempPathFactory) -> Ite
         runtime.close()
 
 
-def test_a_store_that_does_not_answer_is_told_and_nothing_is_half_kept(
+def test_a_store_that_does_not_answer_is_reported_and_nothing_is_half_kept(
     on_a_bad_line: tuple[RunningServer, FaultyLine],
 ):
     server, line = on_a_bad_line
@@ -209,7 +209,7 @@ def test_a_put_that_the_store_does_not_take_leaves_nothing_behind(on_a_bad_line:
     assert world.designer.put("/v1/uploads", params=params, content=b"another sound").status_code == 201
 
 
-def test_a_master_that_cannot_be_read_now_is_told_before_a_byte_is_sent(
+def test_a_master_that_cannot_be_read_now_is_reported_before_a_byte_is_sent(
     on_a_bad_line: tuple[RunningServer, FaultyLine],
 ):
     server, line = on_a_bad_line

@@ -50,7 +50,9 @@ def world(own_postgres: Postgres, tmp_path_factory: pytest.TempPathFactory) -> I
     runtime.close()
 
 
-def test_a_line_that_drops_in_the_middle_is_told(world: World, own_postgres: Postgres, monkeypatch: pytest.MonkeyPatch):
+def test_a_connection_that_drops_in_the_middle_is_reported(
+    world: World, own_postgres: Postgres, monkeypatch: pytest.MonkeyPatch
+):
     def cut(session: Session, *_: object, **__: object) -> None:
         session.execute(sa.text("select 1"))
         with own_postgres.superuser() as connection:
@@ -154,7 +156,7 @@ def test_a_crowd_is_answered_without_waiting_for_itself(world: World):
     assert time.monotonic() - begun < WITHIN_S, "requests waited until the pool of connections gave up"
 
 
-def test_whoever_waits_too_long_for_a_seat_is_told_so(world: World, monkeypatch: pytest.MonkeyPatch):
+def test_a_request_that_waits_too_long_for_a_slot_is_refused(world: World, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(concurrency, "MAX_WAIT_S", 0.3)
     held = sa.text("SELECT 1 FROM projects_projects WHERE id = :id FOR UPDATE")
 

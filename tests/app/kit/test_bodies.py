@@ -75,7 +75,7 @@ def test_a_body_without_a_length_is_counted(port: int):
     assert (status, problem["detail"]) == (413, f"{TOO_LARGE}more")
 
 
-def test_whoever_waits_to_be_told_to_send_is_told_not_to(port: int):
+def test_a_client_that_expects_100_continue_is_refused_at_once(port: int):
     with connected(port) as line:
         line.sendall(head("POST", "/v1/sign-in", JSON, f"Content-Length: {MIB}", "Expect: 100-continue"))
         status, _, first = answer_on(line)

@@ -91,7 +91,7 @@ def test_a_seat_that_was_left_is_the_next_ones_and_only_once():
     assert asyncio.run(line()) == 0
 
 
-def test_whoever_waits_too_long_is_told_but_not_whose_bytes_are_here(monkeypatch: pytest.MonkeyPatch):
+def test_a_request_that_waits_too_long_is_refused_unless_its_bytes_are_here(monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(rules, "MAX_WAIT_S", 0.05)
 
     async def full() -> None:

@@ -59,7 +59,7 @@ def test_a_database_that_a_newer_version_migrated_will_do(runtime: Runtime):
     assert asked(runtime)[1]["migrations"] == "ok"  # else a rolling upgrade would stop the servers still running
 
 
-def test_a_store_that_cannot_be_written_is_told(runtime: Runtime):
+def test_a_store_that_cannot_be_written_is_reported(runtime: Runtime):
     runtime.store.root.parent.mkdir(parents=True, exist_ok=True)
     runtime.store.root.write_text("a file where a folder is wanted")
     _, parts = asked(runtime)
@@ -67,7 +67,7 @@ def test_a_store_that_cannot_be_written_is_told(runtime: Runtime):
     assert str(runtime.store.root) not in parts["store"]  # anybody may ask
 
 
-def test_a_database_that_is_gone_is_told_and_so_is_what_hangs_on_it(runtime: Runtime, tmp_path: Path):
+def test_a_missing_database_is_reported_with_what_depends_on_it(runtime: Runtime, tmp_path: Path):
     for file in tmp_path.glob("soundlist.sqlite*"):
         file.unlink()
     runtime.database.dispose()
@@ -79,7 +79,7 @@ def test_a_database_that_is_gone_is_told_and_so_is_what_hangs_on_it(runtime: Run
     assert str(tmp_path) not in str(parts)
 
 
-def test_many_who_ask_are_told_what_was_tried_once(runtime: Runtime):
+def test_many_who_ask_share_one_try(runtime: Runtime):
     tried = []
     readiness = Readiness(runtime, {"part": lambda _: tried.append("once")})
     assert [readiness.parts() for _ in range(5)] == [{"part": "ok"}] * 5

@@ -28,7 +28,7 @@ def key() -> str:
     return str(uuid4())
 
 
-def test_who_signed_out_is_told_to_sign_in(world: World, key: str):
+def test_those_who_signed_out_are_asked_to_sign_in(world: World, key: str):
     client = world.signed_in(world.producer_id)
     assert create_project(client, world, key) == (201, "new")
     assert create_project(client, world, key) == (201, "true")
@@ -75,7 +75,7 @@ def test_whose_engagement_ended_sees_nothing_there(world: World, key: str):
     assert (again.status_code, again.json()["code"]) == (404, "no-longer-exists")
 
 
-def test_a_revoked_token_is_told_nothing(world: World, key: str):
+def test_a_revoked_token_learns_nothing(world: World, key: str):
     path = f"/v1/projects/{world.project_id}/tokens"
     made = world.producer.post(path, json={"name": "CI", "scopes": [Scope.CHECKS_WRITE]}).json()
     client = world.server.browser()

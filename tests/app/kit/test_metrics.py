@@ -55,7 +55,7 @@ def test_figures_want_their_token(server: RunningServer, told):
         assert browser.get("/metrics", headers=headers).json()["code"] == "metrics-token-needed"
 
 
-def test_without_a_token_nobody_is_told(server: RunningServer):
+def test_without_a_token_there_are_no_metrics(server: RunningServer):
     answer = server.browser().get("/metrics", headers={"Authorization": "Bearer "})
     assert (answer.status_code, answer.json()["code"]) == (404, "no-metrics-here")
 
@@ -121,12 +121,12 @@ def test_jobs_count_by_outcome_and_the_parked_stay_in_sight(server: RunningServe
     assert (count.name, count.state, count.jobs) == ("counting.count_me", "parked", 1)
 
 
-def test_a_worker_that_lives_is_told_of(told, server: RunningServer):
+def test_a_worker_that_lives_is_reported(told, server: RunningServer):
     (heartbeat,) = server.runtime.queue.heartbeats(within=queue.timedelta(seconds=20))
     assert figure(told(), "soundlist_worker_silent_seconds", worker=heartbeat.worker_id) < 20
 
 
-def test_connections_in_use_are_told(told, server: RunningServer):
+def test_connections_in_use_are_reported(told, server: RunningServer):
     def in_use() -> float:
         return figure(told(), "soundlist_database_connections", state="in use")
 
@@ -145,7 +145,7 @@ def own_port() -> Iterator[metrics.MetricsServer]:
     listener.stop()
 
 
-def test_a_worker_tells_its_figures_on_a_port_of_its_own(own_port: metrics.MetricsServer):
+def test_a_worker_serves_its_figures_on_a_port_of_its_own(own_port: metrics.MetricsServer):
     address = f"http://127.0.0.1:{own_port.port}"
     assert httpx.get(f"{address}/metrics").status_code == 401
     answer = httpx.get(f"{address}/metrics", headers={"Authorization": f"Bearer {TOKEN}"})
@@ -203,7 +203,7 @@ def test_an_id_from_outside_is_kept_where_it_is_fit_for_a_log(world: World, give
     assert (answer.headers["x-request-id"] == given) is is_taken
 
 
-def test_a_failed_request_is_told_with_its_traceback_and_its_id(
+def test_a_failed_request_is_logged_with_its_traceback_and_its_id(
     server: RunningServer, world: World, lines, monkeypatch
 ):
     def fail(*_args: object, **_more: object) -> None:

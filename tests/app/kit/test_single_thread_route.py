@@ -103,7 +103,7 @@ def test_all_of_a_request_is_done_in_one_thread(client: TestClient) -> None:
     assert set(THREADS.values()) == {THREADS["endpoint"]} != {loop}
 
 
-def test_a_stranger_is_not_told_what_is_wrong_with_what_they_sent(client: TestClient) -> None:
+def test_a_stranger_does_not_learn_what_is_wrong_with_what_they_sent(client: TestClient) -> None:
     assert client.post("/noted", params={"who": "Ida"}, json={"figure": "three"}).status_code == 422
     assert client.post("/noted", json={"figure": "three"}).json()["code"] == "stranger"
 

@@ -79,7 +79,7 @@ def test_every_step_of_a_large_put_may_lose_its_answer(
 
 @pytest.mark.parametrize("kind", FLEETING)
 @pytest.mark.parametrize("content", [CONTENT, LARGE], ids=["3 MB", "6 MB"])
-def test_a_put_that_cannot_be_done_is_told_and_leaves_nothing(
+def test_a_put_that_cannot_be_done_is_reported_and_leaves_nothing(
     s3: S3Server, bucket: str, store: BucketStore, line: FaultyLine, kind: str, content: bytes
 ):
     line.fail(kind, times=100, method="PUT")
@@ -109,7 +109,7 @@ def test_an_answer_that_breaks_off_is_gone_on_with(store: BucketStore, line: Fau
 
 
 @pytest.mark.parametrize("kind", [*FLEETING, "truncated"])
-def test_a_read_that_cannot_be_done_is_told(store: BucketStore, line: FaultyLine, kind: str):
+def test_a_read_that_cannot_be_done_is_reported(store: BucketStore, line: FaultyLine, kind: str):
     store.put(STUDIO, [CONTENT])
     line.fail(kind, times=100, method=READING, after_bytes=0)
     with pytest.raises(StoreUnavailable, match="did not answer a get in 3 tries"), store.local_copy(STUDIO, SHA256):

@@ -178,7 +178,7 @@ def test_the_time_to_write_is_not_the_senders(
     assert send(incoming, begun(incoming), 0, CONTENT).sha256 == SHA256  # five slow writes
 
 
-def test_a_second_writer_is_told_to_wait(incoming: Uploads) -> None:
+def test_a_second_writer_is_asked_to_wait(incoming: Uploads) -> None:
     upload = begun(incoming)
 
     async def both() -> None:

@@ -84,7 +84,7 @@ def test_cues_of_an_agreed_contract_are_left_out(world: World) -> None:
     assert told(world.producer.get(address(first)))["milestones"] == []
 
 
-def test_only_producers_are_told(world: World) -> None:
+def test_only_producers_are_notified(world: World) -> None:
     agreed = Agreed(world)
     assert world.stranger.get(address(agreed)).status_code == 404
     assert world.designer.get(address(agreed)).status_code in (403, 404)

@@ -188,7 +188,7 @@ def deliver_pair(world: World, dbfs: float) -> list[str]:
     ("dbfs", "subject", "words"),
     [(0.0, "returned by the check", "0.00 dBFS"), (-6.0, "to review", "is ready for your review")],
 )
-def test_what_checks_said_is_told_once_and_together(world: World, dbfs: float, subject: str, words: str):
+def test_what_checks_said_is_notified_once_and_together(world: World, dbfs: float, subject: str, words: str):
     """However often it is asked for: both takes are lines of one mail, of which each stands there once."""
     names = deliver_pair(world, dbfs)
     notify_checks(world)
@@ -200,7 +200,7 @@ def test_what_checks_said_is_told_once_and_together(world: World, dbfs: float, s
     assert str(mail["text"]).count(words) == 2
 
 
-def test_a_delivery_asks_for_a_handful_of_tellings(world: World, monkeypatch: pytest.MonkeyPatch):
+def test_a_delivery_schedules_few_notifications(world: World, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(conformance, "NOTIFY_EVERY_S", 3600.0)
     deliver_pair(world, -6.0)
     world.server.wait_for_jobs()
@@ -209,7 +209,7 @@ def test_a_delivery_asks_for_a_handful_of_tellings(world: World, monkeypatch: py
     assert told == ["delayed"]
 
 
-def test_a_process_asks_for_a_telling_until_that_is_committed(world: World, monkeypatch: pytest.MonkeyPatch):
+def test_a_process_schedules_a_notification_until_that_is_committed(world: World, monkeypatch: pytest.MonkeyPatch):
     delivered = deliver(world, "laser_fire.wav", wav_bytes(sine(hz=997, dbfs=-6.0, seconds=0.2)))
     asked: list[str] = []
     monkeypatch.setattr(conformance, "NOTIFY_EVERY_S", 1e10)  # the same for all of them
@@ -229,7 +229,9 @@ def test_a_process_asks_for_a_telling_until_that_is_committed(world: World, monk
     assert len(asked) == 2
 
 
-def test_what_was_committed_too_late_to_be_told_is_told_by_the_chore(world: World, monkeypatch: pytest.MonkeyPatch):
+def test_what_was_committed_too_late_to_be_notified_is_notified_by_the_chore(
+    world: World, monkeypatch: pytest.MonkeyPatch
+):
     monkeypatch.setattr(conformance, "NOTIFY_EVERY_S", 3600.0)  # as if its job had run before
     deliver_pair(world, -6.0)
     world.server.wait_for_jobs()
@@ -241,7 +243,7 @@ def test_what_was_committed_too_late_to_be_told_is_told_by_the_chore(world: Worl
     assert str(mail["text"]).count("is ready for your review") == 2
 
 
-def test_an_event_told_twice_stands_in_the_mail_once(world: World):
+def test_an_event_delivered_twice_is_in_the_mail_once(world: World):
     event_id = str(uuid4())
     payload = {
         "event": "designer.invited", "event_id": event_id, "studio_id": str(world.studio_id),
@@ -282,7 +284,7 @@ def test_mail_about_an_account_is_nobodys_but_its_owners(world: World):
     assert isinstance(reset.id, UUID)
 
 
-def test_two_jobs_that_tell_at_the_same_moment_write_one_mail(world: World):
+def test_two_jobs_that_notify_at_the_same_moment_write_one_mail(world: World):
     database, topic = world.server.runtime.database, f"approved:{uuid4()}"
 
     def tell(session: Session, event_id: str) -> None:

@@ -139,7 +139,7 @@ def test_an_operator_sees_every_studios_jobs_with_the_whole_reason(world: World,
     told(operator.post(f"/v1/operations/jobs/{key}/retry"))
 
 
-def test_who_does_not_run_the_server_is_told_so(world: World, operator: TestClient) -> None:
+def test_those_who_do_not_run_the_server_are_refused(world: World, operator: TestClient) -> None:
     key = enqueue(world, studio_id=world.studio_id, delay_s=A_DAY_S)
     for who in (world.producer, world.approver, world.designer, world.stranger):
         for answer in (

@@ -92,7 +92,7 @@ def engage(session: sa.orm.Session, world: World, person_id: object) -> None:
     )
 
 
-def test_who_has_no_sight_is_told_nothing(world: World) -> None:
+def test_those_without_sight_learn_nothing(world: World) -> None:
     for browser in (world.stranger, world.other_designer):
         answer = browser.get(project_path(world))
         missing = browser.get(f"/v1/projects/{uuid4()}")

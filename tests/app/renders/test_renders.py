@@ -477,7 +477,7 @@ def test_three_hundred_peaks_for_three_hundred_frames(world: World) -> None:
     assert set(master["thumb"]["max"]) == {32}
 
 
-def test_what_a_game_file_lost_is_told_in_figures_and_spectra(world: World) -> None:
+def test_what_a_game_file_lost_is_shown_in_figures_and_spectra(world: World) -> None:
     add_cue(world, "chirp")
     # Two tones of one level: half of the energy lies above 11,025 Hz, and the file for 22,050 Hz lacks it.
     tones = sine(hz=1_000, dbfs=-12, rate=96_000, seconds=0.5) + sine(hz=15_000, dbfs=-12, rate=96_000, seconds=0.5)

@@ -36,7 +36,7 @@ def test_a_verdict_can_be_taken_back_for_a_minute():
         ensure_undoable(NOON, NOON + timedelta(seconds=60, microseconds=1))
 
 
-def test_a_stale_page_is_told_where_the_take_stands():
+def test_a_stale_page_learns_the_state_of_the_take():
     ensure_seen("conforming", "conforming")
     with pytest.raises(StaleView, match="is approved"):
         ensure_seen("approved", "conforming")

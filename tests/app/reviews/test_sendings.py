@@ -216,7 +216,7 @@ def test_comments_are_checked_and_kept_from_strangers(stage: Stage) -> None:
     assert refused(world.approver.post(f"/v1/comments/{new_id()}/resolve")) == (404, "comment-not-found")
 
 
-def test_a_history_tells_all_but_drafts(stage: Stage) -> None:
+def test_a_history_lists_all_but_drafts(stage: Stage) -> None:
     world = stage.world
     take = stage.take(stage.cue())
     comment(world.reviewer, take, "nice")

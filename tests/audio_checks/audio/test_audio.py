@@ -74,7 +74,7 @@ def test_facts(tmp_path):
     assert (file.name, file.stem, file.warnings) == ("laser_fire_01.wav", "laser_fire_01", ())
 
 
-def test_metadata_is_told_where_there_is_some(tmp_path, monkeypatch):
+def test_metadata_is_shown_where_there_is_some(tmp_path, monkeypatch):
     monkeypatch.setattr(audio, "READ_BYTES", 500)  # so that chunks come in pieces
     samples = noise(seconds=0.1)
     path = write_wav(tmp_path / "a.wav", samples, before=[bext(description="x" * 256)], after=[cue({1: 480}), inst()])

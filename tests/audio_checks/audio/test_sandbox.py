@@ -198,7 +198,7 @@ def test_crashes_have_a_name(sandbox, call, ending):
     assert sandbox.call(len, "fine") == 4
 
 
-def test_a_failure_tells_where(sandbox):
+def test_a_failure_names_its_place(sandbox):
     with pytest.raises(SandboxCrashed, match="ZeroDivisionError") as failure:
         sandbox.call(divmod, 1, 0)
     assert "Traceback" in failure.value.detail

@@ -163,7 +163,7 @@ def test_duplicates_in_the_build_and_in_the_library(folders, sound, audit):
     assert all({match["path"] for match in entry["matches"]} == {"a.wav", "twin.wav"} for entry in entries.values())
 
 
-def test_what_cannot_be_told_is_unknown_and_said_in_words(folders, audit):
+def test_what_cannot_be_known_is_unknown_and_said_in_words(folders, audit):
     approved, build = folders
     for folder, length in ((approved, 1.0), (build, 0.5)):
         write_wav(folder / "silent.wav", silence(seconds=length))

@@ -55,7 +55,7 @@ def test_what_stands_before_it():
     assert like.offset_s == pytest.approx(-0.1, abs=1e-4)
 
 
-def test_an_equaliser_is_told_from_gain():
+def test_an_equaliser_is_distinguished_from_gain():
     samples = sound("rain")
     steep = np.diff(samples, axis=0, prepend=0) * 4  # +6 dB an octave
     assert likeness(waves(samples), waves(steep)).tilt_db > 2

@@ -79,7 +79,7 @@ def test_what_comes_and_goes_is_no_hum(codes_of):
 
 
 @pytest.mark.parametrize(("seconds", "codes"), [(1.1, MAINS), (0.9, [])])
-def test_a_second_is_needed_to_tell_it_from_a_note(codes_of, seconds, codes):
+def test_a_second_is_needed_to_distinguish_it_from_a_note(codes_of, seconds, codes):
     assert codes_of("hum", hum(seconds=seconds)) == codes
 
 

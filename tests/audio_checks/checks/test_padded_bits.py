@@ -38,7 +38,7 @@ def test_a_change_of_level_hides_them_and_is_seen_through(found_by, gain_db):
 @pytest.mark.parametrize(
     "samples", [silence(), silence(channels=2), np.array([[0.5]]), np.sign(noise()) * 0.5], ids=["mono", "2", "1", "sq"]
 )
-def test_what_tells_nothing(codes_of, samples):
+def test_what_says_nothing(codes_of, samples):
     assert codes_of("padded-bits", samples) == []
 
 

@@ -263,7 +263,7 @@ class TestCommand:
         assert run("check", "--spec", "../spec.toml", "--format", "json", ".") == first
         assert sorted(judged) == ["./a.wav", "./b.wav"]
 
-    def test_unless_it_is_told_to(self, folder, run, judged):
+    def test_unless_it_is_asked_to(self, folder, run, judged):
         write_wav(folder / "a.wav", GOOD)
         for _ in range(2):
             run("check", "--no-cache", ".")

@@ -463,7 +463,7 @@ class TestPlain:
         assert code == 0
         jsonschema_rs.meta.validate(json.loads(out))
 
-    def test_every_format_can_be_told_apart(self):
+    def test_every_format_can_be_distinguished(self):
         assert set(reporters.measured_formats()) <= set(reporters.formats())
         assert {"text", "json", "jsonl"} <= set(reporters.formats())
 

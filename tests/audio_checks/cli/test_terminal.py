@@ -108,7 +108,7 @@ class TestProgress:
         ({"TERM": "dumb"}, True, False),
     ],
 )
-def test_colour_is_for_terminals_unless_told_otherwise(monkeypatch, variables, tty, coloured):
+def test_colour_is_for_terminals_unless_asked_otherwise(monkeypatch, variables, tty, coloured):
     for name in ("NO_COLOR", "FORCE_COLOR"):
         monkeypatch.delenv(name, raising=False)
     for name, value in {"TERM": "xterm", **variables}.items():

@@ -39,6 +39,6 @@ def test_what_is_known_can_be_handed_to_other_processes() -> None:
     assert pickle.dumps(known.TRIED)  # raises where a family or a fault was made inside a function
 
 
-def test_what_is_promised_and_what_is_not_is_told_of_checks_and_ways_that_are() -> None:
+def test_promises_name_checks_and_ways_that_exist() -> None:
     assert {check for checks in PROMISED for check in checks.split(", ")} == set(CHECKS)
     assert BEYOND.keys() <= {(fault.check, fault.name) for faults, _ in known.TRIED + unseen.TRIED for fault in faults}

@@ -100,7 +100,7 @@ def test_everything_else_is_carried_byte_for_byte_in_its_place(tmp_path):
     assert [one.id for one in layout.chunks] == ["fmt ", "inst", "LIST", "data", "acid", "XyZ1", "id3 "]
 
 
-def test_the_new_depth_is_told(tmp_path):
+def test_the_new_depth_is_stated(tmp_path):
     spec = parse_spec("format = 1\n[accept]\nbit_depths = [16]\n")
     _, kept, _ = fixed(tmp_path, after=[ixml(0)], spec=spec)
     assert b"<AUDIO_BIT_DEPTH>16<" in kept["iXML"]

@@ -74,7 +74,7 @@ def test_copies_go_to_the_same_places_and_masters_stay(folder, fix):
     assert (master.read_bytes(), os.stat(master).st_mtime_ns) == (content, touched)
 
 
-def test_what_no_fix_answers_is_told_and_fails(folder, fix):
+def test_what_no_fix_answers_is_reported_and_fails(folder, fix):
     write_wav(folder / "in" / "low.wav", sine(hz=440, rate=32_000), rate=32_000)
     code, out, _ = fix("in")
     assert code == 1

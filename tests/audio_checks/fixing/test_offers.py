@@ -71,7 +71,7 @@ def test_a_level_rises_only_as_far_as_the_peaks_allow():
 
 
 @pytest.mark.parametrize("name", [one for one in check_names.DEFAULT_SEVERITY if one in all_checks()])
-def test_every_check_is_answered_or_told_why_not(name):
+def test_every_check_has_a_fix_or_says_why_not(name):
     if name in {"sample-peak", "true-peak", "loudness", "head-silence", "tail-silence", "structure", "naming",
                 "bit-depth", "encoding", "container", "dc-offset"}:  # fmt: skip
         return

@@ -60,7 +60,7 @@ def test_bytes_of_any_depth(data: st.DataObject, bits: int, channels: int, frame
 
 @pytest.mark.parametrize("bits", DEPTHS)
 @pytest.mark.parametrize("by", [0, 1 << 40])
-def test_what_does_not_fit_into_the_bits_is_told(bits: int, by: int) -> None:
+def test_what_does_not_fit_into_the_bits_is_reported(bits: int, by: int) -> None:
     most = 1 << (bits - 1)
     for value in (most + by, -most - 1 - by):
         steps = np.array([[0, value, 0]], np.int64)

@@ -38,7 +38,7 @@ def test_runs_of_low_figures(figures: list[float], low: float, beside: float, bo
     ]
 
 
-def test_no_more_runs_are_told_than_there_is_room_for():
+def test_no_more_runs_are_reported_than_there_is_room_for():
     row, out = np.array([0.0, 1.0, 0.0, 1.0, 0.0]), np.empty((2, 2), np.int64)
     assert kernel.low_runs(row, 0.0, 0.0, 1, 9, -1, 0, 9, out) == 2
 

@@ -76,7 +76,7 @@ def test_a_padded_half_is_a_layer_and_no_padding():
     ],
     ids=["silence", "one frame", "square", "too few"],
 )
-def test_what_tells_nothing(samples):
+def test_what_says_nothing(samples):
     assert step(samples) is None
 
 

@@ -73,7 +73,7 @@ def test_they_are_the_same_whatever_the_blocks(size: int):
     assert runs(leaning, size=size) == runs(leaning)
 
 
-def test_one_side_that_leans_is_told_with_its_level():
+def test_one_side_that_leans_is_reported_with_its_level():
     cut = low_cut(np.minimum(voice(), 0.8), 5)
     _, spans = runs(cut)
     heights = [cut[round(span.start_s * RATE)] / np.abs(cut).max() * 0.7 for span in spans]

@@ -27,7 +27,7 @@ def test_a_sound_turned_round_has_the_opposite_features():
     assert off.max() < 0.5
 
 
-def test_nothing_to_tell():
+def test_nothing_to_report():
     for samples in (silence(), silence(seconds=0), sine(hz=997, seconds=0.02)):
         assert features_of(decay_of(samples)) is None
         assert rises_and_falls(decay_of(samples)) == []

@@ -100,7 +100,7 @@ class TestOfAKind:
         assert [one.is_new for one in again] == [False] * 6
         assert [one.path.stat().st_mtime_ns for one in again] == stamps
 
-    def test_cues_and_variations_are_told_apart(self):
+    def test_cues_and_variations_are_distinguished(self):
         sounds = [pattern(f"SW-{number:03}", 1, 9_600, 16_000) for number in range(60)]
         sounds += [pattern("SW-000", variation, 9_600, 16_000) for variation in (2, 3, 4)]
         prints = {tuple(np.argmax(np.abs(np.fft.rfft(part))) for part in np.split(one, 4)) for one in sounds}

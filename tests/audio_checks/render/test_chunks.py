@@ -152,7 +152,7 @@ def loudness_told(tmp_path, samples, levels):
     return made.measurements, struct.unpack_from("<5h", one(kept, "bext"), 412)
 
 
-def test_loudness_is_told_as_it_is_now_where_it_was_told(tmp_path):
+def test_loudness_is_stated_as_it_is_now_where_it_was_stated(tmp_path):
     # A tone of 997 Hz at -20 dBFS reads -23.01 LUFS in mono (BS.1770), at any rate: the master lied.
     tone = sine(hz=997, dbfs=-20, rate=RATE, seconds=4)
     figures, levels = loudness_told(tmp_path, tone, (-1000, 500, 0x7FFF, -900, -800))
@@ -161,7 +161,7 @@ def test_loudness_is_told_as_it_is_now_where_it_was_told(tmp_path):
     assert loudness_told(tmp_path, tone, (0x7FFF,) * 5)[1] == (0x7FFF,) * 5
 
 
-def test_loudness_of_silence_is_not_told(tmp_path):
+def test_loudness_of_silence_is_not_stated(tmp_path):
     _, levels = loudness_told(tmp_path, silence(seconds=1, rate=RATE), (-1000, 500, -100, -900, -800))
     assert levels == (0x7FFF,) * 5
 
@@ -190,7 +190,7 @@ def test_a_fitted_loop_keeps_its_beats(tmp_path):
     assert tempo == pytest.approx(120 * (641 * 22_050 / 96_000) / 147, rel=1e-6)
 
 
-def test_without_being_asked_only_what_tells_of_the_sound_goes_along(tmp_path):
+def test_without_being_asked_only_what_describes_the_sound_goes_along(tmp_path):
     made, kept = rendered(tmp_path, replace(HALF, chunks="sound"))
     assert [name for name, _ in kept] == ["fmt ", "acid", "cue ", "smpl", "inst", "LIST"]
     assert kept[-1][1].startswith(b"adtl")

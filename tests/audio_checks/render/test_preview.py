@@ -115,7 +115,7 @@ def test_a_game_file_that_plays_as_the_preview_is_the_preview(tmp_path, master_r
     ],
     ids=lambda other: next(iter(other)),
 )
-def test_a_game_file_that_differs_from_the_preview_is_told_apart(tmp_path, other):
+def test_a_game_file_that_differs_from_the_preview_is_distinguished(tmp_path, other):
     limit_dbfs = other.pop("sample_peak_limit_dbfs", None)
     sound = waves.noise(seconds=0.3, channels=2) * np.linspace(1, 0, 14_400)[:, np.newaxis]
     master = waves.write_wav(tmp_path / "a.wav", sound, bits=24)

@@ -105,7 +105,7 @@ class TestFormat:
         short = waves.write_wav(tmp_path / "short.wav", np.full((1, channels), 0.25), rate=96_000)
         assert render_master(short, target, out).frames == 1
 
-    def test_what_tells_who_made_it_stays_behind(self, tmp_path, out):
+    def test_what_names_its_author_stays_behind(self, tmp_path, out):
         told = [
             waves.chunk(b"bext", b"Secret Studio".ljust(602, b"\0")),
             waves.chunk(b"iXML", b"<BWFXML><PROJECT>Shield Wing</PROJECT></BWFXML>"),
