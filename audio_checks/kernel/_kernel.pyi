@@ -38,6 +38,18 @@ def convert(
     /,
 ) -> None: ...
 def crests(samples: _Floats, maxima: _Floats, first: int, shape: _Floats, out: _Floats, /) -> int: ...
+def decay_rows(
+    signal: _Floats,
+    window: _Floats,
+    hop: int,
+    turns: _Floats,
+    octaves: NDArray[np.int64],
+    fine: NDArray[np.int64],
+    held: _Floats,
+    begins: bool,
+    out: _Floats,
+    /,
+) -> None: ...
 def decode_pcm(raw: _Bytes, container_bits: int, block: _Floats, /) -> int: ...
 def decode_float(raw: _Bytes, container_bits: int, block: _Floats, /) -> int: ...
 def encode_pcm(steps: NDArray[np.int64], channels: int, bits: int, out: bytearray, /) -> bool: ...
@@ -108,6 +120,18 @@ def outstanding_amid(
     out: _Floats,
     /,
 ) -> int: ...
+def pitch_rows(
+    signal: _Floats,
+    window: _Floats,
+    first: int,
+    hop: int,
+    turns: _Floats,
+    below: NDArray[np.int64],
+    shares: _Floats,
+    spans: NDArray[np.int64],
+    out: _Floats,
+    /,
+) -> None: ...
 def power_sums(
     signal: _Floats, window: _Floats, first: int, hop: int, count: int, turns: _Floats, sums: _Floats, /
 ) -> None: ...
@@ -144,6 +168,9 @@ def rounded_steps(
     out: NDArray[np.int64],
     /,
 ) -> float: ...
+def shape_points(
+    block: _Floats, starts: NDArray[np.int64], lowest: _Floats, highest: _Floats, squares: _Floats, /
+) -> None: ...
 def shaped_steps(
     wanted: _Floats, noise: _Floats, silent: NDArray[np.uint8], weights: _Floats, errors: _Floats, /
 ) -> None: ...

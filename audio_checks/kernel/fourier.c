@@ -1,31 +1,10 @@
 /* Fourier transforms of four complex signals at once, one in each lane, and what resampling makes of them.
  *
- * Stockham's self-sorting passes of radix 2, 3, 4, 5 and 7. The lanes never meet, so wider
+ * Stockham's self-sorting passes of radix 2, 3, 4, 5, 7 and 11. The lanes never meet, so wider
  * registers change no bit of the answer. Value i of lane l lies at 8i+l (real) and 8i+4+l (imaginary).
  * Turns are a table of exp(-2 pi i j / n), j = 0..n-1, made by the caller.
  */
-#include "kernel.h"
-
-#define LANES 4
-#define VALUE (2 * LANES)
-
-/* Numbers of some lanes; where the compiler has no such type, one lane at a time. */
-#if defined(__GNUC__)
-typedef double numbers __attribute__((vector_size(LANES * sizeof(double)), aligned(sizeof(double))));
-enum { LANES_AT_ONCE = LANES };
-#define NONE ((numbers){0})
-#else
-typedef double numbers;
-enum { LANES_AT_ONCE = 1 };
-#define NONE 0.0
-#endif
-#define EACH for (int l = 0; l < LANES; l += LANES_AT_ONCE)
-#define RE(value) (*(numbers *)((value) + l))
-#define IM(value) (*(numbers *)((value) + LANES + l))
-#define IN_RE(value) (*(const numbers *)((value) + l))
-#define IN_IM(value) (*(const numbers *)((value) + LANES + l))
-
-typedef Py_ssize_t length;
+#include "fourier.h"
 
 CLONES static void pass_2(const double *RESTRICT x, double *RESTRICT y, const double *turns, length m, length s) {
     for (length k = 0; k < m; k++) {
@@ -118,8 +97,9 @@ CLONES static void pass_4(const double *RESTRICT x, double *RESTRICT y, const do
 ODD_PASS(3, 1)
 ODD_PASS(5, 2)
 ODD_PASS(7, 3)
+ODD_PASS(11, 5)
 
-static const length RADICES[] = {4, 2, 3, 5, 7};
+static const length RADICES[] = {4, 2, 3, 5, 7, 11};
 
 /* The next radix of a length, or 0 where there is none. */
 static length radix_of(length n) {
@@ -128,7 +108,7 @@ static length radix_of(length n) {
     return 0;
 }
 
-static int transforms(length n) {
+int transforms(length n) {
     while (n > 1) {
         const length radix = radix_of(n);
         if (!radix) return 0;
@@ -137,8 +117,7 @@ static int transforms(length n) {
     return n == 1;
 }
 
-/* Transform `n` values in `x`, with `y` as room to work; return which of the two holds the answer. */
-static double *transform(double *x, double *y, const double *turns, length n) {
+double *transform(double *x, double *y, const double *turns, length n) {
     length s = 1;
     while (n > 1) {
         const length radix = radix_of(n), m = n / radix;
@@ -147,7 +126,8 @@ static double *transform(double *x, double *y, const double *turns, length n) {
         case 3: pass_3(x, y, turns, n, m, s); break;
         case 4: pass_4(x, y, turns, m, s); break;
         case 5: pass_5(x, y, turns, n, m, s); break;
-        default: pass_7(x, y, turns, n, m, s);
+        case 7: pass_7(x, y, turns, n, m, s); break;
+        default: pass_11(x, y, turns, n, m, s);
         }
         double *swap = x;
         x = y;
@@ -218,10 +198,7 @@ static void convert_blocks(const conversion *c, double *x, double *y) {
     }
 }
 
-/* How many items the buffer holds that was taken last. */
-static length items(const holding *held, Py_ssize_t size) { return held->views[held->count - 1].len / size; }
-
-enum { TURN = 2 * sizeof(double) };
+length items(const holding *held, Py_ssize_t size) { return held->views[held->count - 1].len / size; }
 
 PyObject *convert(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
@@ -275,7 +252,7 @@ PyObject *fourier(PyObject *module, PyObject *const *args, Py_ssize_t count) {
         goto refused;
     }
     if (im.frames != re.frames || im.channels != re.channels || !transforms(re.frames)) {
-        PyErr_SetString(PyExc_ValueError, "two parts of one shape are wanted, their length a product of 2, 3, 5 and 7");
+        PyErr_SetString(PyExc_ValueError, "two parts of one shape are wanted, their length a product of 2, 3, 5, 7 and 11");
         goto refused;
     }
     if (!(x = PyMem_Malloc((size_t)re.frames * 2 * VALUE * sizeof(double)))) {
@@ -307,9 +284,7 @@ refused:
     return NULL;
 }
 
-/* Power of the bins of two real signals that were transformed as the parts of a complex one, z = a + ib: twice the
- * spectrum of a is z[k] + z*[n-k], and twice that of b, but for a quarter turn, z[k] - z*[n-k]. */
-CLONES static void split_powers(const double *RESTRICT z, length n, length bins, double *RESTRICT powers) {
+CLONES void split_powers(const double *RESTRICT z, length n, length bins, double *RESTRICT powers) {
     for (length k = 0; k < bins; k++) {
         const double *here = z + VALUE * k, *mirror = z + VALUE * (k ? n - k : 0);
         double *to = powers + VALUE * k;
@@ -322,25 +297,18 @@ CLONES static void split_powers(const double *RESTRICT z, length n, length bins,
     }
 }
 
-typedef struct {
-    planar signal;
-    const double *shape, *turns; /* of a window of n frames */
-    length n, first, hop, count; /* windows of each channel start `hop` apart */
-} windows;
-
-/* Open what powers() and power_sums() are both given. */
-static int take_windows(holding *held, PyObject *signal, PyObject *shape, PyObject *turns, windows *w) {
+int take_windows(holding *held, PyObject *signal, PyObject *shape, PyObject *turns, windows *w) {
     if (take_planar(held, signal, &w->signal, 0) < 0 || !(w->shape = TAKE_DOUBLES(held, shape, -1, 0))) return -1;
     w->n = items(held, sizeof(double));
     return (w->turns = take_row(held, turns, w->n, TURN, 0)) ? 0 : -1;
 }
 
-static int lie_inside(const windows *w) {
+int lie_inside(const windows *w) {
     return w->n >= 1 && transforms(w->n) && w->first >= 0 && w->hop >= 0 && w->count >= 0 &&
            (!w->count || w->first + (w->count - 1) * w->hop + w->n <= w->signal.frames);
 }
 
-CLONES static void gather_faded(double *RESTRICT x, const double *const *window, const double *RESTRICT shape, length n) {
+CLONES void gather_faded(double *RESTRICT x, const double *const *window, const double *RESTRICT shape, length n) {
     const double *a = window[0], *b = window[1], *c = window[2], *d = window[3];
     const double *e = window[4], *f = window[5], *g = window[6], *h = window[7];
     for (length i = 0; i < n; i++, x += VALUE) {

@@ -166,6 +166,7 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(cells, "Measure cells one after the other: sum, sum of squares, largest step, sixth differences.") \
     EACH(convert, "Filter blocks of a stream and bring them to a lower rate.") \
     EACH(crests, "Measure the shape of each crest that rises high enough; return how many there are.") \
+    EACH(decay_rows, "Find how a sound's spectrum goes on from window to window, by octave.") \
     EACH(decode_float, "Decode interleaved IEEE float; return the first channel that is not finite, or too large (< 0), or 0.") \
     EACH(decode_pcm, "Decode interleaved PCM into planar float64; return all samples or-ed together.") \
     EACH(encode_pcm, "Write whole numbers as interleaved PCM; return whether all of them fit.") \
@@ -188,12 +189,14 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(bursts, "Find the cells that stand out of all but those close beside them; return how many there are.") \
     EACH(bends, "Return the distance of each sum from the mean of its neighbours.") \
     EACH(outstanding_amid, "Find where a height stands out amid a sound that goes on; return how many such places there are.") \
+    EACH(pitch_rows, "Find the loudest bin of each row of pitch, for windows of real signals.") \
     EACH(power_sums, "Add the power of each bin over windows of real signals.") \
     EACH(powers, "Find the power of the bins of windows of real signals.") \
     EACH(products, "Add to the products of every two channels.") \
     EACH(records, "Find where the signal is louder than all before, or after; return how many records there are.") \
     EACH(recurrences, "Find stretches that come twice in a row; return how many there are.") \
     EACH(rounded_steps, "Round samples to whole steps, with noise or without; return the energy of what that added.") \
+    EACH(shape_points, "Find the lowest and the highest sample and the energy of each of a signal's points.") \
     EACH(shaped_steps, "Round samples, feeding weighted earlier errors back.") \
     EACH(silent_lines, "Count the lines of a codec that are silent at each place of its frames; return how many are heard.") \
     EACH(silent_runs, "Mark the zeros that stand in long runs.") \

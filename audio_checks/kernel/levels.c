@@ -211,3 +211,65 @@ PyObject *group_sums(PyObject *module, PyObject *const *args, Py_ssize_t count) 
     let_go(&held);
     Py_RETURN_NONE;
 }
+
+/* Lower and raise what is known of a point by some samples in lanes, and add their energy to it. */
+CLONES static void shape_point(const double *samples, Py_ssize_t count, double *lowest, double *highest, double *squares) {
+    enum { LANES = 4 };
+    double low[LANES], high[LANES], sums[LANES] = {0};
+    for (int lane = 0; lane < LANES; lane++) low[lane] = *lowest, high[lane] = *highest;
+    Py_ssize_t at = 0;
+    for (; at + LANES <= count; at += LANES)
+        for (int lane = 0; lane < LANES; lane++) {
+            const double sample = samples[at + lane];
+            low[lane] = sample < low[lane] ? sample : low[lane];
+            high[lane] = sample > high[lane] ? sample : high[lane];
+            sums[lane] += sample * sample;
+        }
+    for (int lane = 0; at < count; at++, lane++) {
+        const double sample = samples[at];
+        low[lane] = sample < low[lane] ? sample : low[lane];
+        high[lane] = sample > high[lane] ? sample : high[lane];
+        sums[lane] += sample * sample;
+    }
+    for (int lane = 0; lane < LANES; lane++) {
+        if (low[lane] < *lowest) *lowest = low[lane];
+        if (high[lane] > *highest) *highest = high[lane];
+    }
+    *squares += (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
+/* block, the first frame of each point, and for each point the lowest, the highest sample and the energy so far */
+PyObject *shape_points(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    (void)module;
+    holding held = {.count = 0};
+    planar block;
+    const int64_t *starts;
+    double *lowest, *highest, *squares;
+    if (arguments("shape_points", count, 5) < 0) return NULL;
+    if (take_planar(&held, args[0], &block, 0) < 0 || !(starts = take_row(&held, args[1], -1, sizeof(int64_t), 0))) {
+        goto refused;
+    }
+    const Py_ssize_t points = held.views[held.count - 1].len / (Py_ssize_t)sizeof(int64_t);
+    if (!(lowest = TAKE_DOUBLES(&held, args[2], points, 1)) || !(highest = TAKE_DOUBLES(&held, args[3], points, 1)) ||
+        !(squares = TAKE_DOUBLES(&held, args[4], points, 1))) {
+        goto refused;
+    }
+    for (Py_ssize_t point = 0; point < points; point++) {
+        if (starts[point] < 0 || starts[point] > (point + 1 < points ? starts[point + 1] : block.frames)) {
+            PyErr_SetString(PyExc_ValueError, "points inside the block, in rising order, are wanted");
+            goto refused;
+        }
+    }
+    Py_BEGIN_ALLOW_THREADS
+    for (Py_ssize_t point = 0; point < points; point++) {
+        const Py_ssize_t start = starts[point], end = point + 1 < points ? starts[point + 1] : block.frames;
+        for (Py_ssize_t channel = 0; channel < block.channels; channel++)
+            shape_point(block.samples + channel * block.row + start, end - start, lowest + point, highest + point, squares + point);
+    }
+    Py_END_ALLOW_THREADS
+    let_go(&held);
+    Py_RETURN_NONE;
+refused:
+    let_go(&held);
+    return NULL;
+}

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from audio_checks.measure.window_powers import hann_powers
+from audio_checks.measure.window_powers import PitchRows, hann_powers
 
 ROWS = 128
 MOST_COLUMNS = 1000
@@ -15,7 +15,6 @@ TOP_HZ = 20_000.0
 BOTTOM_HZ = 60.0
 WINDOW_S = 0.043  # 23 Hz between bins: a semitone at 400 Hz
 COLUMNS_A_WINDOW = 4  # finer ones add little: a window blurs what is closer
-WINDOWS_AT_ONCE = 64  # bounds the memory of one step
 
 
 class Spectrogram:
@@ -39,7 +38,7 @@ class Spectrogram:
         self.columns = math.ceil(frames / (self._hop * self._a_column))
         self._left = self.columns * self._a_column
         self._powers = hann_powers(length)
-        self._rows = _Rows(sample_rate_hz, length)
+        self._rows = _rows_of(sample_rate_hz, length)
         self._levels: list[NDArray[np.float64]] = []
         # Half a window of silence goes before the sound, so that each window is centred on its share of it.
         self._held = np.zeros((channels, length // 2))
@@ -49,11 +48,8 @@ class Spectrogram:
         """Take in the next frames, shape (frames, channels)."""
         self._held = np.concatenate((self._held, block.T), axis=1)
         ready = min(self._left, (self._held.shape[1] - self._powers.length - self._next) // self._hop + 1)
-        whole = max(1, WINDOWS_AT_ONCE // self._a_column) * self._a_column
-        while ready >= self._a_column:
-            count = min(whole, ready // self._a_column * self._a_column)
-            self._measure(count)
-            ready -= count
+        if ready >= self._a_column:
+            self._measure(ready // self._a_column * self._a_column)
         self._held = self._held[:, self._next :]
         self._next = 0
 
@@ -68,36 +64,23 @@ class Spectrogram:
             return 10 * np.log10(np.concatenate(self._levels).T)
 
     def _measure(self, count: int) -> None:
-        powers = self._powers.of(self._held, first=self._next, hop=self._hop, count=count, bins=self._rows.bins)
-        rows = self._rows.of(powers.mean(axis=1)) / (self._powers.length / 4) ** 2
+        rows = self._powers.by_pitch(self._held, first=self._next, hop=self._hop, count=count, rows=self._rows)
+        rows /= (self._powers.length / 4) ** 2
         self._levels.append(rows.reshape(-1, self._a_column, ROWS).max(axis=1))
         self._next += count * self._hop
         self._left -= count
 
 
-class _Rows:
-    """From equal steps of frequency to equal steps of pitch."""
-
-    def __init__(self, sample_rate_hz: int, length: int) -> None:
-        edges_hz = TOP_HZ * (BOTTOM_HZ / TOP_HZ) ** (np.arange(ROWS + 1) / ROWS)
-        edges = edges_hz * length / sample_rate_hz
-        self.bins = bins = max(2, min(length // 2 + 1, math.floor(edges[0]) + 2))
-        middles = np.sqrt(edges[:-1] * edges[1:])
-        self._lit = middles <= bins - 1
-        self._below = np.minimum(middles.astype(np.int64), bins - 2)
-        self._share = np.clip(middles - self._below, 0, 1)
-        first = np.minimum(np.ceil(edges[1:]).astype(np.int64), bins - 1)
-        end = np.minimum(np.floor(edges[:-1]).astype(np.int64) + 1, bins)
-        self._wide = end - first >= 2
-        self._spans = np.stack([first, np.maximum(end, first + 1)], axis=1)[self._wide].ravel()
-
-    def of(self, powers: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return rows for spectra of shape (windows, bins): the loudest bin of a row, or between two bins."""
-        rows: NDArray[np.float64] = (
-            powers[:, self._below] * (1 - self._share) + powers[:, self._below + 1] * self._share
-        )
-        if self._spans.size:
-            silent_end = np.zeros((len(powers), 1))  # reduceat wants the end of the last span to exist
-            rows[:, self._wide] = np.maximum.reduceat(np.hstack([powers, silent_end]), self._spans, axis=1)[:, ::2]
-        rows[:, ~self._lit] = 0
-        return rows
+def _rows_of(sample_rate_hz: int, length: int) -> PitchRows:
+    """Return the loudest bin of each row, or a place between two bins, for equal steps of pitch."""
+    edges_hz = TOP_HZ * (BOTTOM_HZ / TOP_HZ) ** (np.arange(ROWS + 1) / ROWS)
+    edges = edges_hz * length / sample_rate_hz
+    bins = max(2, min(length // 2 + 1, math.floor(edges[0]) + 2))
+    middles = np.sqrt(edges[:-1] * edges[1:])
+    is_lit = middles <= bins - 1
+    below = np.minimum(middles.astype(np.int64), bins - 2)
+    first = np.minimum(np.ceil(edges[1:]).astype(np.int64), bins - 1)
+    end = np.minimum(np.floor(edges[:-1]).astype(np.int64) + 1, bins)
+    is_wide = is_lit & (end - first >= 2)
+    spans = np.where(is_wide[:, np.newaxis], np.stack([first, end], axis=1), 0)
+    return PitchRows(np.where(is_lit, below, -1), np.clip(middles - below, 0, 1), spans)

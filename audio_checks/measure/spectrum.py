@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from audio_checks.measure.window_powers import WindowPowers
 
 WINDOW_FRAMES = 4_096
 BLACKMAN_HARRIS = (0.35875, -0.48829, 0.14128, -0.01168)  # leaks less than -92 dB, so the 80 dB below are seen
@@ -52,10 +55,7 @@ class Spectrum:
         self._channels = channels
         self._length = max(2, min(WINDOW_FRAMES, frames))
         self._hop = max(1, self._length // 2)
-        turns = 2 * np.pi * (np.arange(self._length) + 0.5) / self._length
-        self._window = sum(
-            (share * np.cos(term * turns) for term, share in enumerate(BLACKMAN_HARRIS)), np.zeros(self._length)
-        )
+        self._powers, self._window_energy = _blackman_harris(self._length)
         self._power = np.zeros(self._length // 2 + 1)
         self._windows = 0
         self._kept = np.empty((channels, 0))  # from the start of the last window read
@@ -80,7 +80,7 @@ class Spectrum:
         covered = self._next - self._hop + self._length
         if self._kept.shape[1] > covered >= self._length:
             self._read(self._kept[:, -self._length :], 1)
-        dither = self._step**2 / 4 * float(np.square(self._window).sum()) * self._windows * self._channels
+        dither = self._step**2 / 4 * self._window_energy * self._windows * self._channels
         floor = max(float(self._power.max()) * BELOW_PEAK, dither * ABOVE_NOISE)
         above = np.flatnonzero(self._power > floor)
         return {
@@ -89,7 +89,7 @@ class Spectrum:
         }
 
     def _mean(self) -> MeanSpectrum:
-        whole = float(np.square(self._window).sum()) * max(1, self._windows) * self._channels
+        whole = self._window_energy * max(1, self._windows) * self._channels
         with np.errstate(divide="ignore"):  # silence has no level
             levels = 10 * np.log10(self._power / whole)
             dither = 10 * np.log10(np.float64(self._step**2 / 4))
@@ -97,8 +97,13 @@ class Spectrum:
 
     def _read(self, kept: NDArray[np.float64], count: int) -> None:
         """Add the power of `count` windows from the start of `kept`."""
-        for channel in kept:
-            windows = np.lib.stride_tricks.sliding_window_view(channel, self._length)[:: self._hop][:count]
-            bins = np.fft.rfft(windows * self._window, axis=1)
-            self._power += np.einsum("ij,ij->j", bins.real, bins.real) + np.einsum("ij,ij->j", bins.imag, bins.imag)
+        self._powers.add_to(self._power, kept, hop=self._hop, count=count)
         self._windows += count
+
+
+@lru_cache(maxsize=8)
+def _blackman_harris(length: int) -> tuple[WindowPowers, float]:
+    """Return a window of so many frames, and the sum of its squares."""
+    turns = 2 * np.pi * (np.arange(length) + 0.5) / length
+    window = sum((share * np.cos(term * turns) for term, share in enumerate(BLACKMAN_HARRIS)), np.zeros(length))
+    return WindowPowers(window), float(np.square(window).sum())

@@ -6,6 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from audio_checks.kernel import by_channel, shape_points
+
 SMALL_POINTS = 240  # a row of a list
 MOST_STEPS = 2**31 - 1
 LARGE_POINTS = 4096  # a review room across a wide screen
@@ -76,11 +78,7 @@ class Waveform:
         last = int(np.searchsorted(self._edges, self._at + len(block), side="left"))
         starts = np.maximum(self._edges[first:last] - self._at, 0)
         span = slice(first, last)
-        lowest, highest = block.min(axis=1), block.max(axis=1)
-        squares = np.einsum("fc,fc->f", block, block)
-        self._lowest[span] = np.minimum(self._lowest[span], np.minimum.reduceat(lowest, starts))
-        self._highest[span] = np.maximum(self._highest[span], np.maximum.reduceat(highest, starts))
-        self._squares[span] += np.add.reduceat(squares, starts)
+        shape_points(by_channel(block), starts, self._lowest[span], self._highest[span], self._squares[span])
         self._at += len(block)
 
     def result(self) -> WaveShape:

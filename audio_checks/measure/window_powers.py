@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
@@ -10,7 +11,39 @@ from numpy.typing import NDArray
 
 from audio_checks import kernel
 
-PRIMES = (2, 3, 5, 7)  # of which the kernel's transforms are made
+PRIMES = (2, 3, 5, 7, 11)  # of which the kernel's transforms are made
+
+
+class PitchRows(NamedTuple):
+    """Which bins of a spectrum make each of some rows.
+
+    Attributes
+    ----------
+    below : ndarray of int64, shape (rows,)
+        The bin at or below the middle of a row; -1 for one that is silent.
+    shares : ndarray, shape (rows,)
+        How far the middle lies on the way to the next bin, 0..1.
+    spans : ndarray of int64, shape (rows, 2)
+        The first bin that a row spans and the one after its last; 0 and 0 for one that lies between two bins.
+    """
+
+    below: NDArray[np.int64]
+    shares: NDArray[np.float64]
+    spans: NDArray[np.int64]
+
+
+def is_transformed(length: int) -> bool:
+    """Whether the kernel transforms so many frames, one or more."""
+    for prime in PRIMES:
+        while length % prime == 0:
+            length //= prime
+    return length == 1
+
+
+def turns_of(length: int) -> NDArray[np.float64]:
+    """Return the turns of a transform, shape (length, 2)."""
+    turns: NDArray[np.float64] = np.exp(-2j * np.pi * np.arange(length) / length).view(np.float64)
+    return turns.reshape(length, 2)
 
 
 class WindowPowers:
@@ -25,12 +58,7 @@ class WindowPowers:
     def __init__(self, window: NDArray[np.float64]) -> None:
         self.length = length = len(window)
         self._window = np.ascontiguousarray(window)
-        rest = length
-        for prime in PRIMES:
-            while rest % prime == 0:
-                rest //= prime
-        turns = np.exp(-2j * np.pi * np.arange(length) / length)
-        self._turns = turns.view(np.float64).reshape(length, 2) if rest == 1 else None
+        self._turns = turns_of(length) if is_transformed(length) else None
 
     def of(
         self, signal: NDArray[np.float64], *, first: int, hop: int, count: int, bins: int | None = None
@@ -78,6 +106,32 @@ class WindowPowers:
             powers[:] = self.of(signal, first=first, hop=hop, count=count, bins=bins).reshape(count, -1).T
         else:
             kernel.powers(signal, self._window, first, hop, self._turns, powers, True)
+
+    def by_pitch(
+        self, signal: NDArray[np.float64], *, first: int, hop: int, count: int, rows: PitchRows
+    ) -> NDArray[np.float64]:
+        """Return the power of rows of pitch, the mean of all channels.
+
+        Parameters
+        ----------
+        signal : ndarray, shape (channels, frames)
+            Each channel contiguous.
+        first, hop, count : int
+            Where the first window starts, frames between two starts, and how many windows there are;
+            the last one ends inside the signal. Their length must be one that the kernel transforms.
+        rows : PitchRows
+            What each row is made of.
+
+        Returns
+        -------
+        ndarray, shape (count, rows)
+            Of the loudest bin of a row that spans some; silence gives 0.
+        """
+        if self._turns is None:
+            raise ValueError(f"the kernel does not transform {self.length} frames")
+        powers = np.empty((count, len(rows.below)))
+        kernel.pitch_rows(signal, self._window, first, hop, self._turns, *rows, powers)
+        return powers
 
     def add_to(self, sums: NDArray[np.float64], signal: NDArray[np.float64], *, hop: int, count: int) -> None:
         """Add the squared magnitudes of each bin over all channels and windows.

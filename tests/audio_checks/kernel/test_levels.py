@@ -102,3 +102,21 @@ def test_whole_groups_are_wanted(size: int, rows: int, sums: int):
 def test_room_for_every_hop_is_wanted(at: int, hop: int, room: int):
     with pytest.raises(ValueError, match="wanted"):
         kernel.stereo_products(np.zeros((2, 100)), at, hop, np.zeros((room, 4)))
+
+
+@given(signals(), st.integers(1, 50))
+def test_shapes_of_points(samples: Samples, size: int):
+    rows = kernel.by_channel(samples)
+    starts = np.arange(0, len(samples), size)
+    lowest, highest, squares = np.full(len(starts), np.inf), np.full(len(starts), -np.inf), np.zeros(len(starts))
+    kernel.shape_points(rows, starts, lowest, highest, squares)
+    np.testing.assert_array_equal(lowest, np.minimum.reduceat(samples.min(axis=1), starts))
+    np.testing.assert_array_equal(highest, np.maximum.reduceat(samples.max(axis=1), starts))
+    wanted = np.add.reduceat(np.square(samples).sum(axis=1), starts)
+    np.testing.assert_allclose(squares, wanted, rtol=1e-12, atol=1e-300)
+
+
+@pytest.mark.parametrize("starts", [[0, 101], [-1, 5], [5, 4]])
+def test_points_inside_the_block_are_wanted(starts: list[int]):
+    with pytest.raises(ValueError, match="wanted"):
+        kernel.shape_points(np.zeros((2, 100)), np.array(starts), np.zeros(2), np.zeros(2), np.zeros(2))

@@ -14,7 +14,8 @@ import pytest
 import audio_checks.kernel
 from audio_checks.measure import codec_frames
 from audio_checks.measure.loudness import _recursion
-from audio_checks.render import resample
+from audio_checks.measure.window_powers import turns_of
+from audio_checks.render import resample, resample_plan
 
 SOURCES = sorted(str(path) for path in Path(audio_checks.kernel.__file__).parent.glob("*.c"))
 KEPT = ["-std=c11", "-ffp-contract=off", "-shared", "-fPIC", "-I", sysconfig.get_path("include")]
@@ -102,9 +103,18 @@ def figures_of(kernel: ModuleType, samples: np.ndarray, rate: int) -> list[np.nd
     lines = codec_frames.bands_of(samples[:, :500])
     silent, spectrum = np.empty(1_000, np.int64), codec_frames._spectrum(samples[0, :16_384])
     kernel.silent_lines(spectrum, *lines, codec_frames._turns(), 499, 1_000, 15, 0.03, 1e-6, 5.0, silent)
+    octaves, fine = np.array([[1, 2, 1], [2, 6, 4], [6, 90, 84]]), np.array([1, 9, 80])
+    decay, levels = np.zeros(((frames - 1) // 240 - 1, 7 * 3 + 2 + 2)), np.empty((channels, 90, 2))
+    kernel.decay_rows(samples, np.hanning(480), 240, turns_of(480), octaves, fine, levels, True, decay)
+    pitch, spans = np.empty((99, 2)), np.array([[0, 0], [20, 99]])
+    of_rows = np.array([7, 50]), np.array([0.3, 0.0]), spans
+    kernel.pitch_rows(samples, np.hanning(440), 3, 480, turns_of(440), *of_rows, pitch)
+    points = np.zeros((3, 300))
+    kernel.shape_points(samples, np.arange(300) * frames // 300, *points)
+    by_spectra = [decay, pitch, points]
     found_in_doubles = [silent, rows, sums, *surveyed, decoded, products, *cells, sums_of_cells, stereo, unforeseen]
     by_clicks = [untold, standing, bent, burst, powers]
-    return [*found_in_doubles, *whole, sixteen, hops, energies, of_windows, again, *by_clicks]
+    return [*found_in_doubles, *whole, sixteen, hops, energies, of_windows, again, *by_clicks, *by_spectra]
 
 
 @pytest.mark.parametrize("channels", [1, 2, 3])
@@ -123,9 +133,9 @@ def test_a_render_is_the_same_to_the_last_bit(other, monkeypatch):
     noise[9_000:15_000, 1] = 0.0
     pairs = [(96_000, 44_100), (48_000, 32_000), (44_100, 16_000), (8_192, 8_009)]
     wanted = [resample.resample(noise, high, low, loop=loop) for high, low in pairs for loop in (False, True)]
-    for name in ("convert", "fourier", "hush"):
-        monkeypatch.setattr(resample, name, getattr(other, name))
-    resample._laid_plan.cache_clear()
+    for module, name in ((resample, "convert"), (resample, "fourier"), (resample, "hush"), (resample_plan, "fourier")):
+        monkeypatch.setattr(module, name, getattr(other, name))
+    resample_plan._laid_plan.cache_clear()
     got = [resample.resample(noise, high, low, loop=loop) for high, low in pairs for loop in (False, True)]
-    resample._laid_plan.cache_clear()
+    resample_plan._laid_plan.cache_clear()
     assert all(np.array_equal(one, two) for one, two in zip(wanted, got, strict=True))
