@@ -17,11 +17,9 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from audio_checks.audio.audio_file import AudioFile
 from audio_checks.judge import CANNOT_TELL, Judgement, truncated_score
-from audio_checks.measure.cliff import SHOWN_POINTS, Cliff, cliff_of, points_of
+from audio_checks.measure.cliff import SHOWN_POINTS, Cliff, cliff_of, highest_of_parts, points_of
 from audio_checks.measure.codec_frames import Trace
 from audio_checks.measure.spectrum import MeanSpectrum
 
@@ -93,6 +91,5 @@ def _figures(found: Trace | None, low_pass_hz: float | None) -> dict[str, Any]:
 
 def _shown(trace: Trace) -> dict[str, Any]:
     """Return as a picture shows it: of places for the frames to begin, some in a row in each point, the most silent."""
-    parts = np.array_split(trace.shares, SHOWN_POINTS)
-    shares = [round(float(part.max()), 3) for part in parts]
+    shares = [round(share, 3) for share in highest_of_parts(trace.shares, SHOWN_POINTS)]
     return {"codec": trace.codec, "rate_hz": trace.rate_hz, "frame": len(trace.shares), "shares": shares}

@@ -92,10 +92,17 @@ def rate_of(edge_hz: float, sample_rate_hz: int) -> int | None:
 
 def points_of(spectrum: MeanSpectrum) -> dict[str, Any]:
     """Return a spectrum as a picture shows it: the level of equal steps of frequency, from 0 Hz to Nyquist."""
-    parts = np.array_split(spectrum.levels_db, min(SHOWN_POINTS, len(spectrum.levels_db)))
-    levels = [float(part.max()) for part in parts]
-    step_hz = spectrum.sample_rate_hz / 2 / len(parts)
+    levels = highest_of_parts(spectrum.levels_db, min(SHOWN_POINTS, len(spectrum.levels_db)))
+    step_hz = spectrum.sample_rate_hz / 2 / len(levels)
     return {"step_hz": round(step_hz, 2), "dbfs": [round(max(level, -160.0), 1) for level in levels]}
+
+
+def highest_of_parts(values: Floats, count: int) -> list[float]:
+    """Return the highest value of each of as many parts, as alike in length as `np.array_split` makes them."""
+    each, longer = divmod(len(values), count)
+    starts = np.arange(count) * each + np.minimum(np.arange(count), longer)
+    highest: list[float] = np.maximum.reduceat(values, starts).tolist()
+    return highest
 
 
 def _smooth(levels: Floats) -> Floats:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -47,6 +48,7 @@ class Course:
     end: int
 
     @classmethod
+    @lru_cache(maxsize=1)  # three look at the same sound
     def of(cls, decay: DecayFigures) -> Course | None:
         """Return the course of a sound; None for silence, and for what is shorter than 40 ms."""
         energies = np.nan_to_num(decay.energies)

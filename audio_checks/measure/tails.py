@@ -84,7 +84,7 @@ def decay_curves(decay: DecayFigures) -> dict[str, Any] | None:
                 "hz": hz,
                 "rt60_s": None if rate is None else round(-60 / rate, 2),
                 "rate_db_s": None if rate is None else round(rate, 1),
-                "curve_db": [round(float(level), 1) for level in np.maximum(curve[::step], -80.0)],
+                "curve_db": [round(level, 1) for level in np.maximum(curve[::step], -80.0).tolist()],
             }
         )
     return {"start_s": round(course.last * decay.hop_s, 3), "step_s": round(step * decay.hop_s, 4), "bands": bands}
@@ -125,32 +125,36 @@ def energy_decay_db(levels: Floats) -> Floats:
 def _slopes(course: Course) -> list[float]:
     """Return how fast the bands fall and rise, over windows of three lengths: quantiles, and how often they fall."""
     found: list[float] = []
-    held = np.maximum(course.levels, course.floors - 3)
+    held = np.maximum(course.levels, course.floors - 3).T.copy()
+    active = course.active.T
     for rows in SLOPE_ROWS:
         table = np.full((WIDE + 1, len(QUANTILES) + 1), np.nan)
-        if len(held) >= rows:
+        if (last := held.shape[1] - rows + 1) > 0:
             turns = np.arange(rows) - (rows - 1) / 2
-            windows = np.lib.stride_tricks.sliding_window_view(held, rows, axis=0)
-            slopes = windows @ (turns / np.square(turns).sum())
-            counts = course.active[: len(slopes)] & course.active[rows - 1 :]
-            for band in range(WIDE + 1):
-                known = np.sort(slopes[counts[:, band], band])
-                if len(known) >= 3:
-                    picked = known[[round(share * (len(known) - 1)) for share in QUANTILES]]
-                    table[band, :-1] = np.sign(picked) * np.log1p(10 * np.abs(picked))
-                    table[band, -1] = np.searchsorted(known, 0.0) / len(known)
+            weights = turns / np.square(turns).sum()
+            slopes = np.stack([np.correlate(levels, weights) for levels in held])
+            slopes[~(active[:, :last] & active[:, rows - 1 :])] = np.inf
+            slopes.sort(axis=1)
+            counts = np.isfinite(slopes).sum(axis=1)
+            known = np.flatnonzero(counts >= 3)
+            places = np.rint(np.outer(counts[known] - 1, QUANTILES)).astype(int)
+            picked = np.take_along_axis(slopes[known], places, axis=1)
+            table[known, :-1] = np.sign(picked) * np.log1p(10 * np.abs(picked))
+            table[known, -1] = (slopes[known] < 0).sum(axis=1) / counts[known]
         found += [*table.ravel(), *_over_octaves(table)]
     return found
 
 
 def _over_octaves(table: Floats) -> list[float]:
     """Return the middle and the spread over the octaves of each column; nan where no octave says anything."""
-    found = np.full((2, table.shape[1]), np.nan)
-    for column, values in enumerate(table[:WIDE].T):
-        known = np.sort(values[~np.isnan(values)])
-        if len(known):
-            found[:, column] = (known[(len(known) - 1) // 2] + known[len(known) // 2]) / 2, known.std()
-    return list(found.ravel())
+    ordered = np.sort(table[:WIDE], axis=0)  # what says nothing comes last
+    is_known = ~np.isnan(ordered)
+    counts = is_known.sum(axis=0)
+    middles = np.take_along_axis(ordered, np.maximum(0, [(counts - 1) // 2, counts // 2]), axis=0).sum(axis=0) / 2
+    with np.errstate(invalid="ignore"):  # of no octave
+        means = np.where(is_known, ordered, 0.0).sum(axis=0) / counts
+        spreads = np.sqrt(np.where(is_known, np.square(ordered - means), 0.0).sum(axis=0) / counts)
+    return [*middles, *spreads]
 
 
 def _drops(course: Course) -> list[float]:
@@ -175,11 +179,11 @@ def _last_falls(course: Course) -> list[float]:
         curve = energy_decay_db(levels)
         spans = ((-1, -8), (-6, -20), (-18, -38))
         early, middle, late = (_decay_log(_slope_between(curve, *span)) for span in spans)
-        slope, unsteadiness = _line(np.arange(len(levels)), levels)
+        slope, unsteadiness = _line(levels)
         depth = course.smooth[start, band] - max(course.floors[band], course.smooth[stop - 1, band])
         table[band] = early, middle, late, _decay_log(slope), late - early, unsteadiness, depth
     falls = np.flatnonzero(~np.isnan(table[:WIDE, 2]))
-    tilt = _line(falls, table[falls, 2])[0] if len(falls) >= 3 else math.nan
+    tilt = _tilt(falls, table[falls, 2]) if len(falls) >= 3 else math.nan
     wide, top = course.smooth[:, WIDE], course.smooth[:, WIDE].max()
     rises = np.flatnonzero((wide[4:] - wide[:-4] > 9) & (wide[4:] > top - 25))
     onsets = int((np.diff(rises, prepend=-100) > 10).sum())
@@ -187,18 +191,31 @@ def _last_falls(course: Course) -> list[float]:
     return [*table.ravel(), *_over_octaves(table), length, tilt, float(len(falls)), float(onsets)]
 
 
-def _line(places: NDArray[Any], values: Floats) -> tuple[float, float]:
-    """Return the slope of the straight line through some values, and how far they lie off it, RMS."""
+def _tilt(places: NDArray[np.int64], values: Floats) -> float:
+    """Return the slope of the straight line through some values."""
     off = places - places.mean()
-    slope = float(off @ values / (off @ off))
-    rest = values - values.mean() - slope * off
+    return float(off @ values / (off @ off))
+
+
+def _slope(values: Floats) -> float:
+    """Return the slope of the straight line through values that follow each other."""
+    count = len(values)
+    return float((np.arange(count) - (count - 1) / 2) @ values) * 12 / (count * (count * count - 1))
+
+
+def _line(values: Floats) -> tuple[float, float]:
+    """Return that slope, and how far the values lie off the line, RMS."""
+    slope = _slope(values)
+    rest = values - values.mean() - slope * (np.arange(len(values)) - (len(values) - 1) / 2)
     return slope, math.sqrt(float(rest @ rest) / len(rest))
 
 
 def _slope_between(curve: Floats, upper_db: float, lower_db: float) -> float:
-    """Return the slope of a part of a decay curve in dB a row; nan where the curve lacks it."""
-    rows = np.flatnonzero((curve <= upper_db) & (curve >= lower_db))
-    return math.nan if len(rows) < 3 or curve[-1] > lower_db else _line(rows, curve[rows])[0]
+    """Return the slope of a part of a decay curve, which never rises, in dB a row; nan where the curve lacks it."""
+    if curve[-1] > lower_db:
+        return math.nan
+    first, end = np.searchsorted(-curve, -upper_db), np.searchsorted(-curve, -lower_db, side="right")
+    return math.nan if end - first < 3 else _slope(curve[first:end])
 
 
 def _decay_log(slope: float) -> float:

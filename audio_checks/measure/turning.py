@@ -39,9 +39,8 @@ def features_of(decay: DecayFigures) -> Floats | None:
     if levels is None:
         return None
     table = np.full((_WIDE + 1, _EACH), math.nan)
-    for band in range(_WIDE + 1):
-        if not np.isnan(levels[0, band]):
-            table[band] = _lean_of(levels[:, band])
+    heard = ~np.isnan(levels[0])
+    table[heard] = _leans_of(levels[:, heard])
     octaves = table[:_WIDE]
     known = octaves[~np.isnan(octaves[:, 0])]
     over = (
@@ -90,37 +89,42 @@ def _levels(decay: DecayFigures) -> Floats | None:
     return held
 
 
-def _steps(level: Floats, lag: int) -> Floats:
+def _steps(levels: Floats, lag: int) -> Floats:
     """Return the changes over some rows, with rest before the sound and after it."""
-    held = np.concatenate((np.zeros(lag), level, np.zeros(lag)))
+    rest = np.zeros((lag, *levels.shape[1:]))
+    held = np.concatenate((rest, levels, rest))
     steps: Floats = held[lag:] - held[:-lag]
     return steps
 
 
-def _lean_of(level: Floats) -> list[float]:
-    """Return how one band rises against how it falls, and its position in time."""
-    found: list[float] = []
+def _leans_of(levels: Floats) -> Floats:
+    """Return how each band rises against how it falls, and its position in time, shape (bands, _EACH)."""
+    found: list[Floats] = []
     for lag in LAGS:
-        steps = _steps(level, lag)
-        rise, fall = np.maximum(steps, 0), np.maximum(-steps, 0)
+        steps = _steps(levels, lag)
         squares = np.square(steps)
+        means = squares.mean(axis=0)
+        rising = np.where(steps > 0, squares, 0.0).mean(axis=0)
         found += [
-            float(rise.max() - fall.max()),
-            math.log((float(np.square(rise).mean()) + 1e-2) / (float(np.square(fall).mean()) + 1e-2)),
-            float((steps * squares).mean() / (squares.mean() ** 1.5 + 1e-9)),
+            steps.max(axis=0) + steps.min(axis=0),
+            np.log((rising + 1e-2) / (means - rising + 1e-2)),
+            (steps * squares).mean(axis=0) / (means**1.5 + 1e-9),
         ]
-    along = np.linspace(-1, 1, len(level))
-    power = 10 ** (level / 10)
-    loud = np.flatnonzero(level > level.max() - 20)
-    top = int(level.argmax())
-    before, after = top - int(loud[0]) + 1, int(loud[-1]) - top + 1
-    return [
-        *found,
-        float(along @ power / power.sum()),
-        float(along @ level / (level.sum() + 1e-9)),
-        float(along[top]),
-        math.log(after / before),
-    ]
+    along = np.linspace(-1, 1, len(levels))
+    power = 10 ** (levels / 10)
+    is_loud = levels > levels.max(axis=0) - 20
+    tops = levels.argmax(axis=0)
+    before, after = tops - is_loud.argmax(axis=0) + 1, len(levels) - is_loud[::-1].argmax(axis=0) - tops
+    return np.stack(
+        [
+            *found,
+            along @ power / power.sum(axis=0),
+            along @ levels / (levels.sum(axis=0) + 1e-9),
+            along[tops],
+            np.log(after / before),
+        ],
+        axis=1,
+    )
 
 
 def _between(levels: Floats) -> list[float]:
