@@ -211,7 +211,7 @@ class _Steps:
                 self.steps.append(
                     NextStep(
                         kind=NextStepKind.PAY_INVOICE,
-                        subject=str(invoice.number),
+                        subject=invoice.full_number,
                         since=invoice.created_at,
                         amount_minor=read.open_minor,
                         **of_contract,
@@ -222,7 +222,7 @@ class _Steps:
                     Awaited(
                         kind=AwaitedKind.PAYMENT,
                         who=_other_side(contract, party),
-                        subject=str(invoice.number),
+                        subject=invoice.full_number,
                         since=invoice.created_at,
                         contract_id=contract.id,
                     )

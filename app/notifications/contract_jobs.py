@@ -3,6 +3,7 @@
 from datetime import date
 from uuid import UUID
 
+from app.accounts.models import Person
 from app.agreements.facts import in_words
 from app.agreements.models import Contract
 from app.agreements.rules import ContractState, Party
@@ -60,8 +61,12 @@ def notify_contract(runtime: Runtime, payload: Payload) -> None:
         }[payload["event"]]
         notifier = Notifier(runtime, session, project, payload["event_id"])
         if payload["event"] == "contract.agreed" and (deposit := queries.deposit_of(session, contract.id)):
-            due = f"The deposit of {money(deposit, contract.currency)} is due: issue the invoice for it."
-            notifier.notify(designer, "deposit", "the deposit is due", due, page="money")
+            due = f"The deposit of {money(deposit, contract.currency)} is due"
+            name = session.get_one(Person, contract.designer_id).name
+            lines = {designer: f"{due}: issue the invoice for it."}
+            lines |= dict.fromkeys(producers, f"{due}: {name} invoices it, and the invoice says by when it is paid.")
+            for recipient, words in lines.items():
+                notifier.notify(recipient, "deposit", "the deposit is due", words, page="money")
         for recipient in recipients:
             notifier.notify(recipient, f"contract:{payload['event']}", subject, line, page=f"contracts/{contract.id}")
 

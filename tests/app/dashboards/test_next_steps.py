@@ -120,6 +120,25 @@ def test_money_is_the_designers_then_the_producers_step(world: World) -> None:
     assert "pay_invoice" not in dict(steps(world, "reviewer"))
 
 
+def test_a_deposit_is_told_to_both_and_then_invoiced_and_paid(world: World, contracts: Contracts) -> None:
+    [cue] = add_cues(world, {"name": "airlock"})
+    draft = contracts.begin()
+    plan = [deposit(30_000), milestone("Alpha", cue["id"], amount_minor=70_000)]
+    contracts.ask(world.producer, "PUT", f"/contracts/{draft['id']}/milestones", json={"milestones": plan})
+    contracts.agree(draft)
+    reported = {recipient for recipient, subject in mails(world) if subject.endswith("the deposit is due")}
+    assert len(reported) == 2  # who invoices it, and who pays it
+    (step, *_) = asked(world.designer, world.project_id)["steps"]
+    assert (step["kind"], step["amount_minor"]) == ("invoice_deposit", 30_000)
+    assert "invoice" in dict(awaited(world))  # the producer sees for whom it waits
+    issued = world.designer.post(f"/v1/contracts/{draft['id']}/invoices", json={"seller": "me", "full_number": "SND-7"})
+    assert issued.status_code == 201, issued.text
+    assert any(subject.endswith("an invoice to pay") for _, subject in mails(world))
+    (pay,) = [one for one in asked(world.producer, world.project_id)["steps"] if one["kind"] == "pay_invoice"]
+    assert (pay["subject"], pay["amount_minor"]) == ("SND-7", 30_000)
+    assert "payment" in dict(awaited(world, "designer"))
+
+
 def test_who_joins_is_announced(world: World) -> None:
     assert not any(subject.endswith("a designer joined") for _, subject in mails(world))
     world.producer.post(
