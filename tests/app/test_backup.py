@@ -62,7 +62,7 @@ def lived_in(server: RunningServer) -> World:
     return world
 
 
-def told(world: World, server: RunningServer) -> dict[str, Any]:
+def contents(world: World, server: RunningServer) -> dict[str, Any]:
     """Return what a server says of the studio, as the producer reads it."""
     client = server.browser()
     client.cookies = world.producer.cookies
@@ -90,12 +90,12 @@ def test_a_new_server_out_of_a_backup_serves_the_same(opened: Opened, tmp_path: 
         copied = back_up(old.runtime, folder, keep=2)
         blobs = sorted(old.runtime.store.blobs(), key=str)
         assert (copied.blobs, copied.damaged) == (len(blobs), [])
-        known = told(world, old)
+        known = contents(world, old)
         assert len(known["pack"]) == 6  # game file, master, three documentation keys, sums
         with opened("new", store=after) as new:
             assert restore(new.runtime, folder).blobs == len(blobs)
             ensure_at_head(new.runtime)
-            assert told(world, new) == known
+            assert contents(world, new) == known
             assert sorted(new.runtime.store.blobs(), key=str) == blobs
 
 

@@ -34,19 +34,19 @@ def test_everything_that_is_wrong_is_said_at_once(environment):
     environment(
         BASE_URL="sounds.example", WORKER_JOBS="many", SMTP_URL="mail.example:587", DATABSE_URL="postgresql://x/y"
     )
-    told = wrong()
-    assert len(told) == 4
-    assert any("SOUNDLIST_BASE_URL is 'sounds.example'" in line for line in told)
-    assert any(line.startswith("SOUNDLIST_WORKER_JOBS") for line in told)
-    assert any("smtp://user:password@host:587" in line for line in told)
-    assert "SOUNDLIST_DATABSE_URL is no setting; is it SOUNDLIST_DATABASE_URL?" in told
+    reported = wrong()
+    assert len(reported) == 4
+    assert any("SOUNDLIST_BASE_URL is 'sounds.example'" in line for line in reported)
+    assert any(line.startswith("SOUNDLIST_WORKER_JOBS") for line in reported)
+    assert any("smtp://user:password@host:587" in line for line in reported)
+    assert "SOUNDLIST_DATABSE_URL is no setting; is it SOUNDLIST_DATABASE_URL?" in reported
 
 
 def test_an_address_with_a_password_is_not_repeated(environment):
     environment(SMTP_URL="http://ada:hush@mail.example", DATABASE_URL="mysql://ada:hush@db/x", SECRET_KEY="k" * 32)
-    told = wrong()
-    assert len(told) == 2
-    assert "hush" not in "".join(told)
+    reported = wrong()
+    assert len(reported) == 2
+    assert "hush" not in "".join(reported)
 
 
 def test_a_short_key_is_no_key(environment):

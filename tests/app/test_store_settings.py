@@ -45,7 +45,7 @@ def test_keys_come_from_where_aws_programs_look(monkeypatch):
 
 
 @pytest.mark.parametrize(
-    ("url", "told"),
+    ("url", "reported"),
     [
         ("s3://Sounds", "names the bucket 'Sounds'"),
         ("s3://", "names the bucket ''"),
@@ -58,11 +58,11 @@ def test_keys_come_from_where_aws_programs_look(monkeypatch):
         ("blobs", "begins with blobs://"),
     ],
 )
-def test_an_address_that_is_none_is_refused_in_words(url, told):
+def test_an_address_that_is_none_is_refused_in_words(url, reported):
     with pytest.raises(ValidationError, match="SOUNDLIST_STORE_URL") as refused:
         Settings(store_url=url, **KEYS)
     (error,) = refused.value.errors()
-    assert told in error["msg"]
+    assert reported in error["msg"]
     assert "hush" not in error["msg"]
 
 
@@ -78,7 +78,7 @@ def test_a_folder_has_no_bucket(tmp_path):
 
 @pytest.mark.parametrize("command", ["serve", "worker"])
 @pytest.mark.parametrize(
-    ("changed", "told"),
+    ("changed", "reported"),
     [
         ({}, None),
         ({"SOUNDLIST_STORE_URL": "s3://nobody-made-it?endpoint={endpoint}"}, "the store's bucket is not there"),
@@ -88,7 +88,7 @@ def test_a_folder_has_no_bucket(tmp_path):
     ],
     ids=["all is well", "no bucket", "no server", "wrong key", "no key"],
 )
-def test_a_store_that_cannot_be_used_is_said_at_start(s3, tmp_path, monkeypatch, changed, told, command):
+def test_a_store_that_cannot_be_used_is_said_at_start(s3, tmp_path, monkeypatch, changed, reported, command):
     settings = s3.settings()
     environment = {
         "SOUNDLIST_DATA_DIR": str(tmp_path),
@@ -104,8 +104,8 @@ def test_a_store_that_cannot_be_used_is_said_at_start(s3, tmp_path, monkeypatch,
     monkeypatch.setattr("app.kit.serving.serve", lambda *_, **__: print("it serves"))  # noqa: T201
     monkeypatch.setattr("app.worker.run", lambda _: print("it serves"))  # noqa: T201
     started = CliRunner().invoke(cli, [command])
-    if told is None:
+    if reported is None:
         assert (started.exit_code, started.output.strip()) == (0, "it serves")
     else:
-        assert (started.exit_code, told in started.output) == (2, True), started.output
+        assert (started.exit_code, reported in started.output) == (2, True), started.output
         assert s3.endpoint not in started.output

@@ -36,7 +36,7 @@ class Visit:
 @contextmanager
 def honest_person(client: httpx.Client, pages: list[str], comments: str, notes: Path) -> Iterator[None]:
     """Let a signed-in person read pages and write comments as long as the block lasts; see `visits`."""
-    told = {
+    reported = {
         "base_url": str(client.base_url),
         "cookies": dict(client.cookies),
         "headers": dict(client.headers),
@@ -50,7 +50,7 @@ def honest_person(client: httpx.Client, pages: list[str], comments: str, notes: 
         ) as process,
     ):
         assert process.stdin is not None
-        process.stdin.write(json.dumps(told) + "\n")
+        process.stdin.write(json.dumps(reported) + "\n")
         process.stdin.flush()
         deadline = time.monotonic() + STARTS_WITHIN_S
         while not visits(notes) and time.monotonic() < deadline:
@@ -65,18 +65,18 @@ def visits(notes: Path) -> list[Visit]:
     return [Visit(**json.loads(line)) for line in lines if line.endswith("\n")]
 
 
-def work(told: dict[str, Any]) -> None:
+def work(reported: dict[str, Any]) -> None:
     """Visit one page after the other until the input ends; every fifth visit is a comment."""
     number = 0
     with httpx.Client(
-        base_url=told["base_url"], cookies=told["cookies"], headers=told["headers"], timeout=GIVES_UP_S
+        base_url=reported["base_url"], cookies=reported["cookies"], headers=reported["headers"], timeout=GIVES_UP_S
     ) as client:
         while not select.select([sys.stdin], [], [], PAUSE_S)[0]:
-            path, problem = told["pages"][number % len(told["pages"])], ""
+            path, problem = reported["pages"][number % len(reported["pages"])], ""
             begun_s = time.monotonic()
             try:
                 if number % 5 == 4:
-                    path = told["comments"]
+                    path = reported["comments"]
                     answer = client.post(path, json={"text": f"Comment {number}", "start_s": 0.1})
                 else:
                     answer = client.get(path)

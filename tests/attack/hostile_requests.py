@@ -350,8 +350,8 @@ def main() -> int:
     logs.configure("CRITICAL")
     with running_application(asked.database) as server:
         outcome = send_to_application(server, asked.seed, asked.requests)
-    told = ", ".join(f"{status}: {times:,}" for status, times in sorted(outcome.statuses.items()))
-    lines = [f"{sum(outcome.statuses.values()):,} requests on {asked.database}, seed {asked.seed}: {told}"]
+    reported = ", ".join(f"{status}: {times:,}" for status, times in sorted(outcome.statuses.items()))
+    lines = [f"{sum(outcome.statuses.values()):,} requests on {asked.database}, seed {asked.seed}: {reported}"]
     worst = sorted(outcome.failures.items(), key=lambda one: -one[1][0])[:MAX_SHOWN]
     lines += [f"\n{times} × {failure}\n  {first}" for failure, (times, first) in worst]
     sys.stdout.write("\n".join(lines) + "\n")

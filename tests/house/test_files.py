@@ -199,10 +199,10 @@ def test_decisions_are_numbered_once():
 
 
 def test_the_openapi_document_is_the_servers():
-    told = subprocess.run(
+    reported = subprocess.run(
         [str(ROOT / ".venv/bin/python"), "-m", "app", "openapi"], cwd=ROOT, capture_output=True, text=True, check=True
     )
-    assert json.loads(told.stdout) == json.loads((ROOT / "frontend/openapi.json").read_text())
+    assert json.loads(reported.stdout) == json.loads((ROOT / "frontend/openapi.json").read_text())
 
 
 def test_the_library_is_the_version_that_the_package_says():

@@ -154,8 +154,8 @@ def verify(parties: Parties, server: RunningServer) -> None:
     assert read["faults"] == []
     assert read == parties.studio.ask("GET", address)
     payloads = [entry["payload"] for entry in read["entries"] if entry["kind"] == "paid"]
-    told = [json.loads(one) if isinstance(one, str) else one for one in payloads]
-    assert sum(one["amount_minor"] for one in told) == parties.figures()["paid_minor"]
+    reported = [json.loads(one) if isinstance(one, str) else one for one in payloads]
+    assert sum(one["amount_minor"] for one in reported) == parties.figures()["paid_minor"]
     kinds = {entry["kind"] for entry in read["entries"]}
     assert {"sent", "agreed", "planned", "accepted", "due", "cut", "round_proposed", "invoiced", "paid"} <= kinds
 

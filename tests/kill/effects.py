@@ -28,7 +28,7 @@ def nothing_failed(server: ProcessServer) -> bool:
     return not server.runtime.queue.unfinished(only_failed=True)
 
 
-def told(server: ProcessServer, job: str) -> int:
+def jobs_written(server: ProcessServer, job: str) -> int:
     """Return how many jobs of a name were ever written."""
     jobs = dbos_internals.workflows(is_sqlite=server.runtime.database.is_sqlite)
     written = select(func.count()).select_from(jobs).where(jobs.c.workflow_uuid.like(f"%:{job}"))
@@ -58,7 +58,7 @@ def assert_done_once(server: ProcessServer, take_id: UUID) -> None:
     assert rows(server, CheckRun, take_id=take_id) == 1
     assert rows(server, Picture) == len(sounds)
     assert sets == [(spec.id,)]
-    assert told(server, "notifications.notify_checks") == 1
+    assert jobs_written(server, "notifications.notify_checks") == 1
     wait_until(lambda: told_of(server))  # with what else is said in the same seconds
     wait_until(lambda: is_idle(server))
     assert told_of(server) == 1

@@ -37,10 +37,10 @@ def test_a_batch_goes_on_after_a_kill_at_every_step(server: ProcessServer, world
         server.wait_for_death(server.work(f"renders.{point}"), f"renders.{point}")
     server.work()
     wait_until(lambda: is_idle(server))
-    (told,) = listed(world)
-    assert (told["state"], told["files"], told["refused"], told["left"]) == ("done", 3 * SOUNDS, 0, 0)
-    assert (told["made"], told["kept"]) == (SOUNDS, 2 * SOUNDS)
-    assert rows(server, BatchItem, batch_id=UUID(told["id"]), state=ItemState.MADE) == SOUNDS
+    (reported,) = listed(world)
+    assert (reported["state"], reported["files"], reported["refused"], reported["left"]) == ("done", 3 * SOUNDS, 0, 0)
+    assert (reported["made"], reported["kept"]) == (SOUNDS, 2 * SOUNDS)
+    assert rows(server, BatchItem, batch_id=UUID(reported["id"]), state=ItemState.MADE) == SOUNDS
     assert rows(server, Render, target="trailer") == SOUNDS
-    assert {row["target"]: row["files"] for row in batch(world, told["id"])["sizes"]}["trailer"] == SOUNDS
+    assert {row["target"]: row["files"] for row in batch(world, reported["id"])["sizes"]}["trailer"] == SOUNDS
     assert nothing_failed(server)

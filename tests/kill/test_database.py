@@ -8,7 +8,7 @@ from uuid import UUID
 import pytest
 
 from app.deliveries.models import Delivery
-from tests.kill.effects import assert_done_once, is_idle, nothing_failed, rows, told, verdicts
+from tests.kill.effects import assert_done_once, is_idle, jobs_written, nothing_failed, rows, verdicts
 from tests.kill.processes import Process, ProcessServer, SomeOf, wait_until
 from tests.support.deliver import BYTES, TUS, add_cues, metadata, open_delivery
 from tests.support.postgres import Postgres
@@ -80,7 +80,7 @@ def test_a_killed_database_loses_nothing_and_stops_nobody(
         assert verdict().status_code == 200
     wait_until(lambda: is_idle(server))
     assert verdicts(server, take_id) == 1
-    assert told(server, "notifications.notify_approval") == 1
+    assert jobs_written(server, "notifications.notify_approval") == 1
 
     point = "http.after_commit"
     web = instead_of(web, server, point, durable_postgres)

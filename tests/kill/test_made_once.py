@@ -12,7 +12,7 @@ from app.conformance.models import Fix
 from app.renders.models import MasterExport, Reel
 from tests.app.builds.approved import sound
 from tests.app.conformance.test_fixes import loud
-from tests.kill.effects import is_idle, nothing_failed, rows, told
+from tests.kill.effects import is_idle, jobs_written, nothing_failed, rows
 from tests.kill.processes import ProcessServer, SomeOf, wait_until
 from tests.support.deliver import add_cues, deliver, open_delivery
 from tests.support.server import World
@@ -60,7 +60,7 @@ def test_what_was_asked_for_is_made_once(server: ProcessServer, world: World, so
     pack = made("builds.before_seal", lambda: ask(world, f"{project}/packs", target="game", placeholders=True))["id"]
 
     assert rows(server, Fix, take_id=UUID(returned["id"]), state="made") == rows(server, Fix) == 1
-    assert told(server, "renders.draw_fix") == 1
+    assert jobs_written(server, "renders.draw_fix") == 1
     assert fetched(world, f"/v1/reels/{reel}")["state"] == "made"
     assert fetched(world, f"/v1/master-exports/{export}")["state"] == "made"
     assert (rows(server, Reel), rows(server, MasterExport)) == (1, 1)

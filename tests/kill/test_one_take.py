@@ -12,7 +12,7 @@ import pytest
 
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from tests.kill.effects import assert_done_once, is_idle, nothing_failed, told, verdicts
+from tests.kill.effects import assert_done_once, is_idle, jobs_written, nothing_failed, verdicts
 from tests.kill.processes import ProcessServer, SomeOf, wait_until
 from tests.support.deliver import add_cues, deliver, open_delivery, upload
 from tests.support.server import World
@@ -71,7 +71,7 @@ def test_a_verdict_and_a_pack_survive_kills(server: ProcessServer, world: World,
     assert state_of(server, take_id) is TakeState.APPROVED
     assert verdicts(server, take_id) == 1
     wait_until(lambda: is_idle(server))
-    assert told(server, "notifications.notify_approval") == 1
+    assert jobs_written(server, "notifications.notify_approval") == 1
 
     def pack() -> httpx.Response:
         answer: httpx.Response = approver.get(f"/v1/projects/{world.project_id}/pack.zip", params={"masters": "true"})

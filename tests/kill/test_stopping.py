@@ -57,8 +57,8 @@ def test_several_processes_answer_for_one_server_and_stop_together(server: Proce
 
     def both_answered() -> bool:
         httpx.get(f"http://127.0.0.1:{server.port}/healthz")  # on a line of its own each time
-        told = [httpx.get(f"http://127.0.0.1:{port}/metrics").text for port in (figures, figures + 1)]
-        return all('soundlist_requests_total{method="GET",route="/healthz"' in each for each in told)
+        reported = [httpx.get(f"http://127.0.0.1:{port}/metrics").text for port in (figures, figures + 1)]
+        return all('soundlist_requests_total{method="GET",route="/healthz"' in each for each in reported)
 
     wait_until(lambda: is_open(figures) and is_open(figures + 1))
     wait_until(both_answered)

@@ -34,9 +34,9 @@ def bext_payload(
     )
 
 
-def bext(**told: object) -> bytes:
+def bext(**reported: object) -> bytes:
     """A whole bext chunk."""
-    return chunk(b"bext", bext_payload(**told))
+    return chunk(b"bext", bext_payload(**reported))
 
 
 def ixml(body: str, *, encoding: str = "UTF-8") -> bytes:

@@ -75,9 +75,9 @@ def with_info(
     info, sound = split(content)
     packed = int.from_bytes(info[10:18], "big")
     fields = [packed >> 44, packed >> 41 & 7, packed >> 36 & 31, packed & (1 << 36) - 1]
-    for place, told in ((0, rate), (2, None if bits is None else bits - 1), (3, frames)):
-        if told is not None:
-            fields[place] = told
+    for place, reported in ((0, rate), (2, None if bits is None else bits - 1), (3, frames)):
+        if reported is not None:
+            fields[place] = reported
     packed = fields[0] << 44 | fields[1] << 41 | fields[2] << 36 | fields[3]
     info = info[:10] + packed.to_bytes(8, "big") + (info[18:] if md5 is None else md5)
     return b"fLaC" + block(0, info, last=True) + sound

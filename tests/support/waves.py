@@ -82,8 +82,8 @@ def float_bytes(samples: Samples, bits: int = 32) -> bytes:
 
 def chunk(name: bytes, payload: bytes, *, size: int | None = None, pad: bool = True) -> bytes:
     """One RIFF chunk; `size` lies about its length, `pad=False` leaves out the pad byte."""
-    told = len(payload) if size is None else size
-    return name + struct.pack("<I", told) + payload + (b"\0" if pad and len(payload) % 2 else b"")
+    reported = len(payload) if size is None else size
+    return name + struct.pack("<I", reported) + payload + (b"\0" if pad and len(payload) % 2 else b"")
 
 
 def fmt(

@@ -48,9 +48,9 @@ def test_known_and_unknown_are_one_answer_and_the_owner_is_notified(server: Runn
     answers = [server.browser().post("/v1/sign-ups", json={"email": email}) for email in (known, unknown)]
     assert answers[0].status_code == answers[1].status_code == 202
     assert answers[0].content == answers[1].content
-    told = mails.texts_for(known)[-1]
-    assert "which already has one" in told
-    assert "/sign-up/" not in told
+    reported = mails.texts_for(known)[-1]
+    assert "which already has one" in reported
+    assert "/sign-up/" not in reported
     assert "/sign-up/" in mails.texts_for(unknown)[-1]
 
 

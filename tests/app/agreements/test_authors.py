@@ -153,8 +153,12 @@ def test_a_waiver_is_the_approvers(agreed: Agreed) -> None:
     reason = {"reason": "it is meant to hit the ceiling"}
     waived = agreed.world.approver.post(f"/v1/takes/{take}/waiver", json=reason)
     assert waived.status_code == 201, waived.text
-    (told,) = [one for one in entries(agreed) if one["kind"] == "waived"]
-    assert (told["by"], told["role"], told["reason"]) == ("Audio director", "approver, liaison", reason["reason"])
+    (reported,) = [one for one in entries(agreed) if one["kind"] == "waived"]
+    assert (reported["by"], reported["role"], reported["reason"]) == (
+        "Audio director",
+        "approver, liaison",
+        reason["reason"],
+    )
 
 
 def test_what_a_build_delivers_names_its_token(agreed: Agreed) -> None:
@@ -173,5 +177,5 @@ def test_what_a_build_delivers_names_its_token(agreed: Agreed) -> None:
     upload_id = upload(world, delivery_id, "radar_ping.wav", b"bytes of a build", build)
     body = {"upload_id": upload_id, "file_name": "radar_ping.wav", "cue_id": str(cue)}
     assert build.post(f"/v1/deliveries/{delivery_id}/takes", json=body).status_code == 201
-    told = entries(agreed)[-1]
-    assert (told["by"], told["role"], told["on_behalf_of"]) == ("Nightly", "build token", "Sound designer")
+    reported = entries(agreed)[-1]
+    assert (reported["by"], reported["role"], reported["on_behalf_of"]) == ("Nightly", "build token", "Sound designer")

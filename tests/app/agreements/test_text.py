@@ -91,22 +91,22 @@ def test_another_text_has_another_hash():
     assert sha256_of(TEXT) != sha256_of(TEXT + " ")
 
 
-def told(earlier: str, later: str) -> list[tuple[str, str]]:
+def difference(earlier: str, later: str) -> list[tuple[str, str]]:
     return [
         (line.change, "".join(f"[{run.is_in} {run.text}]" for run in line.runs)) for line in compare(earlier, later)
     ]
 
 
 def test_words_are_distinguished():
-    assert told("Two rounds are included.", "Three rounds are included.") == [
+    assert difference("Two rounds are included.", "Three rounds are included.") == [
         ("changed", "[earlier Two][later Three][both  rounds are included.]")
     ]
-    assert told("One.\n\nTwo.", "One.\n\nA new one.\n\nTwo.") == [
+    assert difference("One.\n\nTwo.", "One.\n\nA new one.\n\nTwo.") == [
         ("same", "[both One.]"),
         ("added", "[later A new one.]"),
         ("same", "[both Two.]"),
     ]
-    assert told("One.\n\nTwo.", "One.") == [("same", "[both One.]"), ("removed", "[earlier Two.]")]
+    assert difference("One.\n\nTwo.", "One.") == [("same", "[both One.]"), ("removed", "[earlier Two.]")]
 
 
 WORDS = st.lists(

@@ -110,8 +110,10 @@ def test_a_copy_shows_what_was_written_anew(
     copy.write_text(json.dumps(contracts.ask(world.designer, "GET", f"/contracts/{agreed['id']}/record.json")))
     world.server.in_database(lambda session: rewrite(session, UUID(agreed["id"])))
     result = verify(monkeypatch, world.server.runtime.settings, copy)
-    (told,) = lines_on(result, agreed["id"])
-    assert told.endswith("is in no entry"), "the tables tell of it too; with them altered as well only the copy does"
+    (reported,) = lines_on(result, agreed["id"])
+    assert reported.endswith("is in no entry"), (
+        "the tables tell of it too; with them altered as well only the copy does"
+    )
     assert [line.removeprefix(f"{copy}: ") for line in lines_on(result, copy)] == ["entry 3 is another one in the copy"]
     assert result.exit_code == 1
 

@@ -11,7 +11,7 @@ from app.amendments.rules import Difference, Planned, changed_plan, warnings_of
 from app.deliveries.rules import TakeState
 from tests.app.agreements.conftest import Contracts
 from tests.app.money.agreed import TODAY, Agreed, day, deposit, milestone
-from tests.app.reviews.making import refused, told
+from tests.app.reviews.making import body_of, refused
 from tests.support.server import World
 
 
@@ -27,7 +27,7 @@ class Order(Agreed):
             milestone("Alpha", *self.cues[:2], amount_minor=36_000, due_on=day(14)),
             milestone("Beta", *self.cues[2:], amount_minor=63_000, due_on=day(28)),
         )
-        plan = told(self.world.producer.get(f"/v1/contracts/{self.contract_id}/milestones"))
+        plan = body_of(self.world.producer.get(f"/v1/contracts/{self.contract_id}/milestones"))
         self.milestones = {one["name"]: one["id"] for one in plan["milestones"]}
 
     @property
@@ -39,7 +39,7 @@ class Order(Agreed):
         return (by or self.world.producer).post(self.path, json=body)
 
     def read(self, by: Any = None) -> dict[str, Any]:
-        return told((by or self.world.producer).get(self.path))
+        return body_of((by or self.world.producer).get(self.path))
 
     def accept(self, by: Any, name: str = "A. Name", number: int = 0) -> Any:
         order = self.read()["orders"][number - 1]
@@ -50,11 +50,11 @@ class Order(Agreed):
         """Propose changes and have both accept them; return the order."""
         answer = self.propose(*changes)
         assert answer.status_code == 201, answer.text
-        told(self.accept(self.world.designer, "N. Designer"))
-        return told(self.accept(self.world.producer, "P. Producer"))["orders"][-1]
+        body_of(self.accept(self.world.designer, "N. Designer"))
+        return body_of(self.accept(self.world.producer, "P. Producer"))["orders"][-1]
 
     def plan_now(self) -> list[tuple[str, int, str | None]]:
-        plan = told(self.world.designer.get(f"/v1/contracts/{self.contract_id}/milestones"))
+        plan = body_of(self.world.designer.get(f"/v1/contracts/{self.contract_id}/milestones"))
         return [(one["name"], one["amount_minor"], one["due_on"]) for one in plan["milestones"]]
 
     def entries(self) -> list[str]:
@@ -93,9 +93,9 @@ def test_it_holds_when_both_have_accepted(order: Order) -> None:
     assert [one["due_after"] for one in difference["milestones"]][1:] == [day(14), day(32)]
     assert difference["warnings"] == []
     before = order.owed()
-    told(order.accept(order.world.designer, "N. Designer"))
+    body_of(order.accept(order.world.designer, "N. Designer"))
     assert (order.owed(), order.plan_now()[2]) == (before, ("Beta", 63_000, day(28)))
-    agreed = told(order.accept(order.world.producer, "P. Producer"))["orders"][0]
+    agreed = body_of(order.accept(order.world.producer, "P. Producer"))["orders"][0]
     assert (agreed["state"], [one["party"] for one in agreed["signed"]]) == ("agreed", ["designer", "studio"])
     assert order.plan_now()[2] == ("Beta", 85_500, day(32))
     assert order.owed() == [*before, ("extra_round", 7_875)]
@@ -113,10 +113,10 @@ def test_a_cue_in_work_is_taken_out_at_its_kill_fee(order: Order) -> None:
     difference = proposed["difference"]
     assert difference["price_after_minor"] - difference["price_before_minor"] == -15_750
     order.take(order.cues[2], state=TakeState.CONFORMING)  # the state counts when both have agreed
-    told(order.accept(order.world.designer))
-    told(order.accept(order.world.producer))
+    body_of(order.accept(order.world.designer))
+    body_of(order.accept(order.world.producer))
     assert order.owed()[-1] == ("cut", 23_625)
-    listed = told(order.world.producer.get(f"/v1/cues/{order.cues[2]}"))
+    listed = body_of(order.world.producer.get(f"/v1/cues/{order.cues[2]}"))
     assert listed["state"] != "cut", "the list keeps it, for another contract"
 
 
@@ -167,7 +167,7 @@ def told_list(answer: Any) -> list[dict[str, Any]]:
 def problems_of(order: Order, *changes: dict[str, Any]) -> list[str]:
     """Return what a preview says is wrong, which a proposal is refused for."""
     path = f"/v1/contracts/{order.contract_id}/change-order-preview"
-    previewed = told(order.world.producer.post(path, json={"changes": list(changes)}))
+    previewed = body_of(order.world.producer.post(path, json={"changes": list(changes)}))
     if previewed["problems"]:
         assert previewed["difference"] is None
         assert refused(order.propose(*changes)) == (422, "bad-change-order")
@@ -205,12 +205,12 @@ def test_without_a_price_of_rounds_none_is_invented(world: World) -> None:
 def test_an_order_that_no_longer_fits_is_not_agreed(order: Order) -> None:
     cue = order.cues[0]
     order.propose(about("reprice_cue", cue, price_minor=20_000))
-    told(order.accept(order.world.designer))
+    body_of(order.accept(order.world.designer))
     order.approve(order.take(cue))
     assert refused(order.accept(order.world.producer)) == (409, "change-order-stale")
     (shown,) = order.read()["orders"]
     assert (shown["may"]["agree"], len(shown["problems"])) == (False, 1)
-    told(order.world.producer.post(f"{order.path}/1/withdraw", json={"reason": "It is accepted"}))
+    body_of(order.world.producer.post(f"{order.path}/1/withdraw", json={"reason": "It is accepted"}))
     again = {"kind": "add_work", "milestone_id": order.milestones["Alpha"], "text": "Polish", "amount_minor": 2_000}
     order.in_force(again)
     assert order.owed()[-1] == ("extra_work", 2_000)
@@ -219,9 +219,9 @@ def test_an_order_that_no_longer_fits_is_not_agreed(order: Order) -> None:
 def test_two_orders_on_one_milestone(order: Order) -> None:
     order.propose(about("reprice_cue", order.cues[0], price_minor=20_000))
     order.propose(about("reprice_cue", order.cues[1], price_minor=21_000))
-    told(order.accept(order.world.designer, number=1))
-    told(order.accept(order.world.designer, number=2))
-    told(order.accept(order.world.producer, number=1))
+    body_of(order.accept(order.world.designer, number=1))
+    body_of(order.accept(order.world.designer, number=2))
+    body_of(order.accept(order.world.producer, number=1))
     assert refused(order.accept(order.world.producer, number=2)) == (409, "change-order-stale")
 
 
@@ -230,7 +230,7 @@ def test_refused_or_withdrawn_by_the_right_party(order: Order) -> None:
     reason = {"json": {"reason": "Too dear"}}
     assert refused(order.world.designer.post(f"{order.path}/1/refuse", **reason)) == (409, "own-change-order")
     assert refused(order.world.producer.post(f"{order.path}/1/withdraw", **reason)) == (409, "not-own-change-order")
-    closed = told(order.world.producer.post(f"{order.path}/1/refuse", **reason))["orders"][0]
+    closed = body_of(order.world.producer.post(f"{order.path}/1/refuse", **reason))["orders"][0]
     assert (closed["state"], closed["close_reason"]) == ("refused", "Too dear")
     assert refused(order.accept(order.world.designer)) == (409, "change-order-closed")
     assert order.entries()[-1] == "change_refused"
@@ -239,7 +239,7 @@ def test_refused_or_withdrawn_by_the_right_party(order: Order) -> None:
 
 def test_one_person_does_not_sign_for_both(order: Order) -> None:
     order.propose(about("add_round", order.cues[0]))
-    told(order.accept(order.world.producer))
+    body_of(order.accept(order.world.producer))
     assert refused(order.accept(order.world.producer)) == (409, "already-accepted")
 
 

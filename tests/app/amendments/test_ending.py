@@ -19,7 +19,7 @@ from app.deliveries.rules import TakeState
 from app.kit import clock
 from tests.app.agreements.conftest import Contracts
 from tests.app.money.agreed import TODAY, Agreed, day, deposit, milestone
-from tests.app.reviews.making import refused, told
+from tests.app.reviews.making import body_of, refused
 from tests.support.server import World
 
 TERMS = {"notice_days": 14}
@@ -44,12 +44,12 @@ def half_way(agreed: Agreed) -> list[UUID]:
     agreed.take(cues[2], state=TakeState.RETURNED)
     agreed.take(cues[3], state=TakeState.CONFORMING)
     agreed.take(cues[4], state=TakeState.RETURNED)
-    told(agreed.world.producer.post(f"/v1/cues/{cues[4]}/cut", json={"reason": "Left the game"}))
+    body_of(agreed.world.producer.post(f"/v1/cues/{cues[4]}/cut", json={"reason": "Left the game"}))
     return cues
 
 
 def ending(agreed: Agreed, by: Any = None) -> dict[str, Any]:
-    return told((by or agreed.world.producer).get(f"/v1/contracts/{agreed.contract_id}/ending"))
+    return body_of((by or agreed.world.producer).get(f"/v1/contracts/{agreed.contract_id}/ending"))
 
 
 def give_notice(agreed: Agreed, by: Any = None, **more: Any) -> Any:
@@ -63,8 +63,8 @@ def agree(agreed: Agreed, by: Any, name: str, sha256: str | None = None) -> Any:
 
 
 def both_agree(agreed: Agreed) -> dict[str, Any]:
-    told(agree(agreed, agreed.world.designer, "N. Designer"))
-    return told(agree(agreed, agreed.world.producer, "P. Producer"))
+    body_of(agree(agreed, agreed.world.designer, "N. Designer"))
+    return body_of(agree(agreed, agreed.world.producer, "P. Producer"))
 
 
 def entries(agreed: Agreed) -> list[str]:
@@ -74,7 +74,7 @@ def entries(agreed: Agreed) -> list[str]:
 
 
 def state_of(agreed: Agreed) -> str:
-    return told(agreed.world.producer.get(f"/v1/contracts/{agreed.contract_id}"))["state"]
+    return body_of(agreed.world.producer.get(f"/v1/contracts/{agreed.contract_id}"))["state"]
 
 
 def test_before_a_notice_it_is_a_forecast(agreed: Agreed) -> None:
@@ -106,14 +106,14 @@ def test_before_a_notice_it_is_a_forecast(agreed: Agreed) -> None:
 @pytest.mark.both_databases
 def test_when_both_agree_the_ledger_has_it_in_one_step(agreed: Agreed) -> None:
     half_way(agreed)
-    told(give_notice(agreed))
+    body_of(give_notice(agreed))
     before = agreed.owed()
     statement = ending(agreed, agreed.world.designer)
     assert (statement["state"], statement["notice"]["ends_on"]) == ("notice", day(14))
-    one = told(agree(agreed, agreed.world.designer, "N. Designer"))
+    one = body_of(agree(agreed, agreed.world.designer, "N. Designer"))
     assert agreed.owed() == before
     assert (state_of(agreed), [each["party"] for each in one["signed"]]) == ("agreed", ["designer"])
-    settled = told(agree(agreed, agreed.world.producer, "P. Producer"))
+    settled = body_of(agree(agreed, agreed.world.producer, "P. Producer"))
     assert agreed.owed() == [*before, ("cut", 15_750), ("cut", 23_625)]
     assert (settled["state"], settled["figures"]) == ("settled", statement["figures"])
     assert settled["statement_sha256"] == statement["statement_sha256"]
@@ -122,16 +122,16 @@ def test_when_both_agree_the_ledger_has_it_in_one_step(agreed: Agreed) -> None:
     assert (agreed.figures(), state_of(agreed)) == (statement["figures"], "ended")
     said = ["notice_given", "statement_accepted", "statement_accepted", "settled", "due", "due", "ended"]
     assert entries(agreed)[-7:] == said
-    contract = told(agreed.world.producer.get(f"/v1/contracts/{agreed.contract_id}"))
+    contract = body_of(agreed.world.producer.get(f"/v1/contracts/{agreed.contract_id}"))
     assert contract["end_reason"] == REASON
 
 
 def test_cutting_a_settled_cue_owes_nothing_twice(agreed: Agreed) -> None:
     cues = half_way(agreed)
-    told(give_notice(agreed))
+    body_of(give_notice(agreed))
     both_agree(agreed)
     before = agreed.owed()
-    told(agreed.world.producer.post(f"/v1/cues/{cues[2]}/cut", json={"reason": "Left the game"}))
+    body_of(agreed.world.producer.post(f"/v1/cues/{cues[2]}/cut", json={"reason": "Left the game"}))
     assert agreed.owed() == before
 
 
@@ -139,7 +139,7 @@ def test_what_is_settled_is_invoiced_and_paid(agreed: Agreed) -> None:
     half_way(agreed)
     paid = agreed.invoice()
     assert agreed.pay(paid, paid["total_minor"]).status_code == 201
-    told(give_notice(agreed))
+    body_of(give_notice(agreed))
     assert ending(agreed)["figures"]["due_minor"] == 15_750 + 23_625
     both_agree(agreed)
     last = agreed.invoice()
@@ -150,9 +150,9 @@ def test_what_is_settled_is_invoiced_and_paid(agreed: Agreed) -> None:
 
 def test_a_yes_to_another_state_of_things_counts_no_more(agreed: Agreed) -> None:
     cues = half_way(agreed)
-    told(give_notice(agreed))
+    body_of(give_notice(agreed))
     seen = ending(agreed)["statement_sha256"]
-    told(agree(agreed, agreed.world.designer, "N. Designer"))
+    body_of(agree(agreed, agreed.world.designer, "N. Designer"))
     agreed.take(cues[1], state=TakeState.RETURNED)  # begun since
     answer = agree(agreed, agreed.world.producer, "P. Producer", seen)
     assert refused(answer) == (409, "text-changed")
@@ -164,8 +164,8 @@ def test_a_yes_to_another_state_of_things_counts_no_more(agreed: Agreed) -> None
 
 def test_one_party_agrees_once(agreed: Agreed) -> None:
     half_way(agreed)
-    told(give_notice(agreed))
-    told(agree(agreed, agreed.world.designer, "N. Designer"))
+    body_of(give_notice(agreed))
+    body_of(agree(agreed, agreed.world.designer, "N. Designer"))
     assert refused(agree(agreed, agreed.world.designer, "N. Designer")) == (409, "already-accepted")
     assert ending(agreed, agreed.world.designer)["may"] == {"give_notice": False, "withdraw": False, "agree": False}
 
@@ -182,7 +182,7 @@ def end_yesterday(agreed: Agreed) -> None:
 @pytest.mark.both_databases
 def test_without_a_yes_the_last_day_settles_it_once(agreed: Agreed) -> None:
     half_way(agreed)
-    told(give_notice(agreed, agreed.world.designer))
+    body_of(give_notice(agreed, agreed.world.designer))
     jobs.settle_ended(agreed.world.server.runtime, {})
     assert state_of(agreed) == "agreed"
     end_yesterday(agreed)
@@ -199,11 +199,11 @@ def test_only_who_gave_the_notice_withdraws_it(agreed: Agreed) -> None:
     half_way(agreed)
     path = f"/v1/contracts/{agreed.contract_id}/ending/withdraw"
     assert refused(agreed.world.producer.post(path)) == (409, "no-notice")
-    told(give_notice(agreed))
+    body_of(give_notice(agreed))
     assert refused(give_notice(agreed, agreed.world.designer)) == (409, "notice-given")
     assert refused(agreed.world.designer.post(path)) == (403, "not-your-contract")
-    assert told(agreed.world.producer.post(path))["state"] == "forecast"
-    told(give_notice(agreed, agreed.world.designer))
+    assert body_of(agreed.world.producer.post(path))["state"] == "forecast"
+    body_of(give_notice(agreed, agreed.world.designer))
     assert entries(agreed)[-3:] == ["notice_given", "notice_withdrawn", "notice_given"]
     both_agree(agreed)
     assert refused(agreed.world.designer.post(path)) == (409, "already-ended")
@@ -213,7 +213,7 @@ def test_only_who_gave_the_notice_withdraws_it(agreed: Agreed) -> None:
 def test_notice_is_as_long_as_the_contract_says(agreed: Agreed) -> None:
     half_way(agreed)
     assert refused(give_notice(agreed, ends_on=day(13))) == (422, "notice-too-short")
-    assert told(give_notice(agreed, ends_on=day(20)))["notice"]["ends_on"] == day(20)
+    assert body_of(give_notice(agreed, ends_on=day(20)))["notice"]["ends_on"] == day(20)
 
 
 def test_rules_of_notice() -> None:
@@ -228,7 +228,7 @@ def test_without_the_clause_it_ends_only_when_both_agree(world: World) -> None:
     agreed = Agreed(world)
     half_way(agreed)
     assert refused(give_notice(agreed, ends_on=day(90))) == (422, "notice-too-short")
-    assert told(give_notice(agreed))["notice"]["ends_on"] is None
+    assert body_of(give_notice(agreed))["notice"]["ends_on"] is None
     jobs.settle_ended(world.server.runtime, {})
     assert state_of(agreed) == "agreed"
     both_agree(agreed)
@@ -240,7 +240,7 @@ def test_a_deposit_that_is_set_off(world: World) -> None:
     half_way(agreed)
     paid = agreed.invoice()
     assert agreed.pay(paid, paid["total_minor"]).status_code == 201
-    told(give_notice(agreed))
+    body_of(give_notice(agreed))
     statement = ending(agreed)
     assert (statement["deposit_minor"], statement["figures"]["accepted_minor"]) == (0, 73_125)
     assert statement["figures"]["due_minor"] == 15_750 + 23_625 - 144_000
@@ -254,7 +254,7 @@ def test_what_waited_for_a_whole_milestone_is_due(world: World) -> None:
     agreed = Agreed(world, terms=TERMS, release=ReleaseClause.ON_COMPLETION)
     half_way(agreed)
     assert agreed.owed()[1:] == [("cut", 15_750)], "the accepted cue waits for its milestone"
-    told(give_notice(agreed))
+    body_of(give_notice(agreed))
     both_agree(agreed)
     assert sorted(agreed.owed()[1:]) == [("accepted", 18_000), ("cut", 15_750), ("cut", 15_750), ("cut", 23_625)]
 
@@ -267,13 +267,13 @@ def test_days_count_that_the_studio_agreed_to(world: World) -> None:
         body = {"worked_on": day(-number), "quarters": 4, "note": ""}
         logged = world.designer.post(f"/v1/contracts/{agreed.contract_id}/worked-days", json=body).json()
         if is_agreed:
-            told(world.producer.post(f"/v1/worked-days/{logged['id']}/agree"))
-    told(give_notice(agreed))
+            body_of(world.producer.post(f"/v1/worked-days/{logged['id']}/agree"))
+    body_of(give_notice(agreed))
     statement = ending(agreed)
     assert (statement["days_minor"], statement["figures"]["saved_minor"]) == (40_000, 360_000)
     assert [(one["kind"], one["amount_minor"]) for one in statement["open_points"]] == [("day", 40_000)]
     both_agree(agreed)
-    told(world.producer.post(f"/v1/worked-days/{logged['id']}/agree"))
+    body_of(world.producer.post(f"/v1/worked-days/{logged['id']}/agree"))
     figures = agreed.figures()
     assert (figures["accepted_minor"], figures["open_minor"], figures["saved_minor"]) == (80_000, 0, 320_000)
 
@@ -288,11 +288,11 @@ def test_another_designers_takes_are_not_this_ones_work(agreed: Agreed) -> None:
 
 def test_the_next_designer_may_be_contracted_for_what_was_left(agreed: Agreed, contracts: Contracts) -> None:
     cues = half_way(agreed)
-    told(give_notice(agreed))
+    body_of(give_notice(agreed))
     both_agree(agreed)
     begun = contracts.begin()
     plan = {"milestones": [milestone("Beta", cues[1], cues[3], amount_minor=50_000)]}
-    saved = told(agreed.world.producer.put(f"/v1/contracts/{begun['id']}/milestones", json=plan))
+    saved = body_of(agreed.world.producer.put(f"/v1/contracts/{begun['id']}/milestones", json=plan))
     assert "covered-elsewhere" not in {advice["code"] for advice in saved["advice"]}
     assert contracts.agree(begun)["state"] == "agreed"
 
@@ -304,7 +304,7 @@ def test_a_contract_that_ended_without_settlement_is_settled_by_both(agreed: Agr
     agreed.world.server.in_database(
         lambda session: session.execute(sa.update(Contract).where(Contract.id == agreed.contract_id).values(ended))
     )
-    assert told(give_notice(agreed))["notice"]["ends_on"] is None
+    assert body_of(give_notice(agreed))["notice"]["ends_on"] is None
     both_agree(agreed)
     assert agreed.owed()[-2:] == [("cut", 15_750), ("cut", 23_625)]
 
@@ -327,7 +327,7 @@ def test_the_statement_as_pdf(agreed: Agreed) -> None:
     half_way(agreed)
     path = f"/v1/contracts/{agreed.contract_id}/ending/statement.pdf"
     assert refused(agreed.world.designer.get(path)) == (409, "no-notice")
-    told(give_notice(agreed))
+    body_of(give_notice(agreed))
     first = agreed.world.designer.get(path)
     assert (first.status_code, first.headers["content-type"]) == (200, "application/pdf")
     assert first.content == agreed.world.producer.get(path).content
@@ -338,10 +338,10 @@ def test_the_statement_as_pdf(agreed: Agreed) -> None:
 
 def test_both_are_notified_by_mail(agreed: Agreed) -> None:
     half_way(agreed)
-    told(give_notice(agreed))
+    body_of(give_notice(agreed))
     both_agree(agreed)
     agreed.world.server.wait_for_jobs()
-    mails = told(agreed.world.producer.get(f"/v1/studios/{agreed.world.studio_id}/outbox"))["mails"]
+    mails = body_of(agreed.world.producer.get(f"/v1/studios/{agreed.world.studio_id}/outbox"))["mails"]
     subjects = [mail["subject"] for mail in mails]
     assert subjects.count("Shield Wing: notice was given on a contract") == 2
     assert subjects.count("Shield Wing: a contract has ended") == 2

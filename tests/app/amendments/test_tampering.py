@@ -18,7 +18,7 @@ from app.kit.record import START, link
 from app.money.models import LedgerLine, Payment
 from tests.app.agreements.conftest import Contracts
 from tests.app.money.agreed import TODAY, deposit, milestone
-from tests.app.reviews.making import Stage, told
+from tests.app.reviews.making import Stage, body_of
 from tests.support.server import World
 
 
@@ -47,7 +47,7 @@ def contract_id(world: World, contracts: Contracts) -> UUID:
             contracts.ask(by, "POST", f"{path}/change-orders/{number}/accept", json=yes)
     stage.approve(stage.take(cues[0]))
     contracts.end(agreed)
-    assert told(world.producer.get(f"/v1{path}"))["state"] == "ended"
+    assert body_of(world.producer.get(f"/v1{path}"))["state"] == "ended"
     return UUID(agreed["id"])
 
 

@@ -145,14 +145,14 @@ def test_the_baseline_names_master_and_game_files(world: World) -> None:
     assert waived.status_code in (200, 201), waived.text
     world.server.wait_for_jobs()
     url = f"/v1/projects/{world.project_id}/baseline.json"
-    told = world.designer.get(url).json()
-    assert told["format"] == 1
-    assert len(told["waived"]) == 3  # the master, and its game files for two targets
-    assert len({one["pcm_sha256"] for one in told["waived"]}) == 3
-    assert {(one["cue"], one["reason"], one["file_name"]) for one in told["waived"]} == {
+    reported = world.designer.get(url).json()
+    assert reported["format"] == 1
+    assert len(reported["waived"]) == 3  # the master, and its game files for two targets
+    assert len({one["pcm_sha256"] for one in reported["waived"]}) == 3
+    assert {(one["cue"], one["reason"], one["file_name"]) for one in reported["waived"]} == {
         ("SW-001", "it is meant to hurt", "alarm.wav")
     }
-    assert all("sample-peak:over" in one["codes"] for one in told["waived"])
+    assert all("sample-peak:over" in one["codes"] for one in reported["waived"])
     assert world.stranger.get(url).status_code == 404
 
 
@@ -167,12 +167,12 @@ def test_the_lines_for_ci_do_what_they_say(world: World, tmp_path: Path) -> None
     pack.write_bytes(world.producer.get(f"/v1/projects/{world.project_id}/pack.zip").content)
     with zipfile.ZipFile(pack) as archive:
         archive.extractall(tmp_path / "assets")
-    told = world.producer.get(f"/v1/projects/{world.project_id}/ci", params={"target": "game"}).json()["lines"]
+    reported = world.producer.get(f"/v1/projects/{world.project_id}/ci", params={"target": "game"}).json()["lines"]
     ours = world.server.runtime.settings.base_url
 
     def run() -> int:
         with listening(world.server.application) as port:
-            script = "\n".join(told).replace(ours, f"http://127.0.0.1:{port}")
+            script = "\n".join(reported).replace(ours, f"http://127.0.0.1:{port}")
             path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
             environment = {"PATH": path, "SOUNDLIST_TOKEN": secret, "BUILD": "nightly 7", "COMMIT": "abc"}
             done = subprocess.run(

@@ -44,8 +44,8 @@ def ask(world: World, **params: Any) -> Response:
 def manifest(world: World, **params: Any) -> dict[str, Any]:
     answer = ask(world, **params)
     assert answer.status_code == 200, answer.text
-    told: dict[str, Any] = answer.json()
-    return told
+    reported: dict[str, Any] = answer.json()
+    return reported
 
 
 def pack(world: World, **params: Any) -> zipfile.ZipFile:
@@ -84,11 +84,11 @@ def jobs_for(world: World, name: str) -> list[tuple[str, str]]:
 
 def test_it_lists_the_files_of_the_pack_and_what_each_is_known_by(world: World, tmp_path: Path) -> None:
     accepted_list(world)
-    told = manifest(world)
-    jsonschema_rs.validate(schema(), told)
+    reported = manifest(world)
+    jsonschema_rs.validate(schema(), reported)
     with pack(world) as archive:
         archive.extractall(tmp_path)
-    (tmp_path / "manifest.json").write_text(json.dumps(told))
+    (tmp_path / "manifest.json").write_text(json.dumps(reported))
     approved = audio_checks.read_manifest(tmp_path / "manifest.json")
     assert [one.path for one in approved] == SOUNDS
     assert [one.cue for one in approved] == ["1", "1", "2"]
@@ -323,8 +323,8 @@ def test_an_audit_of_the_pack_says_all_the_same_and_names_what_was_raised(world:
         program = Path(sys.executable).parent / "audio-checks"
         command = [program, "audit", "--manifest", "manifest.json", "--format", "json", "build"]
         done = subprocess.run(command, cwd=tmp_path, capture_output=True, timeout=60)
-        told: dict[str, Any] = json.loads(done.stdout)
-        return done.returncode, {one["path"]: one for one in told["files"]}
+        reported: dict[str, Any] = json.loads(done.stdout)
+        return done.returncode, {one["path"]: one for one in reported["files"]}
 
     code, files = audit()
     assert (code, [one["status"] for one in files.values()]) == (0, ["same"] * 3)

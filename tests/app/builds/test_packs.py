@@ -36,14 +36,14 @@ def download(world: World, by: TestClient | None = None, **params: Any) -> bytes
 
 def test_the_pack_holds_what_the_game_expects(world: World, tmp_path: Path) -> None:
     masters = accepted_list(world)
-    told = world.producer.get(f"/v1/projects/{world.project_id}/pack", params={"target": "game"}).json()
-    assert (told["files"], told["cues_accepted"], told["cues_wanted"], told["missing"]) == (3, 2, 3, [])
-    assert told["masters_bytes"] == sum(len(master) for master in masters.values())
+    reported = world.producer.get(f"/v1/projects/{world.project_id}/pack", params={"target": "game"}).json()
+    assert (reported["files"], reported["cues_accepted"], reported["cues_wanted"], reported["missing"]) == (3, 2, 3, [])
+    assert reported["masters_bytes"] == sum(len(master) for master in masters.values())
     whole = download(world, masters=True)
     with zipfile.ZipFile(io.BytesIO(whole)) as archive:
         assert archive.testzip() is None
         assert archive.namelist() == SOUNDS + [f"masters/{stem}.wav" for stem in masters] + KEY
-        assert sum(archive.getinfo(name).file_size for name in SOUNDS) == told["bytes"]
+        assert sum(archive.getinfo(name).file_size for name in SOUNDS) == reported["bytes"]
         for stem, master in masters.items():
             assert archive.read(f"masters/{stem}.wav") == master
         archive.extractall(tmp_path)

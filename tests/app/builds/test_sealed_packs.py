@@ -39,7 +39,7 @@ def fetch(world: World, pack: dict[str, Any]) -> zipfile.ZipFile:
     return zipfile.ZipFile(io.BytesIO(answer.content))
 
 
-def told(changes: dict[str, Any]) -> dict[str, set[str]]:
+def reported(changes: dict[str, Any]) -> dict[str, set[str]]:
     found: dict[str, set[str]] = {"new": set(), "changed": set(), "gone": set()}
     for one in changes["paths"]:
         found[one["kind"]].add(one["path"])
@@ -69,7 +69,7 @@ def test_a_sealed_pack_stays_as_it_was_and_its_sums_hold(world: World, tmp_path:
     assert world.reviewer.get(f"/v1/packs/{pack['id']}/pack.zip").content == first
     second = seal(world)
     assert (second["number"], second["files"], second["changes"]["since"]) == (2, 4, 1)
-    assert told(second["changes"]) == {"new": {"siren.wav"}, "changed": set(), "gone": set()}
+    assert reported(second["changes"]) == {"new": {"siren.wav"}, "changed": set(), "gone": set()}
 
 
 def test_the_current_pack_says_what_changed_since_the_last(world: World) -> None:
@@ -91,7 +91,7 @@ def test_the_current_pack_says_what_changed_since_the_last(world: World) -> None
     world.server.wait_for_jobs()
     assert laser["variations"] == 2
     changes = world.producer.get(url, params={"target": "game"}).json()["changes"]
-    assert told(changes) == {"new": set(), "changed": {"laser_fire_01.wav"}, "gone": {"ui_confirm.wav"}}
+    assert reported(changes) == {"new": set(), "changed": {"laser_fire_01.wav"}, "gone": {"ui_confirm.wav"}}
     assert changes["same"] == 1
 
 
@@ -133,7 +133,7 @@ def test_what_sounds_as_it_did_is_the_very_file_of_the_last_pack(world: World) -
         assert archive.read("ui_confirm.wav") == before
         assert archive.read("laser_fire_01.wav") != looped  # the same samples, and yet it plays in another way
     changes = seal(world)["changes"]
-    assert told(changes) == {"new": set(), "changed": {"laser_fire_01.wav"}, "gone": set()}
+    assert reported(changes) == {"new": set(), "changed": {"laser_fire_01.wav"}, "gone": set()}
 
 
 def test_files_stand_in_the_folders_that_the_game_expects(world: World) -> None:

@@ -69,10 +69,10 @@ def test_both_versions_can_be_heard_and_seen_by_both_sides_and_nobody_else(world
 
 
 def test_findings_say_what_a_fix_does_about_each(world: World, take: dict[str, Any]) -> None:
-    told = {one["code"]: one for one in checked(world, take["id"])["findings"]}
-    assert told["head-silence:over"]["auto_fix"] == "trims 45.0 ms from the start"
-    assert told["sample-peak:over"]["auto_fix"] == "lowers the level by 0.10 dB"
-    assert told["sample-peak:over"]["no_auto_fix"] is None
+    reported = {one["code"]: one for one in checked(world, take["id"])["findings"]}
+    assert reported["head-silence:over"]["auto_fix"] == "trims 45.0 ms from the start"
+    assert reported["sample-peak:over"]["auto_fix"] == "lowers the level by 0.10 dB"
+    assert reported["sample-peak:over"]["no_auto_fix"] is None
 
 
 def test_with_consent_it_becomes_a_version_and_no_round_counts(world: World, take: dict[str, Any]) -> None:
@@ -136,8 +136,8 @@ def test_a_fix_that_is_not_enough_is_not_made(world: World) -> None:
     fix = fix_of(world, take)
     assert fix["state"] == "none"
     assert "would not be enough" in fix["says"]
-    told = {one["code"]: one for one in checked(world, take["id"])["findings"]}
-    assert "never changes the sample rate" in told["sample-rate:not-accepted"]["no_auto_fix"]
+    reported = {one["code"]: one for one in checked(world, take["id"])["findings"]}
+    assert "never changes the sample rate" in reported["sample-rate:not-accepted"]["no_auto_fix"]
     refused = world.designer.post(f"/v1/takes/{take['id']}/fix")
     assert (refused.status_code, refused.json()["code"]) == (409, "nothing-to-fix")
     refused = world.designer.post(f"/v1/takes/{take['id']}/fix/use")

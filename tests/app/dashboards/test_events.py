@@ -12,8 +12,8 @@ import pytest
 from app.dashboards.watching import BEFORE_NDA, GRANTING, PARTIES_ONLY, STUDIOS_OWN
 from app.kit import change_feed
 from app.kit.changes import KEPT_FOR, instant_id
-from app.kit.uvicorn_internals import BoundedHttpProtocol
 from app.kit.db import Base
+from app.kit.uvicorn_internals import BoundedHttpProtocol
 from app.main import create_app
 from app.projects.models import Engagement, Project
 from tests.support.event_stream import Listener, listening_for_changes
@@ -64,8 +64,8 @@ def test_nobody_hears_of_projects_that_they_do_not_see(web: str, world: World):
     ):
         add_cue(world)
         heard(reviewer, world.project_id, "sound_lists")
-        told = [event.data for event in (*stranger.events, *other.events) if event.name == "change"]
-        assert str(world.studio_id) not in {data["studio_id"] for data in told}, "of their own studio they hear"
+        reported = [event.data for event in (*stranger.events, *other.events) if event.name == "change"]
+        assert str(world.studio_id) not in {data["studio_id"] for data in reported}, "of their own studio they hear"
 
 
 def test_before_the_nda_a_designer_hears_of_contracts_only(server: RunningServer, web: str, world: World):
@@ -175,7 +175,7 @@ def test_a_transaction_that_is_undone_says_nothing(server: RunningServer, web: s
     with listening_for_changes(web, world.producer.cookies) as producer:
         add_cue(world, "Before")
         heard(producer, world.project_id, "sound_lists")
-        told = len([event for event in producer.events if "projects" in event.data.get("rooms", ())])
+        reported = len([event for event in producer.events if "projects" in event.data.get("rooms", ())])
         with server.runtime.database.writing() as session:
             session.get_one(Project, world.project_id).name = "Never"
             session.flush()
@@ -183,4 +183,4 @@ def test_a_transaction_that_is_undone_says_nothing(server: RunningServer, web: s
         before = len(producer.events)
         add_cue(world)
         until(lambda: len(producer.events) > before)
-        assert len([event for event in producer.events if "projects" in event.data.get("rooms", ())]) == told
+        assert len([event for event in producer.events if "projects" in event.data.get("rooms", ())]) == reported

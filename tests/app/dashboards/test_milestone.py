@@ -5,7 +5,7 @@ from typing import Any
 import pytest
 
 from tests.app.money.agreed import TODAY, Agreed, day, deposit, milestone
-from tests.app.reviews.making import refused, told
+from tests.app.reviews.making import body_of, refused
 from tests.support.server import World
 
 
@@ -24,9 +24,9 @@ def agreed(world: World) -> Agreed:
 
 
 def sheet(agreed: Agreed, name: str, by: Any = None) -> dict[str, Any]:
-    plan = told(agreed.world.producer.get(f"/v1/contracts/{agreed.contract_id}/milestones"))["milestones"]
+    plan = body_of(agreed.world.producer.get(f"/v1/contracts/{agreed.contract_id}/milestones"))["milestones"]
     (found,) = [one for one in plan if one["name"] == name]
-    return told((by or agreed.world.producer).get(f"/v1/milestones/{found['id']}"))
+    return body_of((by or agreed.world.producer).get(f"/v1/milestones/{found['id']}"))
 
 
 def test_cues_stand_with_state_and_share(agreed: Agreed) -> None:

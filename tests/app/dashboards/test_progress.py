@@ -63,18 +63,18 @@ def of_variation(states: Sequence[TakeState]) -> str:
 def of_cue(line: Line, takes: Sequence[Came]) -> str:
     if line.is_cut:
         return "cut"
-    told = [
+    reported = [
         of_variation([take.state for take in takes if take.variation == variation])
         for variation in range(1, line.variations + 1)
     ]
-    if set(told) == {"accepted"}:
+    if set(reported) == {"accepted"}:
         return "accepted"
     for status in ("change_requested", "returned", "unjudged", "to_review", "checking"):
-        if status in told:
+        if status in reported:
             return status
     if line.is_asked:
         return "question"
-    return "partly_accepted" if "accepted" in told else "placeholder" if line.placeholder else "to_make"
+    return "partly_accepted" if "accepted" in reported else "placeholder" if line.placeholder else "to_make"
 
 
 @pytest.fixture
@@ -159,12 +159,12 @@ def test_sums_say_what_looking_at_each_take_says(stage: Stage, seed: int):
         steps = read(world, by, "overview")["steps"]
         assert {step["cue"]["id"]: step["status"] for step in steps} == wanted
         for line in lines:
-            told, takes = found[str(line.id)], seen[line.id]
+            reported, takes = found[str(line.id)], seen[line.id]
             if wanted[str(line.id)] != "accepted":
-                assert (told["newest_take"] or {}).get("id") == (takes[-1].id if takes else None)
+                assert (reported["newest_take"] or {}).get("id") == (takes[-1].id if takes else None)
             waiting = Counter(take.variation for take in takes if take.state is T.CONFORMING)
-            assert told["alternates"] == max(waiting.values(), default=0)
-            assert told["open_question"] == ("Wet or dry?" if line.is_asked else None)
+            assert reported["alternates"] == max(waiting.values(), default=0)
+            assert reported["open_question"] == ("Wet or dry?" if line.is_asked else None)
 
 
 @pytest.mark.parametrize("seed", [3])
@@ -187,16 +187,16 @@ def test_an_accepted_cue_shows_what_was_approved_and_not_what_came_later(stage: 
     cue_id = stage.cue("shield_hit")
     approved = stage.take(cue_id, state=T.APPROVED)
     stage.take(cue_id, state=T.SET_ASIDE)
-    told = all_progress(stage.world, stage.world.producer)[str(cue_id)]
-    assert (told["status"], told["newest_take"]["id"], told["versions"]) == ("accepted", str(approved), 2)
-    assert told["worst_finding"] is None  # what was found is settled
+    reported = all_progress(stage.world, stage.world.producer)[str(cue_id)]
+    assert (reported["status"], reported["newest_take"]["id"], reported["versions"]) == ("accepted", str(approved), 2)
+    assert reported["worst_finding"] is None  # what was found is settled
 
 
 def test_the_worst_of_what_stands_is_shown(stage: Stage):
     cue_id = stage.cue("shield_hit")
     stage.take(cue_id, state=T.CONFORMING)
-    told = all_progress(stage.world, stage.world.producer)[str(cue_id)]
-    assert told["worst_finding"]["code"] == "true-peak:over"
+    reported = all_progress(stage.world, stage.world.producer)[str(cue_id)]
+    assert reported["worst_finding"]["code"] == "true-peak:over"
     gone = stage.cue("laser_fire")
     stage.take(gone, state=T.SET_ASIDE)
     assert all_progress(stage.world, stage.world.producer)[str(gone)]["worst_finding"] is None

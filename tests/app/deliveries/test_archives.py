@@ -95,12 +95,12 @@ def test_what_is_left_out_is_said(world: World) -> None:
             }
         ),
     )
-    told = entries_of(archive)
-    assert told.pop("laser.wav") is None
-    assert "link" in str(told.pop("link.wav"))
-    assert "archive inside" in str(told.pop("inner.zip"))
-    assert "not a sound file" in str(told.pop("readme.txt"))
-    assert all("written by the system" in str(reason) for reason in told.values())
+    reported = entries_of(archive)
+    assert reported.pop("laser.wav") is None
+    assert "link" in str(reported.pop("link.wav"))
+    assert "archive inside" in str(reported.pop("inner.zip"))
+    assert "not a sound file" in str(reported.pop("readme.txt"))
+    assert all("written by the system" in str(reason) for reason in reported.values())
     assert len(archive["takes"]) == 1
 
 
@@ -113,9 +113,9 @@ def test_methods_that_cannot_be_bounded_are_not_unpacked(world: World, method: i
 def test_a_damaged_file_does_not_spoil_the_others(world: World) -> None:
     content = packed({"bad.wav": b"damaged here", "good.wav": b"whole"}, zipfile.ZIP_STORED)
     archive = send(world, content.replace(b"damaged here", b"damaged HERE"))
-    told = entries_of(archive)
-    assert "CRC" in str(told["bad.wav"])
-    assert told["good.wav"] is None
+    reported = entries_of(archive)
+    assert "CRC" in str(reported["bad.wav"])
+    assert reported["good.wav"] is None
 
 
 def test_a_locked_file_is_named(world: World) -> None:

@@ -171,8 +171,8 @@ def test_a_zip_brings_it_too(world: World) -> None:
     world.server.wait_for_jobs()
     delivery = world.designer.get(f"/v1/deliveries/{delivery_id}").json()
     [take] = delivery["takes"]
-    told = {entry["path"]: (entry["taken"], entry["reason"]) for entry in delivery["archives"][0]["entries"]}
-    assert told["stems/warp_in__dry.wav"] == (True, "not a version: the dry stem of warp_in")
+    reported = {entry["path"]: (entry["taken"], entry["reason"]) for entry in delivery["archives"][0]["entries"]}
+    assert reported["stems/warp_in__dry.wav"] == (True, "not a version: the dry stem of warp_in")
     assert heard(checked(world, take["id"])) == []
 
 

@@ -17,7 +17,7 @@ from app.deliveries.source_rules import open_points, words_of, words_of_points
 from audio_checks import AudioFile
 from tests.app.builds.approved import accepted_list
 from tests.app.money.agreed import Agreed, milestone
-from tests.app.reviews.making import Stage, refused, told
+from tests.app.reviews.making import Stage, body_of, refused
 from tests.support.deliver import add_cues, deliver, open_delivery
 from tests.support.server import World
 from tests.support.waves import sine, wav_bytes
@@ -43,7 +43,7 @@ def state(world: World, take_id: UUID, sources: dict[str, Any], by: Any = None) 
 
 
 def of_take(world: World, take_id: UUID) -> dict[str, Any]:
-    return told(world.reviewer.get(f"/v1/takes/{take_id}/sources"))
+    return body_of(world.reviewer.get(f"/v1/takes/{take_id}/sources"))
 
 
 def test_what_is_stated_of_a_delivery_holds_for_its_takes_but_those_with_their_own(stage: Stage) -> None:
@@ -52,9 +52,9 @@ def test_what_is_stated_of_a_delivery_holds_for_its_takes_but_those_with_their_o
     nothing = of_take(world, first)
     assert (nothing["stated"], nothing["open_points"]) == (None, ["its sources are not stated"])
     path = f"/v1/deliveries/{stage.delivery_id}/sources"
-    whole = told(world.designer.put(path, json=SCRATCH))
+    whole = body_of(world.designer.put(path, json=SCRATCH))
     assert [one["stated"]["words"] for one in whole["takes"]] == ["made from scratch"] * 2
-    told(state(world, second, LAYERED))
+    body_of(state(world, second, LAYERED))
     assert of_take(world, first)["stated"]["sources"]["from_scratch"] is True
     second_read = of_take(world, second)
     assert second_read["is_own"] is True
@@ -71,12 +71,12 @@ def test_what_is_stated_of_a_delivery_holds_for_its_takes_but_those_with_their_o
 def test_the_designer_is_offered_what_they_stated_last(stage: Stage) -> None:
     world = stage.world
     take = stage.take(stage.cue())
-    told(state(world, take, LAYERED))
+    body_of(state(world, take, LAYERED))
     another = open_delivery(world)
-    asked = told(world.designer.get(f"/v1/deliveries/{another}/sources"))
+    asked = body_of(world.designer.get(f"/v1/deliveries/{another}/sources"))
     assert asked["stated"] is None
     assert asked["remembered"]["libraries"] == LAYERED["libraries"]
-    assert told(world.producer.get(f"/v1/deliveries/{another}/sources"))["remembered"] is None
+    assert body_of(world.producer.get(f"/v1/deliveries/{another}/sources"))["remembered"] is None
 
 
 @pytest.mark.parametrize("by", ["producer", "approver", "reviewer"])
@@ -95,23 +95,23 @@ def test_once_approved_and_complete_they_stand(stage: Stage) -> None:
     world, cue = stage.world, stage.cue()
     take = stage.take(cue)
     path = f"/v1/deliveries/{stage.delivery_id}/sources"
-    told(world.designer.put(path, json=SCRATCH))
+    body_of(world.designer.put(path, json=SCRATCH))
     stage.approve(take)
     assert refused(state(world, take, LAYERED)) == (409, "sources-fixed")
-    told(world.designer.put(path, json={"own_recordings": True}))
+    body_of(world.designer.put(path, json={"own_recordings": True}))
     read = of_take(world, take)
     assert (read["stated"]["words"], read["is_fixed"]) == ("made from scratch", True)
     stage.draft(take, seen_state="approved")
     stage.send()
-    assert told(state(world, take, LAYERED))["is_fixed"] is False, "a reversal opens them again"
+    assert body_of(state(world, take, LAYERED))["is_fixed"] is False, "a reversal opens them again"
 
 
 def test_what_is_open_can_be_completed_after_the_approval(stage: Stage) -> None:
     take = stage.take(stage.cue())
-    told(state(stage.world, take, LICENCE_OPEN))
+    body_of(state(stage.world, take, LICENCE_OPEN))
     stage.approve(take)
     assert of_take(stage.world, take)["open_points"] == ["the licence of Metal Impacts 2 is not named"]
-    told(state(stage.world, take, LAYERED))
+    body_of(state(stage.world, take, LAYERED))
     assert refused(state(stage.world, take, SCRATCH)) == (409, "sources-fixed")
 
 
@@ -136,12 +136,12 @@ def test_a_contract_can_want_them_before_acceptance(world: World) -> None:
     answer = agreed.verdict(take, "approve")
     assert refused(answer) == (409, "sources-missing")
     assert "shield_hit.wav: its sources are not stated" in answer.json()["detail"]
-    told(state(world, take, LICENCE_OPEN))
+    body_of(state(world, take, LICENCE_OPEN))
     whole = world.approver.post(f"/v1/cues/{cue}/accept-set", json={})
     assert refused(whole) == (409, "sources-missing")
     assert "the licence of Metal Impacts 2 is not named" in whole.json()["detail"]
     assert (agreed.states(take), agreed.owed(), recorded(agreed)) == (["conforming"], [], [])
-    told(state(world, take, LAYERED))
+    body_of(state(world, take, LAYERED))
     agreed.approve(take)
     assert agreed.owed() == [("accepted", 18_000)]
     ((by, words),) = recorded(agreed)
@@ -156,7 +156,7 @@ def test_a_contract_can_want_them_before_the_invoice(world: World) -> None:
     answer = world.designer.post(path, json={"seller": "Sound designer"})
     assert refused(answer) == (409, "sources-missing")
     assert answer.json()["errors"][0]["where"] == f"takes.{take}"
-    told(world.designer.put(f"/v1/deliveries/{agreed.delivery_id}/sources", json=SCRATCH))
+    body_of(world.designer.put(f"/v1/deliveries/{agreed.delivery_id}/sources", json=SCRATCH))
     assert recorded(agreed) == [("Sound designer", "made from scratch")], "completed after the approval, on record too"
     agreed.invoice()
 
@@ -195,11 +195,11 @@ def test_a_library_without_licence_says_so_in_words() -> None:
 def test_a_copy_of_a_master_carries_them(world: World, tmp_path: Path) -> None:
     [cue] = add_cues(world, {"name": "Shield hit", "description": "a bowl, struck"})
     take = deliver(world, "shield_hit.wav", wav_bytes(sine(hz=997, dbfs=-3.0, seconds=0.5)), cue_id=cue["id"])
-    told(state(world, take["id"], LAYERED))
+    body_of(state(world, take["id"], LAYERED))
     asked = world.designer.post(f"/v1/takes/{take['id']}/master-exports")
     assert asked.status_code == 201, asked.text
     world.server.wait_for_jobs()
-    made = told(world.designer.get(f"/v1/master-exports/{asked.json()['id']}"))
+    made = body_of(world.designer.get(f"/v1/master-exports/{asked.json()['id']}"))
     fields = made["fields"]
     assert fields["library"] == "Metal Impacts 2"
     assert fields["usageRights"] == "Metal Impacts 2: single user, 2024"
@@ -220,9 +220,9 @@ def sheet_of(content: bytes) -> list[dict[str, Any]]:
 
 def test_the_clearance_sheet_of_a_pack_says_what_a_lawyer_asks(world: World) -> None:
     accepted_list(world)
-    listed = told(world.designer.get(f"/v1/projects/{world.project_id}/takes"))["items"]
+    listed = body_of(world.designer.get(f"/v1/projects/{world.project_id}/takes"))["items"]
     takes = {one["file_name"]: one["id"] for one in listed}
-    told(state(world, takes["laser_fire_01.wav"], LAYERED))
+    body_of(state(world, takes["laser_fire_01.wav"], LAYERED))
     path = f"/v1/projects/{world.project_id}/clearance-sheet"
     first, second, single = sheet_of(world.producer.get(f"{path}.xlsx").content)
     assert first["file"].endswith("laser_fire_01.wav")
@@ -243,7 +243,7 @@ def test_the_clearance_sheet_of_a_pack_says_what_a_lawyer_asks(world: World) -> 
 
 def test_a_sealed_pack_has_its_clearance_sheet(world: World) -> None:
     accepted_list(world)
-    target = told(world.producer.get(f"/v1/projects/{world.project_id}/pack"))["target"]
+    target = body_of(world.producer.get(f"/v1/projects/{world.project_id}/pack"))["target"]
     sealed = world.producer.post(f"/v1/projects/{world.project_id}/packs", json={"target": target}).json()
     world.server.wait_for_jobs()
     rows = sheet_of(world.producer.get(f"/v1/packs/{sealed['id']}/clearance-sheet.xlsx").content)
@@ -253,7 +253,7 @@ def test_a_sealed_pack_has_its_clearance_sheet(world: World) -> None:
 
 def test_the_same_file_in_another_project_of_the_studio_is_said(world: World) -> None:
     accepted_list(world)
-    listed = told(world.producer.get(f"/v1/projects/{world.project_id}/takes"))["items"]
+    listed = body_of(world.producer.get(f"/v1/projects/{world.project_id}/takes"))["items"]
     body = {"studio_id": str(world.studio_id), "name": "Shield Wing 2", "cue_prefix": "SB"}
     other = world.producer.post("/v1/projects", json=body).json()
 

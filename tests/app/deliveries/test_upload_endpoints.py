@@ -68,11 +68,11 @@ def test_the_first_bytes_may_come_with_the_creation(world: World) -> None:
 
 
 def test_the_server_says_what_it_speaks(world: World) -> None:
-    told = world.nobody.options("/v1/uploads")
-    assert told.status_code == 204
-    assert told.headers["tus-version"] == "1.0.0"
-    assert set(told.headers["tus-extension"].split(",")) >= {"creation", "checksum", "termination", "expiration"}
-    assert "sha256" in told.headers["tus-checksum-algorithm"]
+    reported = world.nobody.options("/v1/uploads")
+    assert reported.status_code == 204
+    assert reported.headers["tus-version"] == "1.0.0"
+    assert set(reported.headers["tus-extension"].split(",")) >= {"creation", "checksum", "termination", "expiration"}
+    assert "sha256" in reported.headers["tus-checksum-algorithm"]
 
 
 def test_an_unfinished_upload_can_be_given_up(world: World) -> None:

@@ -68,9 +68,9 @@ def sent(world: World, s3: S3Server, location: str, numbers: list[int]) -> list[
 
 
 def test_a_store_that_takes_parts_says_so(direct: RunningServer, server: RunningServer):
-    told = direct.browser().options("/v1/uploads").headers["tus-extension"].split(",")
-    assert "soundlist-parts" in told
-    assert {"creation", "checksum"} < set(told)
+    reported = direct.browser().options("/v1/uploads").headers["tus-extension"].split(",")
+    assert "soundlist-parts" in reported
+    assert {"creation", "checksum"} < set(reported)
     assert "soundlist-parts" not in server.browser().options("/v1/uploads").headers["tus-extension"]
 
 
@@ -189,9 +189,9 @@ def test_a_store_that_does_not_answer_is_reported_and_nothing_is_half_kept(
     location = begun(world, 5)
     bytes_of = TUS | {"Upload-Offset": "0", "Content-Type": "application/offset+octet-stream"}
     line.fail("503", times=2, method="PUT")
-    told = world.designer.patch(location, headers=bytes_of, content=b"sound")
-    assert (told.status_code, told.json()["code"]) == (503, "store-unavailable")
-    assert int(told.headers["retry-after"]) > 0
+    reported = world.designer.patch(location, headers=bytes_of, content=b"sound")
+    assert (reported.status_code, reported.json()["code"]) == (503, "store-unavailable")
+    assert int(reported.headers["retry-after"]) > 0
     assert list(server.runtime.store.blobs()) == []
     standing = world.designer.head(location, headers=TUS)  # all bytes are here: whoever asks next finishes it
     assert (standing.status_code, standing.headers["upload-offset"]) == (200, "5")
@@ -203,8 +203,8 @@ def test_a_put_that_the_store_does_not_take_leaves_nothing_behind(on_a_bad_line:
     world = World(server)
     line.fail("refused", times=2, method="PUT")
     params = {"delivery_id": open_delivery(world), "file_name": "laser.wav"}
-    told = world.designer.put("/v1/uploads", params=params, content=b"another sound")
-    assert (told.status_code, told.json()["code"]) == (503, "store-unavailable")
+    reported = world.designer.put("/v1/uploads", params=params, content=b"another sound")
+    assert (reported.status_code, reported.json()["code"]) == (503, "store-unavailable")
     assert list(server.runtime.store.staging_root.glob(f"{world.studio_id}/.uploads/*")) == []
     assert world.designer.put("/v1/uploads", params=params, content=b"another sound").status_code == 201
 
@@ -220,6 +220,6 @@ def test_a_master_that_cannot_be_read_now_is_reported_before_a_byte_is_sent(
     body = {"upload_id": upload["upload_id"], "file_name": "laser.wav"}
     take = world.designer.post(f"/v1/deliveries/{delivery_id}/takes", json=body).json()
     line.fail("503", times=2, method="HEAD")
-    told = world.designer.get(f"/v1/takes/{take['id']}/master")
-    assert (told.status_code, told.json()["code"]) == (503, "store-unavailable")
+    reported = world.designer.get(f"/v1/takes/{take['id']}/master")
+    assert (reported.status_code, reported.json()["code"]) == (503, "store-unavailable")
     assert world.designer.get(f"/v1/takes/{take['id']}/master").content == b"a third sound"

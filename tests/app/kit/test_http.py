@@ -47,9 +47,9 @@ def test_a_refusal_is_a_problem_that_names_every_field(world: World):
     assert answer.headers["content-type"] == "application/problem+json"
     problem = answer.json()
     assert problem["code"] == "invalid-request"
-    told = {error["where"]: error["message"] for error in problem["errors"]}
-    assert told["studio_id"] == "this is required"
-    assert "name" in told
+    reported = {error["where"]: error["message"] for error in problem["errors"]}
+    assert reported["studio_id"] == "this is required"
+    assert "name" in reported
     assert problem["request_id"] == answer.headers["x-request-id"]
 
 

@@ -36,7 +36,7 @@ def figure(figures: Figures, name: str, **labels: str) -> float:
 
 
 @pytest.fixture
-def told(server: RunningServer, monkeypatch: pytest.MonkeyPatch):
+def scrape(server: RunningServer, monkeypatch: pytest.MonkeyPatch):
     """Return what Prometheus would read now."""
     monkeypatch.setattr(server.runtime.settings, "metrics_token", type(server.runtime.settings.metrics_token)(TOKEN))
     browser = server.browser()
@@ -49,7 +49,7 @@ def told(server: RunningServer, monkeypatch: pytest.MonkeyPatch):
     return ask
 
 
-def test_figures_want_their_token(server: RunningServer, told):
+def test_figures_want_their_token(server: RunningServer, scrape):
     browser = server.browser()
     for headers in ({}, {"Authorization": "Bearer something else"}, {"Authorization": f"Basic {TOKEN}"}):
         assert browser.get("/metrics", headers=headers).json()["code"] == "metrics-token-needed"
@@ -60,13 +60,13 @@ def test_without_a_token_there_are_no_metrics(server: RunningServer):
     assert (answer.status_code, answer.json()["code"]) == (404, "no-metrics-here")
 
 
-def test_requests_count_by_route_and_status_and_never_by_what_is_in_the_address(told, world: World):
-    before = told()
+def test_requests_count_by_route_and_status_and_never_by_what_is_in_the_address(scrape, world: World):
+    before = scrape()
     secret = f"secret-{uuid4()}"
     for _ in range(3):
         assert world.nobody.get(f"/v1/invitations/{secret}").status_code == 404
     world.producer.get(f"/v1/projects/{world.project_id}/sound-list")
-    after = told()
+    after = scrape()
 
     def grown(name: str, **labels: str) -> float:
         return figure(after, name, **labels) - figure(before, name, **labels)
@@ -78,9 +78,9 @@ def test_requests_count_by_route_and_status_and_never_by_what_is_in_the_address(
     assert not any(secret in value for _, labels in after for _, value in labels)
 
 
-def test_an_invented_method_is_counted_with_the_others(told, world: World):
+def test_an_invented_method_is_counted_with_the_others(scrape, world: World):
     world.nobody.request("BREW", "/v1/me")
-    methods = {value for _, labels in told() for name, value in labels if name == "method"}
+    methods = {value for _, labels in scrape() for name, value in labels if name == "method"}
     assert "BREW" not in methods
     assert "other" in methods
 
@@ -99,14 +99,14 @@ def enqueue(runtime: Runtime, *, fails: bool, studio_id=None) -> str:
     return key
 
 
-def test_jobs_count_by_outcome_and_the_parked_stay_in_sight(server: RunningServer, told, monkeypatch):
+def test_jobs_count_by_outcome_and_the_parked_stay_in_sight(server: RunningServer, scrape, monkeypatch):
     monkeypatch.setattr(queue, "RETRY_DELAYS_S", (0.01,))
-    runtime, before, studio_id = server.runtime, told(), uuid4()
+    runtime, before, studio_id = server.runtime, scrape(), uuid4()
     enqueue(runtime, fails=False)
     enqueue(runtime, fails=True, studio_id=studio_id)
     until(lambda: runtime.queue.counts(studio_id) and runtime.queue.counts(studio_id)[0].state == "parked")
-    until(lambda: figure(told(), "soundlist_jobs_run_total", job="counting.count_me", outcome="parked"))
-    after = told()
+    until(lambda: figure(scrape(), "soundlist_jobs_run_total", job="counting.count_me", outcome="parked"))
+    after = scrape()
 
     def grown(name: str, **labels: str) -> float:
         return figure(after, name, **labels) - figure(before, name, **labels)
@@ -121,14 +121,14 @@ def test_jobs_count_by_outcome_and_the_parked_stay_in_sight(server: RunningServe
     assert (count.name, count.state, count.jobs) == ("counting.count_me", "parked", 1)
 
 
-def test_a_worker_that_lives_is_reported(told, server: RunningServer):
+def test_a_worker_that_lives_is_reported(scrape, server: RunningServer):
     (heartbeat,) = server.runtime.queue.heartbeats(within=queue.timedelta(seconds=20))
-    assert figure(told(), "soundlist_worker_silent_seconds", worker=heartbeat.worker_id) < 20
+    assert figure(scrape(), "soundlist_worker_silent_seconds", worker=heartbeat.worker_id) < 20
 
 
-def test_connections_in_use_are_reported(told, server: RunningServer):
+def test_connections_in_use_are_reported(scrape, server: RunningServer):
     def in_use() -> float:
-        return figure(told(), "soundlist_database_connections", state="in use")
+        return figure(scrape(), "soundlist_database_connections", state="in use")
 
     with contextlib.ExitStack() as held:
         for _ in range(4):  # more than the server itself ever takes while nobody asks
@@ -223,8 +223,8 @@ def test_a_job_carries_the_id_of_the_request_that_asked_for_it(server: RunningSe
     with logs.bound({logs.REQUEST_ID: "asked-for-it"}):
         key = enqueue(server.runtime, fails=False)
     until(lambda: any("counted" in line for line in lines))
-    told = [json.loads(line) for line in lines]
-    (line,) = [each for each in told if each["event"] == "counted"]
+    scrape = [json.loads(line) for line in lines]
+    (line,) = [each for each in scrape if each["event"] == "counted"]
     assert (line["request_id"], line["job"], line["job_id"]) == ("asked-for-it", "counting.count_me", key)
     until(lambda: any("job ended" in line for line in lines))
 
@@ -239,8 +239,8 @@ def test_what_a_job_asks_for_carries_the_same_id(server: RunningServer, world: W
     server.wait_for_jobs()
 
     def ended() -> set[str]:
-        told = [json.loads(line) for line in lines if "job ended" in line]
-        return {each["job"] for each in told if each.get("request_id") == "one-click-many-jobs"}
+        scrape = [json.loads(line) for line in lines if "job ended" in line]
+        return {each["job"] for each in scrape if each.get("request_id") == "one-click-many-jobs"}
 
     # the mail is asked for by the job that the new revision asked for
     until(lambda: ended() >= {"notifications.notify_list_revised"})

@@ -198,21 +198,21 @@ class TestBucket:
         assert list(store.multipart.unfinished("")) == []
 
     @pytest.mark.parametrize(
-        ("changed", "told"),
+        ("changed", "reported"),
         [
             ({"bucket": "nobody-made-it"}, "the store's bucket is not there"),
             ({"endpoint": "http://127.0.0.1:1"}, "does not answer as an S3 server does"),
         ],
     )
     def test_what_is_wrong_with_a_bucket_is_said_in_words(
-        self, s3: S3Server, tmp_path: Path, changed: dict[str, str], told: str
+        self, s3: S3Server, tmp_path: Path, changed: dict[str, str], reported: str
     ):
         settings = s3.settings(data_dir=tmp_path)
         if "bucket" in changed:
             settings["store_url"] = re.sub("//[^/]+/", f"//{changed['bucket']}/", settings["store_url"], count=1)
         if "endpoint" in changed:
             settings["store_url"] = settings["store_url"].replace(s3.endpoint, changed["endpoint"])
-        with pytest.raises(StoreUnready, match=told) as said:
+        with pytest.raises(StoreUnready, match=reported) as said:
             open_store(Settings(**settings)).ensure_ready()
         assert "127.0.0.1" not in str(said.value)
 

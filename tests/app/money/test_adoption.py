@@ -55,8 +55,8 @@ def test_what_was_approved_before_is_due_with_the_agreement(world: World, stage:
     kinds = [entry["kind"] for entry in contracts.entries(agreed)]
     assert kinds[-3:] == ["planned", "adopted", "due"]
     adopted = contracts.entries(agreed)[-2]["payload"]
-    told = (adopted["by"], adopted["role"], adopted["approved_by"], adopted["cue"].endswith("radar_ping"))
-    assert told == ("Soundlist", "server", "Audio director", True)
+    reported = (adopted["by"], adopted["role"], adopted["approved_by"], adopted["cue"].endswith("radar_ping"))
+    assert reported == ("Soundlist", "server", "Audio director", True)
     assert how(world, before) == [AcceptedBy.ADOPTION]
     stage.approve(take)
     assert how(world, waiting) == [AcceptedBy.VERDICT]

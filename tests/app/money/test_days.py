@@ -5,7 +5,7 @@ from typing import Any
 import pytest
 
 from tests.app.money.agreed import Agreed, day, milestone
-from tests.app.reviews.making import refused, told
+from tests.app.reviews.making import body_of, refused
 from tests.support.server import World
 
 
@@ -24,7 +24,7 @@ def log(agreed: Agreed, worked_on: str, quarters: int = 4, by: Any = None) -> An
 
 def used(agreed: Agreed) -> tuple[int, int]:
     """Return what of the cap was agreed to, and the cap."""
-    (contract,) = told(agreed.world.producer.get(f"/v1/projects/{agreed.world.project_id}/money"))["contracts"]
+    (contract,) = body_of(agreed.world.producer.get(f"/v1/projects/{agreed.world.project_id}/money"))["contracts"]
     return contract["by_day"]["agreed_minor"], contract["by_day"]["cap_minor"]
 
 
@@ -33,7 +33,7 @@ def test_up_to_the_cap(agreed: Agreed) -> None:
     assert agreed.figures()["agreed_minor"] == 80_002
     days = [log(agreed, day(-number), quarters).json()["id"] for number, quarters in ((1, 4), (2, 3), (3, 2))]
     for worked_day_id in days:
-        told(world.producer.post(f"/v1/worked-days/{worked_day_id}/agree"))
+        body_of(world.producer.post(f"/v1/worked-days/{worked_day_id}/agree"))
     # Three quarters are 30,000.75; of the last half day the cap leaves 10,000.
     assert [line["amount_minor"] for line in agreed.ledger()["lines"]] == [40_001, 30_001, 10_000]
     assert used(agreed) == (80_002, 80_002)
@@ -49,7 +49,7 @@ def test_a_day_is_taken_back_until_it_is_agreed_to(agreed: Agreed) -> None:
     for outsider in (world.stranger, world.other_designer, world.reviewer):
         assert refused(outsider.delete(f"/v1/worked-days/{mistaken}")) == (404, "worked-day-not-found")
     assert world.designer.delete(f"/v1/worked-days/{mistaken}").status_code == 204
-    told(world.producer.post(f"/v1/worked-days/{meant}/agree"))
+    body_of(world.producer.post(f"/v1/worked-days/{meant}/agree"))
     assert refused(world.designer.delete(f"/v1/worked-days/{meant}")) == (409, "day-agreed")
     logged = world.producer.get(f"/v1/contracts/{agreed.contract_id}/worked-days").json()
     assert [one["id"] for one in logged] == [meant]
@@ -65,5 +65,5 @@ def test_a_contract_that_pays_otherwise_has_no_days(world: World) -> None:
     agreed = Agreed(world)
     agreed.agree(milestone("Alpha", agreed.cue("radar_ping"), amount_minor=100))
     assert refused(log(agreed, day(0))) == (409, "not-day-rate")
-    (contract,) = told(world.producer.get(f"/v1/projects/{world.project_id}/money"))["contracts"]
+    (contract,) = body_of(world.producer.get(f"/v1/projects/{world.project_id}/money"))["contracts"]
     assert contract["by_day"] is None

@@ -6,7 +6,7 @@ import pytest
 
 from app.money.invoice_numbers import advice, file_part, following
 from tests.app.money.agreed import Agreed, deposit, milestone
-from tests.app.reviews.making import refused, told
+from tests.app.reviews.making import body_of, refused
 from tests.support.server import World
 
 THIS_YEAR = date(2026, 5, 1)
@@ -64,20 +64,20 @@ def test_typed_once_and_remembered(world: World) -> None:
     cues = [agreed.cue("radar_ping"), agreed.cue("airlock")]
     agreed.agree(deposit(10_000), milestone("Alpha", *cues, amount_minor=18_000))
     address, issue = f"/v1/contracts/{agreed.contract_id}/invoice-draft", f"/v1/contracts/{agreed.contract_id}/invoices"
-    assert told(world.designer.get(address))["full_number"] == "1"
+    assert body_of(world.designer.get(address))["full_number"] == "1"
 
     first = agreed.invoice(full_number=" SND-014 ")
     assert (first["full_number"], first["number"]) == ("SND-014", 1)
-    lines = told(world.producer.get(f"/v1/contracts/{agreed.contract_id}/ledger"))["lines"]
+    lines = body_of(world.producer.get(f"/v1/contracts/{agreed.contract_id}/ledger"))["lines"]
     assert {line["invoice_number"] for line in lines if line["invoice_id"]} == {"SND-014"}
     pdf = world.producer.get(f"/v1/invoices/{first['id']}/invoice.pdf")
     assert pdf.headers["content-disposition"] == 'inline; filename="invoice-SND-014.pdf"'
 
     agreed.approve(agreed.take(cues[0]))
-    assert told(world.designer.get(address))["full_number"] == "SND-015"
-    gap = told(world.designer.get(address, params={"full_number": "SND-017"}))
+    assert body_of(world.designer.get(address))["full_number"] == "SND-015"
+    gap = body_of(world.designer.get(address, params={"full_number": "SND-017"}))
     assert (gap["number_advice"], gap["is_number_taken"]) == ("SND-015 to SND-016 are left out.", False)
-    assert told(world.designer.get(address, params={"full_number": "SND-014"}))["is_number_taken"]
+    assert body_of(world.designer.get(address, params={"full_number": "SND-014"}))["is_number_taken"]
     again = world.designer.post(issue, json={"seller": "me", "full_number": "SND-014"})
     assert refused(again) == (409, "invoice-number-taken")
     assert agreed.invoice()["full_number"] == "SND-015"

@@ -8,7 +8,7 @@ from icalendar import Calendar
 from pypdf import PdfReader
 
 from tests.app.money.agreed import TODAY, Agreed, day, deposit, milestone
-from tests.app.reviews.making import refused, told
+from tests.app.reviews.making import body_of, refused
 from tests.support.server import World
 
 
@@ -31,7 +31,7 @@ def refund(agreed: Agreed, payment_id: str, amount_minor: int) -> Any:
 
 def test_everything_due_is_invoiced_once(agreed: Agreed) -> None:
     accept_alpha(agreed)
-    draft = told(agreed.world.designer.get(f"/v1/contracts/{agreed.contract_id}/invoice-draft"))
+    draft = body_of(agreed.world.designer.get(f"/v1/contracts/{agreed.contract_id}/invoice-draft"))
     assert (draft["number"], draft["total_minor"]) == (1, 28_000)
     issued = agreed.invoice(po_number="PO-77")
     assert [line["amount_minor"] for line in issued["lines"]] == [10_000, 18_000]
@@ -46,7 +46,7 @@ def test_everything_due_is_invoiced_once(agreed: Agreed) -> None:
 def test_an_invoice_begins_with_the_purchase_order_that_was_agreed_on(world: World) -> None:
     agreed = Agreed(world, terms={"po_number": "PO-77"})
     accept_alpha(agreed)
-    draft = told(agreed.world.designer.get(f"/v1/contracts/{agreed.contract_id}/invoice-draft"))
+    draft = body_of(agreed.world.designer.get(f"/v1/contracts/{agreed.contract_id}/invoice-draft"))
     assert draft["po_number"] == "PO-77"
     assert agreed.invoice()["po_number"] == "PO-77"
 
@@ -184,9 +184,9 @@ def test_estimates_are_for_the_two_parties(agreed: Agreed) -> None:
     for cue in cues[:2]:
         agreed.approve(agreed.take(cue))
     address = f"/v1/contracts/{agreed.contract_id}/estimates"
-    assert told(agreed.world.producer.get(address))["cue_habit"]["habit"] == "unknown"  # two are too few
+    assert body_of(agreed.world.producer.get(address))["cue_habit"]["habit"] == "unknown"  # two are too few
     agreed.approve(agreed.take(cues[2]))
-    read = told(agreed.world.designer.get(address))
+    read = body_of(agreed.world.designer.get(address))
     assert read["cue_habit"]["mean_percent"] == pytest.approx(30)
     assert read["cue_habit"]["habit"] == "steady"
     assert refused(agreed.world.approver.get(address)) == (403, "producer-needed")
@@ -201,7 +201,7 @@ def test_a_steady_habit_forecasts_the_open_milestone(agreed: Agreed) -> None:
         body = {"cue_id": str(cue), "minutes": 150, "worked_on": day(0)}
         agreed.world.designer.post(f"/v1/contracts/{agreed.contract_id}/work-logs", json=body)
         agreed.approve(agreed.take(cue))
-    read = told(agreed.world.producer.get(f"/v1/contracts/{agreed.contract_id}/estimates"))
+    read = body_of(agreed.world.producer.get(f"/v1/contracts/{agreed.contract_id}/estimates"))
     (forecast,) = read["forecasts"]
     assert (forecast["milestone"], forecast["due_on"], forecast["forecast_on"]) == ("Beta", day(20), day(30))
 
@@ -224,7 +224,7 @@ def test_a_calendar_behind_a_secret_address(agreed: Agreed) -> None:
 
 def test_the_project_page_sums_up(agreed: Agreed) -> None:
     accept_alpha(agreed, due_on=day(-4))
-    other = told(agreed.world.producer.get(f"/v1/projects/{agreed.world.project_id}/money"))
+    other = body_of(agreed.world.producer.get(f"/v1/projects/{agreed.world.project_id}/money"))
     (contract,) = other["contracts"]
     assert other["totals"] == [{"currency": "USD", "figures": contract["figures"]}]
     assert contract["billable_minor"] == 28_000

@@ -6,7 +6,7 @@ import pytest
 
 from tests.app.agreements.conftest import Contracts
 from tests.app.money.agreed import Agreed, deposit, milestone
-from tests.app.reviews.making import refused, told
+from tests.app.reviews.making import body_of, refused
 from tests.support.server import World
 
 
@@ -17,7 +17,7 @@ def agreed(world: World) -> Agreed:
 
 def looked_at(agreed: Agreed, *planned: dict[str, Any]) -> dict[str, Any]:
     body = {"milestones": list(planned)}
-    return told(agreed.world.producer.post(f"/v1/contracts/{agreed.contract_id}/plan-check", json=body))
+    return body_of(agreed.world.producer.post(f"/v1/contracts/{agreed.contract_id}/plan-check", json=body))
 
 
 def test_what_is_unwise_is_said_before_it_is_saved(agreed: Agreed) -> None:
@@ -27,7 +27,7 @@ def test_what_is_unwise_is_said_before_it_is_saved(agreed: Agreed) -> None:
     checked = looked_at(agreed, *plan)
     assert checked["faults"] == []
     assert [one["code"] for one in checked["advice"]] == ["no-date", "not-rising", "completion-not-largest"]
-    assert told(agreed.world.producer.get(f"/v1/contracts/{agreed.contract_id}/milestones"))["milestones"] == []
+    assert body_of(agreed.world.producer.get(f"/v1/contracts/{agreed.contract_id}/milestones"))["milestones"] == []
 
 
 def test_what_is_wrong_names_its_milestone(agreed: Agreed) -> None:
@@ -44,10 +44,10 @@ def test_a_cue_of_another_agreed_contract_is_said(agreed: Agreed, contracts: Con
     again = milestone("Alpha", cue, amount_minor=30_000)
     agreed.agree(deposit(20_000), again)
     address = f"/v1/contracts/{contracts.begin(title='More effects')['id']}"
-    checked = told(agreed.world.producer.post(f"{address}/plan-check", json={"milestones": [again]}))
+    checked = body_of(agreed.world.producer.post(f"{address}/plan-check", json={"milestones": [again]}))
     (said,) = [one for one in checked["advice"] if one["code"] == "covered-elsewhere"]
     assert said["message"] == "radar_ping is part of Effects, which is signed."
-    saved = told(agreed.world.producer.put(f"{address}/milestones", json={"milestones": [again]}))
+    saved = body_of(agreed.world.producer.put(f"{address}/milestones", json={"milestones": [again]}))
     assert "covered-elsewhere" in {one["code"] for one in saved["advice"]}
 
 

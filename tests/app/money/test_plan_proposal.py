@@ -6,7 +6,7 @@ from uuid import UUID, uuid4
 
 from app.agreements.plan_proposal import WantedCue, propose_milestones
 from tests.app.money.agreed import Agreed, milestone
-from tests.app.reviews.making import refused, told
+from tests.app.reviews.making import body_of, refused
 from tests.support.server import World
 
 FIRST, SECOND = date(2026, 12, 4), date(2027, 1, 15)
@@ -65,7 +65,7 @@ def address(agreed: Agreed) -> str:
 def test_what_is_proposed_can_be_saved_as_it_is(world: World) -> None:
     agreed = Agreed(world)
     cues = [agreed.cue("radar_ping"), agreed.cue("airlock")]
-    proposed = told(world.producer.get(address(agreed), params={"total_minor": 60_000}))["milestones"]
+    proposed = body_of(world.producer.get(address(agreed), params={"total_minor": 60_000}))["milestones"]
     assert {UUID(cue_id) for one in proposed for cue_id in one["cue_ids"]} == set(cues)
     planned = [
         {key: one[key] for key in ("name", "amount_minor", "due_on", "is_deposit")}
@@ -81,7 +81,7 @@ def test_cues_of_an_agreed_contract_are_left_out(world: World) -> None:
     first = Agreed(world)
     covered = first.cue("radar_ping")
     first.agree(milestone("Alpha", covered, amount_minor=18_000))
-    assert told(world.producer.get(address(first)))["milestones"] == []
+    assert body_of(world.producer.get(address(first)))["milestones"] == []
 
 
 def test_only_producers_are_notified(world: World) -> None:

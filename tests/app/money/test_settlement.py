@@ -11,7 +11,7 @@ from app.agreements.queries import events_of
 from app.agreements.rules import ReleaseClause
 from app.deliveries.rules import TakeState
 from tests.app.money.agreed import Agreed, deposit, milestone
-from tests.app.reviews.making import refused, told
+from tests.app.reviews.making import body_of, refused
 from tests.support.server import World
 
 
@@ -42,7 +42,7 @@ def test_at_signing_the_deposit_is_due_and_prices_are_fixed(agreed: Agreed) -> N
         "open_minor": 99_000,
         "saved_minor": 0,
     }
-    plan = told(agreed.world.designer.get(f"/v1/contracts/{agreed.contract_id}/milestones"))
+    plan = body_of(agreed.world.designer.get(f"/v1/contracts/{agreed.contract_id}/milestones"))
     assert [[cue["amount_minor"] for cue in one["cues"]] for one in plan["milestones"]] == [
         [],
         [18_000, 18_000],
@@ -53,7 +53,7 @@ def test_at_signing_the_deposit_is_due_and_prices_are_fixed(agreed: Agreed) -> N
 def test_an_odd_cent_goes_to_the_largest_remainder(agreed: Agreed) -> None:
     cues = [agreed.cue(f"cue_{number}") for number in range(3)]
     agreed.agree(milestone("Alpha", *cues, amount_minor=100))
-    plan = told(agreed.world.producer.get(f"/v1/contracts/{agreed.contract_id}/milestones"))
+    plan = body_of(agreed.world.producer.get(f"/v1/contracts/{agreed.contract_id}/milestones"))
     assert [cue["amount_minor"] for cue in plan["milestones"][0]["cues"]] == [34, 33, 33]
 
 
@@ -81,7 +81,7 @@ def test_an_undone_verdict_takes_its_share_back_by_a_reversing_line(agreed: Agre
     cue, *_ = two_milestones(agreed)
     take = agreed.take(cue)
     agreed.approve(take)
-    told(agreed.undo(take))
+    body_of(agreed.undo(take))
     assert agreed.owed()[1:] == [("accepted", 18_000), ("reversed", -18_000)]
     agreed.approve(take)
     assert agreed.figures()["due_minor"] == 162_000
@@ -101,7 +101,7 @@ def test_accepting_a_whole_set_in_one_click(agreed: Agreed) -> None:
     agreed.agree(milestone("Alpha", steps, amount_minor=18_000))
     agreed.take(steps)
     agreed.take(steps, 2)
-    told(agreed.world.approver.post(f"/v1/cues/{steps}/accept-set", json={"note": "", "take_ids": []}))
+    body_of(agreed.world.approver.post(f"/v1/cues/{steps}/accept-set", json={"note": "", "take_ids": []}))
     assert agreed.owed() == [("accepted", 18_000)]
 
 
@@ -174,7 +174,7 @@ def test_a_round_too_many_is_priced_and_due_once_agreed(agreed: Agreed) -> None:
     missile = two_milestones(agreed)[3]
     extra = three_rounds(agreed, missile)
     assert agreed.owed()[1:] == []
-    answer = told(agreed.world.producer.post(f"/v1/extra-rounds/{extra}/agree"))
+    answer = body_of(agreed.world.producer.post(f"/v1/extra-rounds/{extra}/agree"))
     assert answer["state"] == "agreed"
     assert agreed.owed()[1:] == [("extra_round", 7_875)]
     assert agreed.figures()["agreed_minor"] == 243_000 + 7_875
@@ -187,7 +187,7 @@ def test_a_round_whose_price_has_become_nothing_is_agreed_without_a_charge(agree
     extra = three_rounds(agreed, missile)
     priced_anew = sa.update(ContractCue).where(ContractCue.cue_id == missile).values(amount_minor=1)
     agreed.world.server.in_database(lambda session: session.execute(priced_anew))
-    assert told(agreed.world.producer.post(f"/v1/extra-rounds/{extra}/agree"))["state"] == "agreed"
+    assert body_of(agreed.world.producer.post(f"/v1/extra-rounds/{extra}/agree"))["state"] == "agreed"
     assert agreed.owed()[1:] == []
 
 
@@ -195,7 +195,7 @@ def test_the_designer_may_let_a_round_go_and_not_agree_for_the_studio(agreed: Ag
     extra = three_rounds(agreed, two_milestones(agreed)[3])
     assert refused(agreed.world.designer.post(f"/v1/extra-rounds/{extra}/agree")) == (403, "other-party-needed")
     assert refused(agreed.world.stranger.post(f"/v1/extra-rounds/{extra}/agree"))[0] == 404
-    assert told(agreed.world.designer.post(f"/v1/extra-rounds/{extra}/drop"))["state"] == "dropped"
+    assert body_of(agreed.world.designer.post(f"/v1/extra-rounds/{extra}/drop"))["state"] == "dropped"
     assert agreed.owed()[1:] == []
 
 

@@ -6,7 +6,7 @@ import pytest
 from icalendar import Calendar
 
 from tests.app.money.agreed import TODAY, Agreed, day, milestone
-from tests.app.reviews.making import refused, told
+from tests.app.reviews.making import body_of, refused
 from tests.support.server import World
 
 
@@ -42,7 +42,7 @@ def test_sight_is_not_yet_a_right(invoiced: tuple[Agreed, dict[str, Any]]) -> No
     world = agreed.world
     body = {"amount_minor": 1, "reference": "T", "paid_on": TODAY.isoformat()}
     for looker in (world.designer, world.approver):
-        assert told(looker.get(f"/v1/invoices/{invoice['id']}"))["total_minor"] == 18_000
+        assert body_of(looker.get(f"/v1/invoices/{invoice['id']}"))["total_minor"] == 18_000
         paid = looker.post(f"/v1/invoices/{invoice['id']}/payments", json=body)
         assert refused(paid) == (403, "producer-needed")
     mine = world.producer.post(f"/v1/contracts/{agreed.contract_id}/invoices", json={"seller": "me"})
@@ -57,17 +57,17 @@ def test_who_only_reviews_sees_the_project_and_none_of_its_money(invoiced: tuple
         assert world.approver.get(path).status_code == 200
         assert world.stranger.get(path).status_code == 404
     assert refused(world.reviewer.post(f"{project}/calendar")) == (403, "team-needed")
-    (cue,) = told(world.producer.get(f"/v1/contracts/{agreed.contract_id}/milestones"))["milestones"][0]["cues"]
+    (cue,) = body_of(world.producer.get(f"/v1/contracts/{agreed.contract_id}/milestones"))["milestones"][0]["cues"]
     assert world.reviewer.get(f"/v1/cues/{cue['cue']['id']}/money").json() is None
-    assert told(world.approver.get(f"/v1/cues/{cue['cue']['id']}/money"))["milestone"] == "Alpha"
+    assert body_of(world.approver.get(f"/v1/cues/{cue['cue']['id']}/money"))["milestone"] == "Alpha"
 
 
 def test_how_late_a_designer_is_the_two_parties_see_alone(invoiced: tuple[Agreed, dict[str, Any]]) -> None:
     world = invoiced[0].world
     for party in (world.producer, world.designer):
-        (contract,) = told(party.get(f"/v1/projects/{world.project_id}/money"))["contracts"]
+        (contract,) = body_of(party.get(f"/v1/projects/{world.project_id}/money"))["contracts"]
         assert [slip["days"] for slip in contract["slips"]] == [4]
-    (seen,) = told(world.approver.get(f"/v1/projects/{world.project_id}/money"))["contracts"]
+    (seen,) = body_of(world.approver.get(f"/v1/projects/{world.project_id}/money"))["contracts"]
     assert (seen["slips"], seen["slip_growth_days"]) == ([], None)
     assert seen["figures"]["due_minor"] == 18_000
 

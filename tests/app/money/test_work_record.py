@@ -36,11 +36,11 @@ def test_what_is_delivered(world: World, agreed: Agreed) -> None:
     take = deliver(world, "radar_ping.wav", SOUND, cue_id=str(inside))
     deliver(world, "dock_clamp.wav", SOUND + b"!", cue_id=str(outside))
     unmatched = deliver(world, "something.wav", SOUND + b"?")
-    (told,) = recorded(agreed, "delivered")
-    assert told["cue"].endswith(" radar_ping")
-    assert (told["version"], told["file"]) == (1, "radar_ping.wav")
-    assert told["by"] == "Sound designer"
-    assert len(told["sha256"]) == 64
+    (reported,) = recorded(agreed, "delivered")
+    assert reported["cue"].endswith(" radar_ping")
+    assert (reported["version"], reported["file"]) == (1, "radar_ping.wav")
+    assert reported["by"] == "Sound designer"
+    assert len(reported["sha256"]) == 64
     world.server.wait_for_jobs()
     matched = world.designer.put(f"/v1/takes/{unmatched['id']}/match", json={"cue_id": str(inside)})
     assert matched.status_code == 200, matched.text
@@ -60,8 +60,8 @@ def test_what_is_judged(agreed: Agreed) -> None:
     agreed.approve(second)
     undone = agreed.world.approver.delete(f"/v1/takes/{second}/verdict")
     assert undone.is_success, undone.text
-    told = [(each["verdict"], each["version"], each["note"], each["by"]) for each in recorded(agreed, "judged")]
-    assert told == [
+    reported = [(each["verdict"], each["version"], each["note"], each["by"]) for each in recorded(agreed, "judged")]
+    assert reported == [
         ("request_change", 1, "a duller clank", "Audio director"),
         ("approve", 2, "", "Audio director"),
         ("withdraw", 2, "", "Audio director"),

@@ -205,8 +205,8 @@ def test_a_delivery_schedules_few_notifications(world: World, monkeypatch: pytes
     deliver_pair(world, -6.0)
     world.server.wait_for_jobs()
     mine = [job for job in world.server.runtime.queue.unfinished() if job.studio_id == world.studio_id]
-    told = [job.state for job in mine if job.name == "notifications.notify_checks"]
-    assert told == ["delayed"]
+    reported = [job.state for job in mine if job.name == "notifications.notify_checks"]
+    assert reported == ["delayed"]
 
 
 def test_a_process_schedules_a_notification_until_that_is_committed(world: World, monkeypatch: pytest.MonkeyPatch):
@@ -261,9 +261,9 @@ def test_a_question_reaches_those_who_answer_and_the_answer_who_asked(world: Wor
     assert asked.is_success, asked.text
     answer = world.approver.post(f"/v1/questions/{asked.json()['id']}/answer", json={"text": "A tool."})
     assert answer.is_success, answer.text
-    told = {(mail["recipient"], mail["subject"]) for mail in outbox(world)}
-    assert (f"{world.approver_id}@example.test", "Shield Wing: a question on the sound list") in told
-    assert (f"{world.designer_id}@example.test", "Shield Wing: your question is answered") in told
+    reported = {(mail["recipient"], mail["subject"]) for mail in outbox(world)}
+    assert (f"{world.approver_id}@example.test", "Shield Wing: a question on the sound list") in reported
+    assert (f"{world.designer_id}@example.test", "Shield Wing: your question is answered") in reported
 
 
 def test_only_the_studios_producer_sees_the_outbox(world: World):

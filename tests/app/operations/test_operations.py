@@ -78,7 +78,7 @@ def parked(world: World, *, studio_id: UUID | None) -> str:
     return key
 
 
-def told(answer: Response) -> dict[str, Any]:
+def body_of(answer: Response) -> dict[str, Any]:
     assert answer.status_code == 200, answer.text
     return dict(answer.json())
 
@@ -89,35 +89,35 @@ def of_studio(world: World, what: str = "operations") -> str:
 
 def test_a_producer_sees_what_gave_up_and_lets_it_run_again(world: World) -> None:
     key = parked(world, studio_id=world.studio_id)
-    (job,) = told(world.producer.get(of_studio(world, "jobs"), params={"state": "parked"}))["items"]
+    (job,) = body_of(world.producer.get(of_studio(world, "jobs"), params={"state": "parked"}))["items"]
     assert (job["id"], job["job"], job["studio_name"]) == (key, "operations_tests.work", "Test studio")
     assert job["reason"] == "OSError"  # the rest may name what is not the studio's
     assert job["tries"] == 1
-    (count,) = told(world.producer.get(of_studio(world)))["counts"]
+    (count,) = body_of(world.producer.get(of_studio(world)))["counts"]
     assert (count["job"], count["state"], count["jobs"]) == ("operations_tests.work", "parked", 1)
     broken["is"] = False
-    assert told(world.producer.post(of_studio(world, f"jobs/{key}/retry")))["state"] == "waiting"
+    assert body_of(world.producer.post(of_studio(world, f"jobs/{key}/retry")))["state"] == "waiting"
     until(lambda: key in ran)
-    until(lambda: not told(world.producer.get(of_studio(world, "jobs")))["items"])
-    assert told(world.producer.get(of_studio(world)))["counts"] == []
+    until(lambda: not body_of(world.producer.get(of_studio(world, "jobs")))["items"])
+    assert body_of(world.producer.get(of_studio(world)))["counts"] == []
 
 
 def test_nobody_sees_or_moves_another_studios_jobs(world: World) -> None:
     key = parked(world, studio_id=world.studio_id)
-    own = next(iter(told(world.stranger.get("/v1/me"))["studios"]))["id"]
-    assert told(world.stranger.get(f"/v1/studios/{own}/jobs"))["items"] == []
-    assert told(world.stranger.get(f"/v1/studios/{own}/operations"))["counts"] == []
+    own = next(iter(body_of(world.stranger.get("/v1/me"))["studios"]))["id"]
+    assert body_of(world.stranger.get(f"/v1/studios/{own}/jobs"))["items"] == []
+    assert body_of(world.stranger.get(f"/v1/studios/{own}/operations"))["counts"] == []
     answer = world.stranger.post(f"/v1/studios/{own}/jobs/{key}/retry")
     assert (answer.status_code, answer.json()["code"]) == (404, "job-not-found")
     broken["is"] = False
-    assert told(world.producer.post(of_studio(world, f"jobs/{key}/retry")))
+    assert body_of(world.producer.post(of_studio(world, f"jobs/{key}/retry")))
 
 
 def test_work_on_nobodys_behalf_is_the_operators_alone(world: World, operator: TestClient) -> None:
     key = parked(world, studio_id=None)
     assert world.producer.post(of_studio(world, f"jobs/{key}/retry")).status_code == 404
     broken["is"] = False
-    job = told(operator.post(f"/v1/operations/jobs/{key}/retry"))
+    job = body_of(operator.post(f"/v1/operations/jobs/{key}/retry"))
     assert (job["studio_id"], job["studio_name"]) == (None, None)
     until(lambda: key in ran)
 
@@ -128,15 +128,15 @@ def test_an_operator_sees_every_studios_jobs_with_the_whole_reason(world: World,
     page: dict[str, Any] = {"next": ""}
     while page["next"] is not None:
         asked = {"state": "parked", **({"cursor": page["next"]} if page["next"] else {})}
-        page = told(operator.get("/v1/operations/jobs", params=asked))
+        page = body_of(operator.get("/v1/operations/jobs", params=asked))
         jobs += page["items"]
     (job,) = [each for each in jobs if each["id"] == key]
     assert (job["studio_name"], job["reason"]) == ("Test studio", f"OSError: /srv/soundlist/{key} is full")
-    server = told(operator.get("/v1/operations"))
+    server = body_of(operator.get("/v1/operations"))
     assert [each["is_alive"] for each in server["workers"] if each["id"] == world.server.worker.id] == [True]
     assert any(each["job"] == "operations_tests.work" and each["state"] == "parked" for each in server["counts"])
     broken["is"] = False
-    told(operator.post(f"/v1/operations/jobs/{key}/retry"))
+    body_of(operator.post(f"/v1/operations/jobs/{key}/retry"))
 
 
 def test_those_who_do_not_run_the_server_are_refused(world: World, operator: TestClient) -> None:
@@ -149,8 +149,8 @@ def test_those_who_do_not_run_the_server_are_refused(world: World, operator: Tes
             who.post(f"/v1/operations/jobs/{key}/retry"),
         ):
             assert (answer.status_code, answer.json()["code"]) == (403, "operator-needed")
-    assert told(operator.get("/v1/me"))["is_operator"] is True
-    assert told(world.producer.get("/v1/me"))["is_operator"] is False
+    assert body_of(operator.get("/v1/me"))["is_operator"] is True
+    assert body_of(world.producer.get("/v1/me"))["is_operator"] is False
 
 
 def test_without_operators_nobody_is_one(world: World) -> None:
@@ -177,13 +177,13 @@ def test_lanes_say_whose_work_waits_and_how_soon_it_is_wanted(
         for _ in range(times):
             enqueue(world, studio_id=world.studio_id, delay_s=A_DAY_S, priority=priority)
     enqueue(world, studio_id=None, delay_s=A_DAY_S)
-    lanes = told(world.producer.get(of_studio(world)))["lanes"]
+    lanes = body_of(world.producer.get(of_studio(world)))["lanes"]
     assert [(each["urgency"], each["delayed"], each["waiting"], each["running"]) for each in lanes] == [
         ("bulk", 3, 0, 0),
         ("urgent", 1, 0, 0),
     ]
     assert {each["studio_name"] for each in lanes} == {"Test studio"}
-    server = told(operator.get("/v1/operations"))["lanes"]
+    server = body_of(operator.get("/v1/operations"))["lanes"]
     assert [each for each in server if each["studio_id"] == str(world.studio_id)] == lanes
     assert any(each["studio_id"] is None and each["delayed"] for each in server)
 
@@ -196,20 +196,20 @@ def test_a_lane_says_what_runs_and_since_when_the_rest_waits(world: World, opera
         for _ in range(at_once + 2):  # more than this worker runs at once
             enqueue(world, studio_id=world.studio_id, job="operations_tests.hold")
         assert held.wait(10), "no job was begun within 10 s"
-        until(lambda: told(world.producer.get(of_studio(world)))["lanes"][0]["running"] == at_once)
-        (lane,) = told(world.producer.get(of_studio(world)))["lanes"]
+        until(lambda: body_of(world.producer.get(of_studio(world)))["lanes"][0]["running"] == at_once)
+        (lane,) = body_of(world.producer.get(of_studio(world)))["lanes"]
         assert (lane["urgency"], lane["waiting"], lane["running"]) == ("normal", 2, at_once)
         assert lane["oldest_at"] is not None
         (worker,) = [
-            each for each in told(operator.get("/v1/operations"))["workers"] if each["id"] == world.server.worker.id
+            each for each in body_of(operator.get("/v1/operations"))["workers"] if each["id"] == world.server.worker.id
         ]
         assert worker["running"] == at_once
-        (one, *_) = told(world.producer.get(of_studio(world, "jobs"), params={"state": "running"}))["items"]
-        assert told(world.producer.get(of_studio(world, "jobs"), params={"state": "waiting"}))["next"] is None
+        (one, *_) = body_of(world.producer.get(of_studio(world, "jobs"), params={"state": "running"}))["items"]
+        assert body_of(world.producer.get(of_studio(world, "jobs"), params={"state": "waiting"}))["next"] is None
         assert one["state"] == "running"
     finally:
         let_go.set()
-    until(lambda: told(world.producer.get(of_studio(world)))["lanes"] == [])
+    until(lambda: body_of(world.producer.get(of_studio(world)))["lanes"] == [])
 
 
 def test_a_job_is_let_run_again_once(world: World) -> None:
@@ -235,12 +235,12 @@ def test_jobs_come_in_pages_oldest_first(world: World, monkeypatch: pytest.Monke
     keys = [enqueue(world, studio_id=world.studio_id, delay_s=A_DAY_S) for _ in range(5)]
     pages, cursor = [], None
     while not pages or cursor:
-        page = told(world.producer.get(of_studio(world, "jobs"), params={"cursor": cursor} if cursor else {}))
+        page = body_of(world.producer.get(of_studio(world, "jobs"), params={"cursor": cursor} if cursor else {}))
         pages.append([job["id"] for job in page["items"]])
         cursor = page["next"]
     assert [len(page) for page in pages] == [2, 2, 1]
     assert sorted(key for page in pages for key in page) == sorted(keys)
-    (count,) = told(world.producer.get(of_studio(world)))["counts"]
+    (count,) = body_of(world.producer.get(of_studio(world)))["counts"]
     assert (count["state"], count["jobs"]) == ("delayed", 5)
 
 
@@ -252,7 +252,7 @@ def test_a_cursor_that_is_none_is_refused(world: World, cursor: str) -> None:
 
 @pytest.fixture
 def kept(world: World) -> Callable[[], dict[str, Any]]:
-    return lambda: told(world.producer.get(of_studio(world, "storage")))
+    return lambda: body_of(world.producer.get(of_studio(world, "storage")))
 
 
 def kinds(storage: dict[str, Any]) -> dict[str, tuple[int, int]]:
@@ -287,7 +287,7 @@ def test_what_is_delivered_twice_is_kept_once(
     world.server.in_database(render)
     assert kinds(kept()) == {"masters": (3, 3_000), "game_files": (1, 400)}
     assert kept()["size_bytes"] == 3_400
-    server = told(operator.get("/v1/operations/storage"))
+    server = body_of(operator.get("/v1/operations/storage"))
     assert [each for each in server["studios"] if each["studio_id"] == str(world.studio_id)] == [kept()]
     is_on_disk = world.server.runtime.settings.bucket is None
     assert (server["free_bytes"] is not None and server["free_bytes"] > 0) == is_on_disk

@@ -30,14 +30,14 @@ def save(world: World, toml: str, based_on_version: int = 1) -> Response:
 @pytest.fixture
 def published(monkeypatch: pytest.MonkeyPatch) -> list[tuple[str, dict[str, Any]]]:
     """What the room told the others; it is still told."""
-    told: list[tuple[str, dict[str, Any]]] = []
+    reported: list[tuple[str, dict[str, Any]]] = []
 
     def tell(session: Session, event: str, **facts: Any) -> UUID:
-        told.append((event, facts))
+        reported.append((event, facts))
         return publish(session, event, **facts)
 
     monkeypatch.setattr(service, "publish", tell)
-    return told
+    return reported
 
 
 def test_the_spec_comes_as_text_as_tables_and_resolved(world: World) -> None:
@@ -86,9 +86,9 @@ def test_a_new_version_is_kept_beside_the_old(world: World, published: list[tupl
     assert world.producer.get(spec_path(world, "/versions/3")).json()["code"] == "spec-version-not-found"
     assert world.producer.get(spec_path(world, "/versions/0")).status_code == 422
     assert world.producer.get(spec_path(world, "/versions/99999999999999999999")).status_code == 422
-    told = {"studio_id": world.studio_id, "project_id": world.project_id, "version": 2}
-    told["person_id"] = world.producer_id
-    assert published == [("spec.changed", told)]
+    reported = {"studio_id": world.studio_id, "project_id": world.project_id, "version": 2}
+    reported["person_id"] = world.producer_id
+    assert published == [("spec.changed", reported)]
 
 
 def test_what_says_the_same_asks_nobody_to_check_again(

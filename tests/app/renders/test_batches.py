@@ -86,11 +86,11 @@ def test_a_new_target_is_made_of_everything_and_the_sizes_are_compared(world: Wo
     before = renders(world)
     add_target(world, "trailer", 48_000)
     world.server.wait_for_jobs()
-    (told,) = listed(world)
-    assert (told["state"], told["by_spec"], told["files"], told["waiting"]) == ("done", True, 6, 0)
-    assert (told["made"], told["kept"], told["refused"], told["left"]) == (2, 4, 0, 0)
+    (reported,) = listed(world)
+    assert (reported["state"], reported["by_spec"], reported["files"], reported["waiting"]) == ("done", True, 6, 0)
+    assert (reported["made"], reported["kept"], reported["refused"], reported["left"]) == (2, 4, 0, 0)
     assert before < renders(world)  # both sets are kept
-    by_target = {row["target"]: row for row in batch(world, told["id"])["sizes"]}
+    by_target = {row["target"]: row for row in batch(world, reported["id"])["sizes"]}
     assert {row["category"] for row in by_target.values()} == {"weapon"}
     trailer, handheld = by_target["trailer"], by_target["handheld"]
     assert (trailer["files"], trailer["before_bytes"]) == (2, 0)
@@ -109,8 +109,8 @@ def test_a_changed_target_says_what_it_replaces(world: World) -> None:
     body = {"toml": toml, "based_on_version": spec["version"]}
     assert world.producer.put(f"/v1/projects/{world.project_id}/spec", json=body).status_code == 200
     world.server.wait_for_jobs()
-    (told,) = listed(world)
-    (handheld,) = (row for row in batch(world, told["id"])["sizes"] if row["target"] == "handheld")
+    (reported,) = listed(world)
+    (handheld,) = (row for row in batch(world, reported["id"])["sizes"] if row["target"] == "handheld")
     # Twice the rate is twice the sound; the header is as long as it was.
     assert handheld["after_bytes"] - handheld["before_bytes"] == MONO_16
 
@@ -136,11 +136,11 @@ def test_a_batch_can_be_cancelled_and_begun_again(world: World) -> None:
     with paused(world):
         add_target(world, "trailer", 48_000)
         world.server.wait_for_jobs()
-        (told,) = listed(world)
-        assert (told["state"], told["waiting"]) == ("running", 2)
-        ended = world.approver.post(f"/v1/batches/{told['id']}/cancel")
+        (reported,) = listed(world)
+        assert (reported["state"], reported["waiting"]) == ("running", 2)
+        ended = world.approver.post(f"/v1/batches/{reported['id']}/cancel")
         assert (ended.status_code, ended.json()["state"], ended.json()["waiting"]) == (200, "cancelled", 2)
-        again = world.approver.post(f"/v1/batches/{told['id']}/cancel")
+        again = world.approver.post(f"/v1/batches/{reported['id']}/cancel")
         assert (again.status_code, again.json()["code"]) == (409, "batch-ended")
     begin(world, targets=["trailer"])
     world.server.wait_for_jobs()
@@ -173,12 +173,12 @@ def test_nothing_to_make_and_no_such_target(world: World) -> None:
 @pytest.mark.parametrize(("who", "status"), [("reviewer", 403), ("designer", 403), ("stranger", 404), ("nobody", 401)])
 def test_who_may_not_begin_or_cancel(world: World, who: str, status: int) -> None:
     accepted(world, "laser")
-    told = begin(world)
+    reported = begin(world)
     client = getattr(world, who)
     assert client.post(f"/v1/projects/{world.project_id}/batches", json={}).status_code == status
-    assert client.post(f"/v1/batches/{told['id']}/cancel").status_code == status
+    assert client.post(f"/v1/batches/{reported['id']}/cancel").status_code == status
     if who != "reviewer":
-        assert client.get(f"/v1/batches/{told['id']}").status_code == status
+        assert client.get(f"/v1/batches/{reported['id']}").status_code == status
         assert client.get(f"/v1/projects/{world.project_id}/batches").status_code == status
 
 
@@ -225,16 +225,18 @@ def test_five_thousand_takes_are_planned_in_one_go(world: World) -> None:
     five_thousand_takes(world)
     with paused(world):
         begun_s = time.monotonic()
-        told = begin(world)
+        reported = begin(world)
         world.server.wait_for_jobs()
         taken_s = time.monotonic() - begun_s
-        found = batch(world, told["id"])
+        found = batch(world, reported["id"])
         assert (found["state"], found["files"], found["waiting"]) == ("running", 10_000, 10_000)
         assert taken_s < 20, f"planning took {taken_s:.1f} s"
         unfinished = [job for job in world.server.runtime.queue.unfinished() if job.studio_id == world.studio_id]
         assert len(unfinished) <= batches.LANES  # not a job a file: others never wait behind ten thousand
-        world.approver.post(f"/v1/batches/{told['id']}/cancel")
-    items = sa.select(sa.func.count()).where(BatchItem.batch_id == UUID(told["id"]), BatchItem.state == ItemState.MADE)
+        world.approver.post(f"/v1/batches/{reported['id']}/cancel")
+    items = sa.select(sa.func.count()).where(
+        BatchItem.batch_id == UUID(reported["id"]), BatchItem.state == ItemState.MADE
+    )
     assert world.server.in_database(lambda session: session.scalar(items)) == 0
 
 
@@ -243,7 +245,7 @@ def test_a_take_that_waits_for_review_is_complete_once_its_files_are_made(world:
     take_id = UUID(deliver_sound(world, "laser.wav", sine(hz=500, dbfs=-12, rate=96_000, seconds=0.2)))
     begin(world)
     world.server.wait_for_jobs()
-    (told,) = listed(world)
-    assert (told["state"], told["kept"]) == (BatchState.DONE, 2)
+    (reported,) = listed(world)
+    assert (reported["state"], reported["kept"]) == (BatchState.DONE, 2)
     there = sa.select(sa.func.count()).where(RenderSet.take_id == take_id)
     assert world.server.in_database(lambda session: session.scalar(there)) == 1

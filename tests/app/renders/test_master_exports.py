@@ -49,11 +49,11 @@ def test_a_master_is_handed_out_with_what_is_on_record(world: World, tmp_path: A
     copy = tmp_path / "copy.wav"
     copy.write_bytes(file.content)
     with AudioFile(copy) as sound:
-        told = sound.metadata.fields
+        reported = sound.metadata.fields
         ours = file.content[sound.layout.data_offset :][: sound.layout.data_size]
         assert [one.id for one in sound.layout.chunks] == ["fmt ", "bext", "iXML", "data", "xYz1"]
-    assert {name: told[f"iXML.ASWG.{name}"] for name in export["fields"]} == export["fields"]
-    assert (told["bext.OriginatorReference"], told["bext.Originator"]) == (number, take["designer"]["name"])
+    assert {name: reported[f"iXML.ASWG.{name}"] for name in export["fields"]} == export["fields"]
+    assert (reported["bext.OriginatorReference"], reported["bext.Originator"]) == (number, take["designer"]["name"])
     assert ours in content
     assert world.reviewer.get(f"/v1/takes/{take['id']}/master").content == content
 

@@ -28,11 +28,11 @@ def made(
         path.write_bytes(wav_bytes(samples, rate=rate, bits=16))
         paths.append(str(path))
     out = folder / "reel.wav"
-    told = make_reel(paths, slates, str(out), gap_ms=gap_ms, crossfade_ms=crossfade_ms)
+    reported = make_reel(paths, slates, str(out), gap_ms=gap_ms, crossfade_ms=crossfade_ms)
     with wave.open(str(out)) as file:
         assert file.getsampwidth() == 2
         data = np.frombuffer(file.readframes(file.getnframes()), "<i2").reshape(-1, file.getnchannels())
-        return told, data / 32_768, file.getframerate()
+        return reported, data / 32_768, file.getframerate()
 
 
 def level(frames: int, value: float, channels: int = 1) -> Samples:
@@ -54,13 +54,13 @@ def onsets(samples: Samples, rate: int, hz: int) -> int:
 
 
 def test_sounds_stand_in_order_with_the_gap_between_and_nothing_behind(tmp_path: Path) -> None:
-    told, reel, rate = made(
+    reported, reel, rate = made(
         tmp_path, (level(1_000, 0.25), RATE), (level(777, 0.5), RATE), (level(1, -0.5), RATE), gap_ms=20
     )
     gap = 882
     assert (rate, reel.shape) == (RATE, (1_000 + gap + 777 + gap + 1, 1))
-    assert told["starts_s"] == [0, (1_000 + gap) / RATE, (1_000 + gap + 777 + gap) / RATE]
-    assert told["duration_s"] == len(reel) / RATE
+    assert reported["starts_s"] == [0, (1_000 + gap) / RATE, (1_000 + gap + 777 + gap) / RATE]
+    assert reported["duration_s"] == len(reel) / RATE
     assert (reel[:1_000] == 0.25).all()
     assert (reel[1_000 : 1_000 + gap] == 0).all()
     assert (reel[1_000 + gap : 1_777 + gap] == 0.5).all()
@@ -69,10 +69,10 @@ def test_sounds_stand_in_order_with_the_gap_between_and_nothing_behind(tmp_path:
 
 @pytest.mark.parametrize("crossfade_ms", [7, 10, 73])
 def test_a_crossfade_shortens_the_reel_by_itself(tmp_path: Path, crossfade_ms: int) -> None:
-    told, reel, _ = made(tmp_path, (level(8_820, 0.25), RATE), (level(8_843, 0.5), RATE), crossfade_ms=crossfade_ms)
+    reported, reel, _ = made(tmp_path, (level(8_820, 0.25), RATE), (level(8_843, 0.5), RATE), crossfade_ms=crossfade_ms)
     overlap = crossfade_ms * RATE // 1000
     assert len(reel) == 8_820 + 8_843 - overlap
-    assert told["starts_s"] == [0, (8_820 - overlap) / RATE]
+    assert reported["starts_s"] == [0, (8_820 - overlap) / RATE]
     assert (reel[: 8_820 - overlap] == 0.25).all()
     assert (reel[8_820:] == 0.5).all()
     # At equal power both are 3 dB down in the middle.
@@ -86,21 +86,21 @@ def test_a_crossfade_that_would_clip_stops_at_full_scale(tmp_path: Path) -> None
 
 
 def test_a_crossfade_is_no_longer_than_what_it_joins(tmp_path: Path) -> None:
-    told, reel, _ = made(tmp_path, (level(441, 0.25), RATE), (level(4_410, 0.5), RATE), crossfade_ms=1_000)
-    assert (len(reel), told["starts_s"]) == (4_410, [0, 0])
-    told, reel, _ = made(tmp_path, (level(1, 0.25), RATE), (level(4_410, 0.5), RATE), crossfade_ms=1_000)
+    reported, reel, _ = made(tmp_path, (level(441, 0.25), RATE), (level(4_410, 0.5), RATE), crossfade_ms=1_000)
+    assert (len(reel), reported["starts_s"]) == (4_410, [0, 0])
+    reported, reel, _ = made(tmp_path, (level(1, 0.25), RATE), (level(4_410, 0.5), RATE), crossfade_ms=1_000)
     assert len(reel) == 4_410  # one frame is heard along with the first of the other
 
 
 def test_a_slate_counts_the_variation_low_and_the_version_high(tmp_path: Path) -> None:
     slates = [Slate(0, 1, None), Slate(0, 3, None), Slate(2, 4, None)]
     quiet = silence(rate=RATE, seconds=0.1)
-    told, reel, rate = made(tmp_path, *[(quiet, RATE)] * 3, slates=slates, gap_ms=500)
+    reported, reel, rate = made(tmp_path, *[(quiet, RATE)] * 3, slates=slates, gap_ms=500)
     parts = [beeps(1, rate), beeps(3, rate), beeps(2, rate) + beeps(4, rate)]
     between = len(quiet) + 22_050
     assert len(reel) == sum(parts) + 3 * len(quiet) + 2 * 22_050
     starts = [parts[0], parts[0] + between + parts[1], sum(parts) + 2 * between]
-    assert told["starts_s"] == [start / rate for start in starts]
+    assert reported["starts_s"] == [start / rate for start in starts]
     edges = [0, parts[0] + between, parts[0] + parts[1] + 2 * between, len(reel)]
     slots = [reel[first:last] for first, last in itertools.pairwise(edges)]
     assert [onsets(slot, rate, 1_000) for slot in slots] == [1, 3, 4]
@@ -111,12 +111,12 @@ def test_a_slate_counts_the_variation_low_and_the_version_high(tmp_path: Path) -
 
 def test_speech_takes_the_place_of_beeps(tmp_path: Path) -> None:
     speech = (sine(hz=300, dbfs=0, rate=SPEECH_RATE_HZ, seconds=0.2) * 32_767).astype("<i2").tobytes()
-    told, reel, rate = made(tmp_path, (level(100, 0.25), SPEECH_RATE_HZ), slates=[Slate(1, 2, speech)])
+    reported, reel, rate = made(tmp_path, (level(100, 0.25), SPEECH_RATE_HZ), slates=[Slate(1, 2, speech)])
     assert rate == SPEECH_RATE_HZ
     assert len(reel) == 4_410 + PAUSE_MS * rate // 1000 + 100
     assert onsets(reel, rate, 300) == 1
     assert 20 * np.log10(np.abs(reel[:4_410]).max()) == pytest.approx(-12, abs=0.1)
-    assert told["starts_s"] == [(len(reel) - 100) / rate]
+    assert reported["starts_s"] == [(len(reel) - 100) / rate]
 
 
 def test_the_highest_rate_and_the_most_channels_are_taken(tmp_path: Path) -> None:

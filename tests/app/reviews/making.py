@@ -76,11 +76,11 @@ class Stage:
 
     def approve(self, take_id: UUID, **more: Any) -> dict[str, Any]:
         """Approve a take, and return the answer."""
-        return told(self.verdict(take_id, "approve", **more))
+        return body_of(self.verdict(take_id, "approve", **more))
 
     def draft(self, take_id: UUID, note: str = "a duller clank", **more: Any) -> dict[str, Any]:
         """Note a change, and return the draft."""
-        body: dict[str, Any] = told(self.verdict(take_id, "request_change", note=note, **more))["draft"]
+        body: dict[str, Any] = body_of(self.verdict(take_id, "request_change", note=note, **more))["draft"]
         return body
 
     def send(self, note: str = "") -> dict[str, Any]:
@@ -107,10 +107,10 @@ class Stage:
 
     def review(self, cue_id: UUID) -> dict[str, Any]:
         """Return everything that the review room shows of a cue."""
-        return told(self.world.reviewer.get(f"/v1/cues/{cue_id}/review"))
+        return body_of(self.world.reviewer.get(f"/v1/cues/{cue_id}/review"))
 
 
-def told(answer: Any) -> dict[str, Any]:
+def body_of(answer: Any) -> dict[str, Any]:
     """Return the body of an answer that grants what was asked."""
     assert answer.status_code == 200, answer.text
     body: dict[str, Any] = answer.json()

@@ -13,7 +13,7 @@ from app.renders.models import Render
 from app.renders.queries import wanted_recipes
 from app.sound_lists.rules import CueState
 from tests.app.renders.making import add_cue, deliver_sound
-from tests.app.reviews.making import Stage, add_take, refused, told
+from tests.app.reviews.making import Stage, add_take, body_of, refused
 from tests.support.server import World
 from tests.support.waves import sine
 
@@ -26,7 +26,7 @@ def stage(world: World) -> Stage:
 def test_a_real_take_waits_with_all_that_its_card_shows(world: World) -> None:
     cue = add_cue(world, "beep", description="the bridge answers", use="every menu")
     take_id = deliver_sound(world, "beep.wav", sine(hz=997, dbfs=-6, rate=96_000, seconds=0.5))
-    (item,) = told(world.reviewer.get("/v1/review-queue"))["items"]
+    (item,) = body_of(world.reviewer.get("/v1/review-queue"))["items"]
     assert item["cue"]["label"] == cue["label"] == "SW-001"
     assert item["cue"]["description"] == "the bridge answers"
     assert (item["kind"], item["rounds_so_far"], item["approved_variations"]) == ("single", 0, [])
@@ -126,7 +126,7 @@ def test_pages_follow_each_other_without_gap_or_repeat(stage: Stage, monkeypatch
     seen, cursor = [], None
     while True:
         params = {"project_id": str(stage.world.project_id)} | ({"cursor": cursor} if cursor else {})
-        page = told(stage.world.approver.get("/v1/review-queue", params=params))
+        page = body_of(stage.world.approver.get("/v1/review-queue", params=params))
         seen += [(item["waiting_since"], item["cue"]["id"]) for item in page["items"]]
         if (cursor := page["next"]) is None:
             break
@@ -161,7 +161,7 @@ def test_the_queue_costs_the_same_however_long_it_is(stage: Stage) -> None:
 def test_cues_are_counted_and_not_takes_and_up_to_a_bound(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
     def count() -> dict[str, Any]:
         named = {"project_id": str(stage.world.project_id)}
-        return told(stage.world.reviewer.get("/v1/review-queue/count", params=named))
+        return body_of(stage.world.reviewer.get("/v1/review-queue/count", params=named))
 
     monkeypatch.setattr("app.reviews.review_room.COUNTED_CUES", 3)
     assert count() == {"cues": 0, "is_all": True}
@@ -185,7 +185,7 @@ def test_to_count_costs_the_same_however_many_wait(stage: Stage, monkeypatch: py
 
     def statements() -> int:
         with server.counted_selects() as selects:
-            told(stage.world.reviewer.get("/v1/review-queue/count", params=named))
+            body_of(stage.world.reviewer.get("/v1/review-queue/count", params=named))
         return len(selects)
 
     stage.take(stage.cue())
@@ -202,12 +202,12 @@ def test_who_may_count_the_queue(stage: Stage) -> None:
     stage.take(stage.cue())
     named = {"project_id": str(world.project_id)}
     for who in (world.producer, world.approver, world.reviewer):
-        assert told(who.get(address, params=named)) == told(who.get(address)) == {"cues": 1, "is_all": True}
+        assert body_of(who.get(address, params=named)) == body_of(who.get(address)) == {"cues": 1, "is_all": True}
     assert world.nobody.get(address).status_code == 401
     assert refused(world.designer.get(address, params=named)) == (403, "team-needed")
     assert refused(world.designer.get(address)) == (403, "team-needed")
     assert refused(world.stranger.get(address, params=named)) == (404, "project-not-found")
-    assert told(world.stranger.get(address)) == {"cues": 0, "is_all": True}
+    assert body_of(world.stranger.get(address)) == {"cues": 0, "is_all": True}
 
 
 def test_who_sees_the_queue(stage: Stage) -> None:
@@ -215,11 +215,11 @@ def test_who_sees_the_queue(stage: Stage) -> None:
     stage.take(stage.cue())
     named = {"project_id": str(world.project_id)}
     for who in (world.producer, world.approver, world.reviewer):
-        assert len(told(who.get("/v1/review-queue", params=named))["items"]) == 1
-        assert len(told(who.get("/v1/review-queue"))["items"]) == 1
+        assert len(body_of(who.get("/v1/review-queue", params=named))["items"]) == 1
+        assert len(body_of(who.get("/v1/review-queue"))["items"]) == 1
     assert world.nobody.get("/v1/review-queue").status_code == 401
     assert refused(world.designer.get("/v1/review-queue", params=named)) == (403, "team-needed")
     assert refused(world.designer.get("/v1/review-queue")) == (403, "team-needed")
     assert refused(world.stranger.get("/v1/review-queue", params=named)) == (404, "project-not-found")
     assert refused(world.other_designer.get("/v1/review-queue", params=named)) == (404, "project-not-found")
-    assert told(world.stranger.get("/v1/review-queue"))["items"] == []
+    assert body_of(world.stranger.get("/v1/review-queue"))["items"] == []

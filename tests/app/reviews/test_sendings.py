@@ -10,7 +10,7 @@ from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit.db import new_id
 from tests.app.renders.making import add_cue, deliver_sound
-from tests.app.reviews.making import Stage, refused, told
+from tests.app.reviews.making import Stage, body_of, refused
 from tests.support.server import World
 from tests.support.waves import sine
 
@@ -23,7 +23,7 @@ def stage(world: World) -> Stage:
 def requests_seen_by(stage: Stage, who: str, state: str = "sent") -> list[str]:
     client = getattr(stage.world, who)
     answer = client.get(f"/v1/projects/{stage.world.project_id}/change-requests", params={"state": state})
-    return [one["text"] for one in told(answer)["items"]]
+    return [one["text"] for one in body_of(answer)["items"]]
 
 
 def test_one_sending_counts_once_for_a_set(stage: Stage) -> None:
@@ -165,7 +165,7 @@ def test_lists_of_change_requests_have_pages(stage: Stage, monkeypatch: pytest.M
     path, seen, cursor = f"/v1/projects/{stage.world.project_id}/change-requests", [], None
     while True:
         params = {"state": "draft"} | ({"cursor": cursor} if cursor else {})
-        page = told(stage.world.approver.get(path, params=params))
+        page = body_of(stage.world.approver.get(path, params=params))
         seen += [one["text"] for one in page["items"]]
         if (cursor := page["next"]) is None:
             break
@@ -192,9 +192,9 @@ def test_all_who_see_a_take_may_comment_and_only_one_decides(stage: Stage) -> No
         ("ok", "Sound designer", False),
     ]
     assert stage.queue()[0]["takes"][0]["open_comments"] == 3
-    resolved = told(world.designer.post(f"/v1/comments/{found[0]['id']}/resolve"))
+    resolved = body_of(world.designer.post(f"/v1/comments/{found[0]['id']}/resolve"))
     assert resolved["resolved_at"]
-    again = told(world.approver.post(f"/v1/comments/{found[0]['id']}/resolve"))
+    again = body_of(world.approver.post(f"/v1/comments/{found[0]['id']}/resolve"))
     assert again["resolved_at"] == resolved["resolved_at"]
     assert stage.queue()[0]["takes"][0]["open_comments"] == 2
 
@@ -221,7 +221,7 @@ def test_a_history_lists_all_but_drafts(stage: Stage) -> None:
     take = stage.take(stage.cue())
     comment(world.reviewer, take, "nice")
     stage.approve(take, note="yes")
-    told(stage.undo(take))
+    body_of(stage.undo(take))
     stage.draft(take, "a dull metallic clank", start_s=0.2, end_s=0.3)
 
     def kinds() -> list[str]:
@@ -255,7 +255,7 @@ def test_the_review_room_shows_a_cue_with_its_older_versions(stage: Stage) -> No
     assert [one["text"] for one in room["comments"]] == ["better"]
     assert [(one["kind"], one["withdrawn"]) for one in room["verdicts"]] == [("request_change", False)]
     assert (room["accepted"], room["may_approve"], room["approver"]["name"]) == (False, False, "Audio director")
-    assert told(world.approver.get(f"/v1/cues/{cue}/review"))["may_approve"] is True
+    assert body_of(world.approver.get(f"/v1/cues/{cue}/review"))["may_approve"] is True
     assert refused(world.designer.get(f"/v1/cues/{cue}/review")) == (403, "team-needed")
     assert refused(world.stranger.get(f"/v1/cues/{cue}/review")) == (404, "cue-not-found")
     assert refused(world.approver.get(f"/v1/cues/{new_id()}/review")) == (404, "cue-not-found")
@@ -271,7 +271,7 @@ def test_a_cue_is_cut_with_its_reason(stage: Stage) -> None:
         assert refused(who.post(path, json=body)) == (403, "producer-needed")
     assert refused(world.stranger.post(path, json=body)) == (404, "cue-not-found")
     assert refused(world.producer.post(path, json={"reason": "  "})) == (422, "invalid-request")
-    cut = told(world.producer.post(path, json=body))
+    cut = body_of(world.producer.post(path, json=body))
     assert (cut["state"], cut["cut_reason"]) == ("cut", body["reason"])
     assert stage.queue() == []
     assert requests_seen_by(stage, "approver", "draft") == []
@@ -285,15 +285,15 @@ def test_from_the_first_version_to_the_pack(world: World) -> None:
     cue = add_cue(world, "suit_hit")
     first = deliver_sound(world, "suit_hit.wav", sine(hz=500, dbfs=-6, rate=96_000, seconds=0.3))
     body = {"kind": "request_change", "note": "add a dull metallic clank", "start_s": 0.1}
-    told(world.approver.post(f"/v1/takes/{first}/verdict", json=body))
+    body_of(world.approver.post(f"/v1/takes/{first}/verdict", json=body))
     sent = world.approver.post(f"/v1/projects/{world.project_id}/feedback", json={"note": ""})
     assert sent.status_code == 201
     second = deliver_sound(world, "suit_hit.wav", sine(hz=300, dbfs=-6, rate=96_000, seconds=0.3))
-    (item,) = told(world.approver.get("/v1/review-queue"))["items"]
+    (item,) = body_of(world.approver.get("/v1/review-queue"))["items"]
     assert item["cue"]["id"] == cue["id"]
     assert (item["rounds_so_far"], [take["number"] for take in item["takes"]]) == (1, [2])
-    given = told(world.approver.post(f"/v1/takes/{second}/verdict", json={"kind": "approve"}))
+    given = body_of(world.approver.post(f"/v1/takes/{second}/verdict", json={"kind": "approve"}))
     assert given["cue_accepted"] is True
     world.server.wait_for_jobs()
-    found = told(world.approver.get(f"/v1/cues/{cue['id']}/review"))
+    found = body_of(world.approver.get(f"/v1/cues/{cue['id']}/review"))
     assert [(take["number"], take["state"]) for take in found["takes"]] == [(2, "approved"), (1, "change_requested")]

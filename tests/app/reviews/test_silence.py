@@ -22,7 +22,7 @@ from app.deliveries.models import Take
 from app.reviews import jobs
 from app.sound_lists.models import Question
 from tests.app.money.agreed import Agreed, milestone
-from tests.app.reviews.making import refused, told
+from tests.app.reviews.making import body_of, refused
 from tests.support.server import World
 
 CLAUSE = {"silence_days": 10, "silence_reminder_days": 3}
@@ -55,7 +55,7 @@ class MovedClock:
         """Return who was reminded or told of silence, under which subject, and what was said."""
         world = self.agreed.world
         world.server.wait_for_jobs()
-        mails = told(world.producer.get(f"/v1/studios/{world.studio_id}/outbox"))["mails"]
+        mails = body_of(world.producer.get(f"/v1/studios/{world.studio_id}/outbox"))["mails"]
         return [
             (mail["recipient"].split("@")[0], mail["subject"], mail["text"])
             for mail in mails
@@ -143,7 +143,7 @@ def test_when_the_days_are_over_the_cue_is_accepted_as_by_an_approval(moved: Mov
     assert agreed.states(take) == ["approved"]
     (line,) = agreed.ledger()["lines"]
     assert (line["kind"], line["amount_minor"], line["clause"]) == ("accepted", 18_000, "silence")
-    lately = told(world.producer.get(f"/v1/projects/{world.project_id}/overview"))["lately"]
+    lately = body_of(world.producer.get(f"/v1/projects/{world.project_id}/overview"))["lately"]
     assert {one["who"] for one in lately if one["kind"] == "approved"} == {"The clause on silence"}
 
     assert moved.entries()[-3:] == ["judged", "accepted", "due"]
@@ -443,7 +443,7 @@ def test_without_the_sources_that_the_contract_wants_it_does_not_wait(
     assert moved.agreed.review(cue)["accepted_after"] is None
     moved.apply_deemed(FRIDAY + days(60))
     assert moved.agreed.states(take) == ["conforming"]
-    told(world.designer.put(f"/v1/takes/{take}/sources", json={"from_scratch": True}))
+    body_of(world.designer.put(f"/v1/takes/{take}/sources", json={"from_scratch": True}))
     assert moved.agreed.review(cue)["accepted_after"] is not None
 
 
@@ -455,18 +455,18 @@ def test_the_library_leaves_it_out_until_somebody_wants_it() -> None:
 
 def test_a_producer_keeps_the_calendar_and_both_sides_see_it(world: World) -> None:
     path = f"/v1/studios/{world.studio_id}/calendar"
-    assert told(world.reviewer.get(path)) == {"time_zone": "UTC", "holidays": []}
+    assert body_of(world.reviewer.get(path)) == {"time_zone": "UTC", "holidays": []}
     christmas = {"day": "2026-12-25", "name": "Christmas Day"}
-    saved = told(world.producer.put(path, json={"time_zone": "Europe/Berlin", "holidays": [christmas]}))
+    saved = body_of(world.producer.put(path, json={"time_zone": "Europe/Berlin", "holidays": [christmas]}))
     boxing = {"day": "2026-12-26", "name": "Boxing Day"}
-    again = told(
+    again = body_of(
         world.producer.put(
             path, json={"time_zone": "Europe/Berlin", "holidays": [boxing, {**christmas, "name": "Christmas"}]}
         )
     )
     assert [one["name"] for one in again["holidays"]] == ["Christmas", "Boxing Day"]
     assert again["holidays"][0]["created_at"] == saved["holidays"][0]["created_at"], "it was there before"
-    assert told(world.designer.get(f"/v1/projects/{world.project_id}/studio-calendar")) == again
+    assert body_of(world.designer.get(f"/v1/projects/{world.project_id}/studio-calendar")) == again
     assert world.designer.get(path).status_code == 404
     assert refused(world.reviewer.put(path, json={"time_zone": "UTC"})) == (403, "producer-needed")
     assert refused(world.producer.put(path, json={"time_zone": "Mars/Olympus"})) == (422, "time-zone-unknown")

@@ -110,11 +110,11 @@ def test_a_spec_that_returns_it_stops_the_clock_and_the_record_says_who_saved_it
     waiting.save_spec(("sample_rates_hz = [96000]", "sample_rates_hz = [44100, 48000, 96000]"))
     assert waiting.agreed.states(waiting.take_id) == ["conforming"]
     assert waiting.last_day() == "2026-12-04", "it stood still for seconds"
-    told = [
+    reported = [
         (one["kind"], one["by"], one["role"], one["spec_version"])
         for one in waiting.entries("returned", "conforms_again")
     ]
-    assert told == [("returned", "Producer", "producer", 2), ("conforms_again", "Producer", "producer", 3)]
+    assert reported == [("returned", "Producer", "producer", 2), ("conforms_again", "Producer", "producer", 3)]
 
 
 def test_who_moves_a_file_to_another_cue_and_back_is_named(waiting: Waiting) -> None:

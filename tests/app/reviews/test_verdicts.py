@@ -24,7 +24,7 @@ from app.reviews import feedback, service
 from app.reviews.models import ChangeRequest, Verdict
 from app.reviews.queries import accepted_takes
 from app.reviews.rules import VerdictKind
-from tests.app.reviews.making import Stage, add_cue, add_take, refused, told
+from tests.app.reviews.making import Stage, add_cue, add_take, body_of, refused
 from tests.support.server import World
 
 
@@ -176,7 +176,7 @@ def test_unmatched_files_and_cut_cues_cannot_be_judged(stage: Stage) -> None:
     assert refused(stage.verdict(unmatched, "approve")) == (409, "not-reviewable")
     cue = stage.cue()
     take = stage.take(cue)
-    told(stage.world.approver.post(f"/v1/cues/{cue}/cut", json={"reason": "no shields any more"}))
+    body_of(stage.world.approver.post(f"/v1/cues/{cue}/cut", json={"reason": "no shields any more"}))
     assert refused(stage.verdict(take, "approve")) == (409, "cue-is-cut")
     assert refused(stage.undo(take)) == (409, "cue-is-cut")
 
@@ -235,7 +235,7 @@ def test_undo_brings_everything_back(stage: Stage) -> None:
     stage.draft(other, "shorter")
     before = {take["id"]: (take["state"], take["state_since"]) for take in stage.review(cue)["takes"]}
     stage.approve(picked)
-    undone = told(stage.undo(picked))
+    undone = body_of(stage.undo(picked))
     assert undone["draft_dropped"] is False
     after = stage.review(cue)["takes"]
     assert {take["id"]: (take["state"], take["state_since"]) for take in after} == before
@@ -264,11 +264,11 @@ def test_undo_drops_a_fresh_draft(stage: Stage) -> None:
     take = stage.take(stage.cue())
     stage.approve(take)
     stage.draft(take, "on second thoughts, duller", seen_state="approved")
-    assert told(stage.undo(take)) == {
+    assert body_of(stage.undo(take)) == {
         "takes": [{"id": str(take), "variation": 1, "state": "approved"}],
         "draft_dropped": True,
     }
-    assert told(stage.undo(take))["takes"][0]["state"] == "conforming"
+    assert body_of(stage.undo(take))["takes"][0]["state"] == "conforming"
     assert refused(stage.undo(take)) == (409, "nothing-to-undo")
 
 
@@ -277,7 +277,7 @@ def test_undo_stops_where_something_later_stands(stage: Stage) -> None:
     a, b = stage.take(cue), stage.take(cue)
     stage.approve(a)
     stage.approve(b, seen_state="set_aside")
-    assert told(stage.undo(a))["takes"]  # what set `a` aside was the pick of `b`: one click, taken back whole
+    assert body_of(stage.undo(a))["takes"]  # what set `a` aside was the pick of `b`: one click, taken back whole
     assert stage.states(a, b) == ["approved", "set_aside"]
     stage.draft(a, "softer", seen_state="approved")
     assert refused(stage.undo(b)) == (409, "verdict-since")
@@ -291,13 +291,13 @@ def test_a_set_is_accepted_at_once_and_taken_back_at_once(stage: Stage) -> None:
     cue = stage.cue(variations=3)
     older = stage.take(cue, 1)
     takes = [stage.take(cue, variation) for variation in (1, 2, 3)]
-    answer = told(stage.world.approver.post(f"/v1/cues/{cue}/accept-set", json={"note": "good steps"}))
+    answer = body_of(stage.world.approver.post(f"/v1/cues/{cue}/accept-set", json={"note": "good steps"}))
     assert answer["cue_accepted"] is True
     assert [take["id"] for take in answer["approved"]] == [str(take) for take in takes]
     assert answer["set_aside"] == [str(older)]
     again = stage.world.approver.post(f"/v1/cues/{cue}/accept-set", json={})
     assert refused(again) == (409, "already-accepted")
-    told(stage.undo(takes[2]))
+    body_of(stage.undo(takes[2]))
     assert stage.states(older, *takes) == ["conforming"] * 4
 
 
@@ -305,7 +305,7 @@ def test_the_takes_of_a_set_can_be_named(stage: Stage) -> None:
     cue = stage.cue(variations=2)
     older, newer, second = stage.take(cue, 1), stage.take(cue, 1), stage.take(cue, 2)
     body = {"take_ids": [str(older)]}
-    told(stage.world.approver.post(f"/v1/cues/{cue}/accept-set", json=body))
+    body_of(stage.world.approver.post(f"/v1/cues/{cue}/accept-set", json=body))
     assert stage.states(older, newer, second) == ["approved", "set_aside", "approved"]
 
 
@@ -341,7 +341,7 @@ def test_what_is_accepted_is_known_to_packs(stage: Stage) -> None:
     picked = [stage.take(whole, 2), stage.take(whole, 1)]
     for take in (*picked, stage.take(half, 1), stage.take(cut)):
         stage.approve(take)
-    told(stage.world.approver.post(f"/v1/cues/{cut}/cut", json={"reason": "no longer needed"}))
+    body_of(stage.world.approver.post(f"/v1/cues/{cut}/cut", json={"reason": "no longer needed"}))
     found = stage.world.server.in_database(lambda session: accepted_takes(session, stage.world.project_id))
     assert [(cue.name, variation, take.id) for cue, variation, take in found] == [
         ("whole", 1, picked[1]),
@@ -421,6 +421,6 @@ def test_an_approval_taken_back_has_not_happened_lately(stage: Stage) -> None:
     for take in (stays, goes):
         stage.approve(take)
     assert stage.undo(goes).status_code == 200
-    overview = told(stage.world.producer.get(f"/v1/projects/{stage.world.project_id}/overview"))
+    overview = body_of(stage.world.producer.get(f"/v1/projects/{stage.world.project_id}/overview"))
     approved = [each["text"] for each in overview["lately"] if each["kind"] == "approved"]
     assert approved == ["approved laser_fire, version 1"]

@@ -137,22 +137,22 @@ def test_names_can_be_swapped_in_two_steps_and_are_free_after_a_rename(world: Wo
 
 
 def test_events_say_what_changed(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
-    told: list[tuple[str, dict[str, object]]] = []
+    reported: list[tuple[str, dict[str, object]]] = []
 
     def publish(session: sa.orm.Session, event: str, **facts: object) -> object:
-        told.append((event, facts))
+        reported.append((event, facts))
         return events.publish(session, event, **facts)
 
     monkeypatch.setattr(save_edits, "publish", publish)
     (cue,) = add(world, {"name": "Door"})
     studio = {"studio_id": world.studio_id, "project_id": world.project_id}
     whole = {**studio, "actor_id": world.producer_id}
-    assert told == [("list.revised", {**whole, "revision": 1, "added": 1, "changed": 0, "cut": 0})]
+    assert reported == [("list.revised", {**whole, "revision": 1, "added": 1, "changed": 0, "cut": 0})]
     url = f"/v1/cues/{cue['id']}"
     world.producer.patch(url, json={"edition": 1, "description": "a heavy door"})  # which no check reads
-    assert [event for event, _ in told] == ["list.revised"] * 2
+    assert [event for event, _ in reported] == ["list.revised"] * 2
     world.producer.patch(url, json={"edition": 2, "duration_s": 2.0})
-    assert told[2:] == [
+    assert reported[2:] == [
         ("cue.changed", {**studio, "person_id": world.producer_id, "cue_ids": [cue["id"]]}),
         ("list.revised", {**whole, "revision": 3, "added": 0, "changed": 1, "cut": 0}),
     ]

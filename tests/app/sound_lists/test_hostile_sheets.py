@@ -171,8 +171,8 @@ def test_a_million_empty_rows_are_passed_over(parsers: Parsers):
 def test_10_000_cues_come_in_from_a_workbook(world: World):
     rows: list[list[object]] = [["Name", "File name", "Category", "Description", "Duration"]]
     rows += [[f"Cue {place}", f"cue_{place}.wav", "ui", "a click of the menu", 0.25] for place in range(MAX_ROWS)]
-    told = send(world, workbook(rows))
-    assert (told["added"], told["errors"], told["imported"]) == (MAX_ROWS, [], True)
+    reported = send(world, workbook(rows))
+    assert (reported["added"], reported["errors"], reported["imported"]) == (MAX_ROWS, [], True)
 
 
 LETTERS = ["a", "1", " ", "-", "_", ",", ".", "(", "[", "~", "x", "0", "A", "a1", "1a", "_v", "__alt", "0-", "aA", "1:"]

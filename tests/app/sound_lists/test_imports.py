@@ -29,8 +29,8 @@ def send(world: World, content: bytes | str, by: TestClient | None = None, **mor
         body["text"] = content
     answer = (by or world.producer).post(f"/v1/projects/{world.project_id}/sound-list/import", json=body | more)
     assert answer.status_code == 200, answer.text
-    told: dict[str, Any] = answer.json()
-    return told
+    reported: dict[str, Any] = answer.json()
+    return reported
 
 
 def refused(world: World, content: bytes | str, **more: object) -> dict[str, Any]:
@@ -71,9 +71,9 @@ def workbook(*sheets: list[list[object]]) -> bytes:
 def test_german_csv_of_excel(world: World) -> None:
     text = "Nr;Bezeichnung;Dateiname;Kategorie;Dauer (s);Schleife;Varianten\r\n"
     text += "7;Tür öffnet;tuer_auf.wav;Foley;1,5;nein;2\r\n"
-    told = send(world, text.encode("cp1252"))
-    assert (told["imported"], told["added"], told["errors"]) == (True, 1, [])
-    assert [column["guess"] for column in told["columns"]] == [
+    reported = send(world, text.encode("cp1252"))
+    assert (reported["imported"], reported["added"], reported["errors"]) == (True, 1, [])
+    assert [column["guess"] for column in reported["columns"]] == [
         "number", "name", "file_name", "category", "duration_s", "loop", "variations",
     ]  # fmt: skip
     (cue,) = cues(world)
@@ -101,40 +101,50 @@ def test_german_csv_of_excel(world: World) -> None:
     ],
 )
 def test_dialects(world: World, content: bytes) -> None:
-    told = send(world, content)
-    assert told["imported"], told
+    reported = send(world, content)
+    assert reported["imported"], reported
     assert [(cue["name"], cue["duration_s"]) for cue in cues(world)] == [("Door", 1.5)]
 
 
 def test_a_cell_may_hold_lines_separators_and_quotes(world: World) -> None:
-    told = send(world, 'Name,Description\nDoor,"heavy, ""old""\r\nand slow"\nBell,x\n')
-    assert [row["row"] for row in told["rows"]] == [2, 3]
+    reported = send(world, 'Name,Description\nDoor,"heavy, ""old""\r\nand slow"\nBell,x\n')
+    assert [row["row"] for row in reported["rows"]] == [2, 3]
     assert cues(world)[0]["description"] == 'heavy, "old"\nand slow'
 
 
 def test_columns_without_a_field_are_kept(world: World) -> None:
-    told = send(
+    reported = send(
         world,
         workbook(
-            [["Name", "Mood", "Approved on", "Done", "Mood", None], ["Door", "grim", date(2026, 3, 1), True, "dark", "note"]]
+            [
+                ["Name", "Mood", "Approved on", "Done", "Mood", None],
+                ["Door", "grim", date(2026, 3, 1), True, "dark", "note"],
+            ]
         ),
     )
-    assert [column["name"] for column in told["columns"]] == ["Name", "Mood", "Approved on", "Done", "Mood (2)", "Column 6"]
+    assert [column["name"] for column in reported["columns"]] == [
+        "Name",
+        "Mood",
+        "Approved on",
+        "Done",
+        "Mood (2)",
+        "Column 6",
+    ]
     assert cues(world)[0]["extra"] == {
         "Mood": "grim", "Approved on": "2026-03-01", "Done": "yes", "Mood (2)": "dark", "Column 6": "note",
     }  # fmt: skip
 
 
 def test_a_column_that_only_sounds_like_a_field_is_kept_as_it_is(world: World) -> None:
-    told = send(world, "Name,Status,ID\nDoor,in progress,AMB-X\nBell,done,AMB-Y\n")
-    assert [column["guess"] for column in told["columns"]] == ["name", None, None]
+    reported = send(world, "Name,Status,ID\nDoor,in progress,AMB-X\nBell,done,AMB-Y\n")
+    assert [column["guess"] for column in reported["columns"]] == ["name", None, None]
     assert cues(world)[0]["extra"] == {"Status": "in progress", "ID": "AMB-X"}
 
 
 def test_mapping_says_otherwise(world: World) -> None:
     mapping = {"Sonido": "name", "Notas": "description", "Basura": "ignore", "Name": "extra"}
-    told = send(world, "Sonido,Notas,Basura,Name\nPuerta,pesada,x,y\n", mapping=mapping)
-    assert told["imported"], told
+    reported = send(world, "Sonido,Notas,Basura,Name\nPuerta,pesada,x,y\n", mapping=mapping)
+    assert reported["imported"], reported
     (cue,) = cues(world)
     assert (cue["name"], cue["description"], cue["extra"]) == ("Puerta", "pesada", {"Name (own)": "y"})
 
@@ -161,8 +171,8 @@ def test_a_mapping_that_does_not_fit_is_refused(world: World) -> None:
 )
 def test_common_spellings_of_heads(world: World, head: str, cells: list[str], field: str, read: list[object]) -> None:
     rows = "".join(f"sound{place}\t{cell}\n" for place, cell in enumerate(cells))
-    told = send(world, f"name\t{head}\n{rows}", format="paste")
-    assert (told["columns"][1]["guess"], told["errors"]) == (field, [])
+    reported = send(world, f"name\t{head}\n{rows}", format="paste")
+    assert (reported["columns"][1]["guess"], reported["errors"]) == (field, [])
     assert [cue[field] for cue in cues(world)] == read
 
 
@@ -211,9 +221,9 @@ def test_a_due_date_is_changed_and_the_change_is_kept(world: World) -> None:
 
 def test_one_wrong_mapping_is_one_error(world: World) -> None:
     rows = "".join(f"sound{place},Mood {place}\n" for place in range(61))
-    told = send(world, f"name,Mood\n{rows}", mapping={"Mood": "duration_s"})
-    (fault,) = told["errors"]
-    assert (fault["row"], fault["column"], told["imported"]) == (2, "Mood", False)
+    reported = send(world, f"name,Mood\n{rows}", mapping={"Mood": "duration_s"})
+    (fault,) = reported["errors"]
+    assert (fault["row"], fault["column"], reported["imported"]) == (2, "Mood", False)
     assert fault["message"] == (
         '61 of 61 cells in this column do not fit: wanted seconds such as 1.5, found "Mood 0"; '
         "map the column to another field, or ignore it"
@@ -221,7 +231,7 @@ def test_one_wrong_mapping_is_one_error(world: World) -> None:
 
 
 def test_every_wrong_cell_is_named_by_its_row_and_nothing_comes_in(world: World) -> None:
-    told = send(
+    reported = send(
         world,
         "name,duration_s,loop,variations,state,reverb,category\n"
         "Fine,1.5,yes,2,locked,dry,ui\n"
@@ -231,8 +241,8 @@ def test_every_wrong_cell_is_named_by_its_row_and_nothing_comes_in(world: World)
         "fine,,,,,,\n"
         "Gong,-1,no,200,cut,,a b!\n",
     )
-    assert not told["imported"]
-    assert {(fault["row"], fault["column"]) for fault in told["errors"]} == {
+    assert not reported["imported"]
+    assert {(fault["row"], fault["column"]) for fault in reported["errors"]} == {
         (3, "duration_s"),
         (4, "name"),
         (5, "loop"),
@@ -241,19 +251,19 @@ def test_every_wrong_cell_is_named_by_its_row_and_nothing_comes_in(world: World)
         (5, "reverb"),
         (7, "duration_s"),
     }
-    assert all(fault["message"] for fault in told["errors"])
-    assert {fault["name"] for fault in told["errors"]} == {"Door", "", "Bell", "Gong"}
+    assert all(fault["message"] for fault in reported["errors"])
+    assert {fault["name"] for fault in reported["errors"]} == {"Door", "", "Bell", "Gong"}
     assert the_list(world) == {"revision": 0, "cues": []}
 
 
 def test_faults_that_only_the_whole_row_shows(world: World) -> None:
-    told = send(world, "name,variations,category\nDoor,,\ndoor,,\nBell,200,a b!\n")
-    assert [(fault["row"], fault["column"]) for fault in told["errors"]] == [
+    reported = send(world, "name,variations,category\nDoor,,\ndoor,,\nBell,200,a b!\n")
+    assert [(fault["row"], fault["column"]) for fault in reported["errors"]] == [
         (3, "name"),
         (4, "category"),
         (4, "variations"),
     ]
-    assert "belongs to row 2" in told["errors"][0]["message"]
+    assert "belongs to row 2" in reported["errors"][0]["message"]
     assert cues(world) == []
 
 
@@ -266,8 +276,8 @@ def test_faults_that_only_the_whole_row_shows(world: World) -> None:
     ],
 )
 def test_twin_file_names(world: World, rows: str, words: str) -> None:
-    told = send(world, "name,file name\n" + rows)
-    (fault,) = told["errors"]
+    reported = send(world, "name,file name\n" + rows)
+    (fault,) = reported["errors"]
     assert (fault["row"], fault["column"]) == (3, "file name")
     assert words in fault["message"]
     assert cues(world) == []
@@ -276,18 +286,18 @@ def test_twin_file_names(world: World, rows: str, words: str) -> None:
 def test_a_dry_run_says_all_and_does_nothing(world: World) -> None:
     add(world, {"name": "Door"}, {"name": "Bell"})
     text = "number,name,description\nSW-001,Door,heavy\n2,Bell,\n,Gong,new\nSW-009,Horn,\n"
-    told = send(world, text, dry_run=True)
-    assert (told["imported"], told["added"], told["changed"], told["same"]) == (False, 2, 1, 1)
-    assert [(row["action"], row["label"]) for row in told["rows"]] == [
+    reported = send(world, text, dry_run=True)
+    assert (reported["imported"], reported["added"], reported["changed"], reported["same"]) == (False, 2, 1, 1)
+    assert [(row["action"], row["label"]) for row in reported["rows"]] == [
         ("change", "SW-001"),
         ("same", "SW-002"),
         ("add", None),
         ("add", "SW-009"),
     ]
-    assert told["rows"][0]["changes"] == [{"field": "description", "before": "", "after": "heavy"}]
+    assert reported["rows"][0]["changes"] == [{"field": "description", "before": "", "after": "heavy"}]
     assert len(cues(world)) == 2
-    told = send(world, text)
-    assert (told["imported"], told["revision"]) == (True, 2)
+    reported = send(world, text)
+    assert (reported["imported"], reported["revision"]) == (True, 2)
     assert [(cue["label"], cue["description"]) for cue in cues(world)] == [
         ("SW-001", "heavy"),
         ("SW-002", ""),
@@ -298,21 +308,21 @@ def test_a_dry_run_says_all_and_does_nothing(world: World) -> None:
 
 def test_matching_by_name(world: World) -> None:
     add(world, {"name": "Door"}, {"name": "Bell", "file_name": "bell_a"}, {"name": "Bell", "file_name": "bell_b"})
-    told = send(world, "name,use\nDOOR,hall\n", match="name")
-    assert [row["action"] for row in told["rows"]] == ["change"]
-    told = send(world, "name,use\nBell,hall\nDoor,x\ndoor,y\n", match="name")
-    assert not told["imported"]
-    assert [fault["row"] for fault in told["errors"]] == [2, 4]
-    assert "SW-002 and SW-003" in told["errors"][0]["message"]
-    assert "row 3" in told["errors"][1]["message"]
+    reported = send(world, "name,use\nDOOR,hall\n", match="name")
+    assert [row["action"] for row in reported["rows"]] == ["change"]
+    reported = send(world, "name,use\nBell,hall\nDoor,x\ndoor,y\n", match="name")
+    assert not reported["imported"]
+    assert [fault["row"] for fault in reported["errors"]] == [2, 4]
+    assert "SW-002 and SW-003" in reported["errors"][0]["message"]
+    assert "row 3" in reported["errors"][1]["message"]
 
 
 def test_adding_never_changes(world: World) -> None:
     add(world, {"name": "Door"})
-    told = send(world, "number,name\nSW-001,Gate\n", match="add")
-    assert [(fault["row"], fault["column"]) for fault in told["errors"]] == [(2, "number")]
-    told = send(world, "number,name\n5,Gate\n5,Horn\n", match="add")
-    assert [(fault["row"], fault["column"]) for fault in told["errors"]] == [(3, "number")]
+    reported = send(world, "number,name\nSW-001,Gate\n", match="add")
+    assert [(fault["row"], fault["column"]) for fault in reported["errors"]] == [(2, "number")]
+    reported = send(world, "number,name\n5,Gate\n5,Horn\n", match="add")
+    assert [(fault["row"], fault["column"]) for fault in reported["errors"]] == [(3, "number")]
     assert send(world, "name\nGate\n", match="add")["imported"]
 
 
@@ -325,8 +335,8 @@ def test_an_import_can_swap_two_names(world: World) -> None:
 def test_a_cut_cue_stays_as_it_is(world: World) -> None:
     one, _ = add(world, {"name": "Door"}, {"name": "Bell"})
     cut(world, one["id"], "no doors")
-    told = send(world, "number,name,state\nSW-001,Gate,cut\nSW-002,Bell,cut\n")
-    assert [(fault["row"], fault["column"]) for fault in told["errors"]] == [(2, None), (3, "state")]
+    reported = send(world, "number,name,state\nSW-001,Gate,cut\nSW-002,Bell,cut\n")
+    assert [(fault["row"], fault["column"]) for fault in reported["errors"]] == [(2, None), (3, "state")]
 
 
 @pytest.mark.parametrize(
@@ -362,8 +372,8 @@ def test_the_export_comes_back_as_it_went(world: World, server: Any) -> None:
     assert text.splitlines()[0].startswith(HEAD)
     before = cues(world)
     for match in ("number", "name"):
-        told = send(world, text, match=match)
-        assert (told["errors"], told["same"], told["added"], told["changed"]) == ([], 4, 0, 0)
+        reported = send(world, text, match=match)
+        assert (reported["errors"], reported["same"], reported["added"], reported["changed"]) == ([], 4, 0, 0)
     assert cues(world) == before
     elsewhere = World(server)
     assert send(elsewhere, text.encode())["imported"]
@@ -409,9 +419,9 @@ def test_ten_thousand_rows(world: World) -> None:
         f"Sound {number},{number % 50 / 10 + 0.1:.1f},ui,Words about sound {number}\n" for number in range(10_000)
     )
     started = time.monotonic()
-    told = send(world, "name,duration,category,description\n" + rows)
-    assert told["imported"], told["errors"][:3]
-    assert told["added"] == 10_000
+    reported = send(world, "name,duration,category,description\n" + rows)
+    assert reported["imported"], reported["errors"][:3]
+    assert reported["added"] == 10_000
     assert time.monotonic() - started < 60
     started = time.monotonic()
     assert send(world, "name,duration,category,description\n" + rows, match="name")["same"] == 10_000
@@ -462,8 +472,8 @@ def test_what_is_no_sheet_is_refused_in_words(world: World, content: bytes, word
 
 
 def test_a_head_alone_imports_nothing(world: World) -> None:
-    told = send(world, "name,use\n")
-    assert (told["imported"], len(told["errors"])) == (False, 1)
+    reported = send(world, "name,use\n")
+    assert (reported["imported"], len(reported["errors"])) == (False, 1)
 
 
 def test_nothing_sent_and_no_base64(world: World) -> None:

@@ -16,13 +16,17 @@ def test_the_link_shows_project_list_and_spec_without_an_account(world: World) -
     assert invited.status_code == 201, invited.text
     shown = world.nobody.get(f"/v1/invitations/{secret_for(world.server, address)}")
     assert shown.status_code == 200, shown.text
-    told = shown.json()
-    assert told["project"]["name"] == "Shield Wing"
-    assert (told["studio_name"], told["invited_by_name"], told["kind"]) == ("Test studio", "Producer", "contract")
-    assert (told["email"], told["has_account"], told["accepted"]) == (address, False, False)
-    assert [(cue["label"], cue["variations"]) for cue in told["cues"]] == [("SW-001", 4)]
-    assert told["spec"]["accept"]["sample_rates_hz"] == [44100, 48000, 96000]
-    assert told["spec"]["targets"]["game"]["sample_rate_hz"] == 44100
+    reported = shown.json()
+    assert reported["project"]["name"] == "Shield Wing"
+    assert (reported["studio_name"], reported["invited_by_name"], reported["kind"]) == (
+        "Test studio",
+        "Producer",
+        "contract",
+    )
+    assert (reported["email"], reported["has_account"], reported["accepted"]) == (address, False, False)
+    assert [(cue["label"], cue["variations"]) for cue in reported["cues"]] == [("SW-001", 4)]
+    assert reported["spec"]["accept"]["sample_rates_hz"] == [44100, 48000, 96000]
+    assert reported["spec"]["targets"]["game"]["sample_rate_hz"] == 44100
 
 
 def test_a_link_that_we_never_mailed_shows_nothing(world: World) -> None:

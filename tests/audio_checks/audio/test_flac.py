@@ -145,8 +145,8 @@ def test_metadata_and_loops_that_were_kept(tmp_path, inside):
 
 def test_layouts(tmp_path, inside):
     quad = write(tmp_path / "quad.flac", flacs.flac_bytes(noise(seconds=0.01, channels=4)))
-    told = flacs.comments({"WAVEFORMATEXTENSIBLE_CHANNEL_MASK": "0x0107"})
-    other = write(tmp_path / "other.flac", flacs.flac_bytes(noise(seconds=0.01, channels=4), blocks=[told]))
+    reported = flacs.comments({"WAVEFORMATEXTENSIBLE_CHANNEL_MASK": "0x0107"})
+    other = write(tmp_path / "other.flac", flacs.flac_bytes(noise(seconds=0.01, channels=4), blocks=[reported]))
     spec = parse_spec('format = 1\naccept.layouts = ["quad"]')
     assert check_file(quad, spec).verdict == "conforming"
     assert check_file(other, spec).findings[0].code == "channels:layout"

@@ -23,9 +23,9 @@ def document(tmp_path):
 
 def refused(tmp_path, document):
     (tmp_path / "m.json").write_text(json.dumps(document))
-    with pytest.raises(SpecError) as told:
+    with pytest.raises(SpecError) as reported:
         read_manifest(tmp_path / "m.json")
-    return str(told.value)
+    return str(reported.value)
 
 
 def test_what_was_written_is_read(tmp_path, document):

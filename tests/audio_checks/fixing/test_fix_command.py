@@ -116,10 +116,10 @@ def test_a_master_is_never_replaced(folder, capsys):
 def test_json(folder, fix):
     write_wav(folder / "in" / "Laser.wav", LOUD)
     code, out, _ = fix("--format", "json", "in")
-    told = json.loads(out)
+    reported = json.loads(out)
     assert code == 0
-    assert told["summary"] == {"files": 1, "fixed": 1, "partly": 0, "left": 0, "fine": 0}
-    [one] = told["files"]
+    assert reported["summary"] == {"files": 1, "fixed": 1, "partly": 0, "left": 0, "fine": 0}
+    [one] = reported["files"]
     assert (one["path"], one["out"], one["state"]) == ("in/Laser.wav", "out/laser.wav", "fixed")
     assert [repair["kind"] for repair in one["repairs"]] == ["gain", "name"]
     assert (one["before"]["verdict"], one["after"]["verdict"]) == ("rejected", "conforming")
@@ -134,7 +134,7 @@ def test_the_list_says_what_loops(folder, fix):
 
 
 @pytest.mark.parametrize(
-    ("arguments", "told"),
+    ("arguments", "reported"),
     [
         (["--spec", "spec.toml", "--out", "out", "nowhere"], "no such file"),
         (["--out", "out", "in"], "name it with --spec"),
@@ -143,10 +143,10 @@ def test_the_list_says_what_loops(folder, fix):
         (["--spec", "spec.toml", "--out", "out", "--format", "xml", "in/a.wav"], 'no format "xml"'),
     ],
 )
-def test_asked_wrongly(folder, capsys, arguments, told):
+def test_asked_wrongly(folder, capsys, arguments, reported):
     write_wav(folder / "in" / "a.wav", FINE)
     assert main(["fix", *arguments]) == 2
-    assert told in capsys.readouterr().err
+    assert reported in capsys.readouterr().err
 
 
 def test_names_from_strangers_print_no_control_characters(folder, fix):

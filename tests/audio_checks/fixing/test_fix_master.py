@@ -332,9 +332,9 @@ class TestWhole:
         assert fixed.after.category == "vo"
 
     def test_it_can_be_written_as_plain_values(self, tmp_path, out):
-        told = fix_master(write_wav(tmp_path / "A b.wav", sine(hz=997, dbfs=0.0)), spec(), out).to_dict()
-        assert [one["kind"] for one in told["repairs"]] == ["gain", "name"]
-        assert (told["conforms"], told["before"]["verdict"], told["after"]["verdict"]) == (
+        reported = fix_master(write_wav(tmp_path / "A b.wav", sine(hz=997, dbfs=0.0)), spec(), out).to_dict()
+        assert [one["kind"] for one in reported["repairs"]] == ["gain", "name"]
+        assert (reported["conforms"], reported["before"]["verdict"], reported["after"]["verdict"]) == (
             True,
             "rejected",
             "conforming",

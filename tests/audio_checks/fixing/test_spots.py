@@ -37,8 +37,8 @@ def test_what_is_left_has_points_in_proportion(tmp_path, out):
     head = spots(write_wav(tmp_path / "door.wav", sound), out)["head"]
     share = (head.after_end_s - head.after_start_s) / (head.end_s - head.start_s)
     assert head.after.points / head.before.points == pytest.approx(share, abs=0.01)
-    told = head.to_dict()
-    assert len(told["before"]["min"]) == head.before.points == 480
+    reported = head.to_dict()
+    assert len(reported["before"]["min"]) == head.before.points == 480
 
 
 def test_nothing_to_see_where_the_sound_is_the_same(tmp_path, out):

@@ -32,8 +32,8 @@ def test_which_of_two_has_more(between, samples, earlier, verdict):
 def test_the_octaves_die_away_slower_by_what_was_added(between):
     bands = between(WET, DRY).evidence["bands"]
     assert bands
-    told = [band for band in bands if None not in (band["rt60_s"], band["earlier_rt60_s"])]
-    assert all(band["rt60_s"] > 2 * band["earlier_rt60_s"] for band in told)
+    reported = [band for band in bands if None not in (band["rt60_s"], band["earlier_rt60_s"])]
+    assert all(band["rt60_s"] > 2 * band["earlier_rt60_s"] for band in reported)
     assert np.median([band["rt60_s"] for band in bands if band["rt60_s"]]) == pytest.approx(1.2, rel=0.2)
 
 

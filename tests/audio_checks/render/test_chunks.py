@@ -113,11 +113,11 @@ def test_the_time_of_day_is_the_same_time_in_frames_of_the_new_rate(tmp_path):
     began = (1 << 33) + 1
     _, kept = rendered(tmp_path, chunks={"before": [bext(began), ixml(began)]})
     assert struct.unpack_from("<Q", one(kept, "bext"), 338) == ((1 << 32) + 1,)
-    told = one(kept, "iXML")
-    assert b"_HI>1</TIMESTAMP" in told
-    assert b"_LO>1</TIMESTAMP" in told
-    assert told.count(b"_SAMPLE_RATE>48000<") == 2
-    assert b"<DIGITIZER_SAMPLE_RATE>96000<" in told  # how it was recorded stays true
+    reported = one(kept, "iXML")
+    assert b"_HI>1</TIMESTAMP" in reported
+    assert b"_LO>1</TIMESTAMP" in reported
+    assert reported.count(b"_SAMPLE_RATE>48000<") == 2
+    assert b"<DIGITIZER_SAMPLE_RATE>96000<" in reported  # how it was recorded stays true
 
 
 def test_a_sampler_keeps_its_notes_and_gets_its_period(tmp_path):
@@ -140,11 +140,11 @@ def test_what_became_untrue_is_taken_back(tmp_path):
     _, kept = rendered(tmp_path, replace(HALF, channels=1), samples=stereo)
     history = one(kept, "bext")[602:]
     assert history == b"A=PCM,F=96000,W=24,M=mono\r\nA=PCM,F=48000,W=16,M=mono\r\n"
-    told = one(kept, "iXML")
-    assert b"<AUDIO_BIT_DEPTH>16</AUDIO_BIT_DEPTH>" in told
-    assert b"loudness" not in told
-    assert b"TRACK_LIST" not in told
-    assert b"<project>Shield Wing</project>" in told
+    reported = one(kept, "iXML")
+    assert b"<AUDIO_BIT_DEPTH>16</AUDIO_BIT_DEPTH>" in reported
+    assert b"loudness" not in reported
+    assert b"TRACK_LIST" not in reported
+    assert b"<project>Shield Wing</project>" in reported
 
 
 def loudness_told(tmp_path, samples, levels):
@@ -172,8 +172,8 @@ def test_what_is_still_true_stays(tmp_path):
     with wav.open_regular(master) as one_file, wav.open_regular(tmp_path / "game.wav") as other:
         ours, theirs = wav.read_layout(one_file), wav.read_layout(other)
         for before, after in zip(ours.chunks, theirs.chunks, strict=True):
-            told = wav.chunk_payload(other, after)
-            assert told.startswith(wav.chunk_payload(one_file, before).rstrip(b"\0"))
+            reported = wav.chunk_payload(other, after)
+            assert reported.startswith(wav.chunk_payload(one_file, before).rstrip(b"\0"))
 
 
 def test_a_fitted_loop_keeps_its_beats(tmp_path):
@@ -259,8 +259,8 @@ BEGINNINGS = st.sampled_from([b"", b"adtlltxt\x40\0\0\0", struct.pack("<I", 9), 
 @given(name=CHUNKS_OF_STRANGERS, beginning=BEGINNINGS, rest=st.binary(max_size=700))
 @settings(max_examples=200)
 def test_no_chunk_of_a_stranger_stops_a_render(name, beginning, rest):
-    told = chunk(name.encode(), beginning + rest)
-    file = io.BytesIO(wav_bytes(SHORT, rate=RATE, before=[told]))
+    reported = chunk(name.encode(), beginning + rest)
+    file = io.BytesIO(wav_bytes(SHORT, rate=RATE, before=[reported]))
     move = Move(cut=10, frames=475, changed=True, new_depth=16, sample_rate_hz=96_000, to_hz=48_000, new_channels=True)
     ((kept, payload),), after = carried(file, wav.read_layout(file), replace(move, history="A=PCM", stretch=1.01))
     assert (kept, after) == (name, [])

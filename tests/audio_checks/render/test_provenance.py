@@ -31,9 +31,9 @@ def exported(tmp_path, provenance=KNOWN, **more):
 
 
 def test_bext_and_ixml_say_what_is_known(tmp_path):
-    _, told, layout = exported(tmp_path)
+    _, reported, layout = exported(tmp_path)
     assert layout.warnings == ()
-    assert {name: text for name, text in told.items() if name.startswith("bext.")} == {
+    assert {name: text for name, text in reported.items() if name.startswith("bext.")} == {
         "bext.Description": "SW-014 Door, heavy",
         "bext.Originator": "Foley House",
         "bext.OriginatorReference": "SW-014",
@@ -42,8 +42,8 @@ def test_bext_and_ixml_say_what_is_known(tmp_path):
         "bext.Version": "2",
         "bext.CodingHistory": "A=PCM,F=48000,W=24,M=stereo",
     }
-    assert (told["iXML.PROJECT"], told["iXML.NOTE"]) == ("Shield Wing & Co", "when the gate falls")
-    assert {name.removeprefix("iXML.ASWG."): text for name, text in told.items() if ".ASWG." in name} == {
+    assert (reported["iXML.PROJECT"], reported["iXML.NOTE"]) == ("Shield Wing & Co", "when the gate falls")
+    assert {name.removeprefix("iXML.ASWG."): text for name, text in reported.items() if ".ASWG." in name} == {
         "project": "Shield Wing & Co",
         "originator": "Foley House",
         "originatorStudio": "Two Rivers",
@@ -75,17 +75,17 @@ def test_what_the_file_says_already_stays_but_for_what_is_known_better(tmp_path)
         "before": [chunk(b"bext", bext + b"A=PCM,F=96000\r\n"), smpl([(0, 99)])],
         "after": [chunk(b"iXML", ixml), chunk(b"xYz1", b"unknown"), placeholder_mark("SW-1")],
     }
-    _, told, layout = exported(tmp_path, **chunks)
+    _, reported, layout = exported(tmp_path, **chunks)
     assert [one.id for one in layout.chunks] == ["fmt ", "bext", "smpl", "data", "iXML", "xYz1", "LIST"]
-    assert (told["bext.Description"], told["bext.Originator"]) == ("My words", "Foley House")
-    assert (told["bext.TimeReference"], told["bext.CodingHistory"]) == ("77", "A=PCM,F=96000")
-    assert (told["iXML.PROJECT"], told["iXML.TAPE"]) == ("Shield Wing & Co", "7")
-    assert (told["iXML.ASWG.catId"], told["iXML.ASWG.mixer"]) == ("DOORWood", "M")
+    assert (reported["bext.Description"], reported["bext.Originator"]) == ("My words", "Foley House")
+    assert (reported["bext.TimeReference"], reported["bext.CodingHistory"]) == ("77", "A=PCM,F=96000")
+    assert (reported["iXML.PROJECT"], reported["iXML.TAPE"]) == ("Shield Wing & Co", "7")
+    assert (reported["iXML.ASWG.catId"], reported["iXML.ASWG.mixer"]) == ("DOORWood", "M")
 
 
 def test_what_is_not_known_is_not_said(tmp_path):
-    _, told, _ = exported(tmp_path, Provenance())
-    assert set(told) == {
+    _, reported, _ = exported(tmp_path, Provenance())
+    assert set(reported) == {
         *("bext.TimeReference", "bext.Version", "bext.CodingHistory"),
         *("iXML.IXML_VERSION", "iXML.SPEED.FILE_SAMPLE_RATE", "iXML.SPEED.AUDIO_BIT_DEPTH"),
     }
@@ -121,9 +121,9 @@ def test_an_ixml_that_cannot_be_read_is_left_and_said(tmp_path, ixml):
 
 
 def test_long_texts_are_cut_between_characters(tmp_path):
-    _, told, _ = exported(tmp_path, Provenance(originator="é" * 20))
-    assert told["bext.Originator"] == "é" * 16
-    assert told["iXML.ASWG.originator"] == "é" * 20
+    _, reported, _ = exported(tmp_path, Provenance(originator="é" * 20))
+    assert reported["bext.Originator"] == "é" * 16
+    assert reported["iXML.ASWG.originator"] == "é" * 20
 
 
 def test_a_master_is_not_its_own_copy(tmp_path):
@@ -149,8 +149,8 @@ def test_command(tmp_path, monkeypatch, capsys):
     assert main([*asked, "--field", "catId=DOORWood"]) == 1
     assert capsys.readouterr().out.splitlines()[1] == "in/door__alt2.wav -> out/door__alt2.wav"
     with AudioFile(tmp_path / "out" / "door__alt2.wav") as file:
-        told = file.metadata.fields
-    assert (told["iXML.ASWG.catId"], told["iXML.ASWG.isLoop"]) == ("DOORWood", "true")
-    assert (told["iXML.ASWG.orderRef"], told["iXML.NOTE"]) == ("SW-014", "falls shut")
+        reported = file.metadata.fields
+    assert (reported["iXML.ASWG.catId"], reported["iXML.ASWG.isLoop"]) == ("DOORWood", "true")
+    assert (reported["iXML.ASWG.orderRef"], reported["iXML.NOTE"]) == ("SW-014", "falls shut")
     assert main([*asked, "--field", "colour=red"]) == 2
     assert main([*asked, "--field", "catId"]) == 2

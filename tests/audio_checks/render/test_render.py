@@ -106,12 +106,12 @@ class TestFormat:
         assert render_master(short, target, out).frames == 1
 
     def test_what_names_its_author_stays_behind(self, tmp_path, out):
-        told = [
+        reported = [
             waves.chunk(b"bext", b"Secret Studio".ljust(602, b"\0")),
             waves.chunk(b"iXML", b"<BWFXML><PROJECT>Shield Wing</PROJECT></BWFXML>"),
             waves.chunk(b"LIST", b"INFO" + waves.chunk(b"IART", b"Somebody\0")),
         ]
-        master = waves.write_wav(tmp_path / "a.wav", waves.noise(seconds=0.1), before=told[:1], after=told[1:])
+        master = waves.write_wav(tmp_path / "a.wav", waves.noise(seconds=0.1), before=reported[:1], after=reported[1:])
         render_master(master, PC, out)
         assert [chunk.id for chunk in layout_of(out).chunks] == ["fmt ", "data"]
         assert not any(word in out.read_bytes() for word in (b"Secret", b"Shield", b"Somebody"))

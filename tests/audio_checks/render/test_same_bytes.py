@@ -75,15 +75,15 @@ def masters(tmp_path_factory):
 
 def renders(masters, out, *, kernel="", environment=None):
     out.mkdir()
-    told = subprocess.run(
+    reported = subprocess.run(
         [sys.executable, "-W", "ignore", "-c", RUN, str(masters), str(out), str(kernel)],
         env={**os.environ, **(environment or {}), "PYTHONPATH": str(ROOT)},
         capture_output=True,
         text=True,
         timeout=30,
     )
-    assert told.returncode == 0, told.stderr
-    return json.loads(told.stdout)
+    assert reported.returncode == 0, reported.stderr
+    return json.loads(reported.stdout)
 
 
 @pytest.fixture(scope="module")

@@ -51,8 +51,8 @@ def test_a_mix_is_set_beside_them(tmp_path, capsys):
     assert main(["measure", "--preset", "ebu-r128", str(path)]) == 0
     assert "ebu-r128: 3.0 LU over -23 LUFS" in capsys.readouterr().out
     assert main(["measure", "--preset", "ebu-r128", "--format", "json", str(path)]) == 0
-    (told,) = json.loads(capsys.readouterr().out)["files"]
-    assert told["loudness_presets"]["ebu-r128"]["within"] is False
+    (reported,) = json.loads(capsys.readouterr().out)["files"]
+    assert reported["loudness_presets"]["ebu-r128"]["within"] is False
 
 
 def test_without_being_asked_nothing_is_said(tmp_path):

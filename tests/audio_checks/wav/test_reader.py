@@ -50,10 +50,10 @@ def fact(frames):
     return chunk(b"fact", struct.pack("<I", frames))
 
 
-def rf64_with_fact(told, frames=480):
+def rf64_with_fact(reported, frames=480):
     """An RF64 file whose fact chunk and ds64 chunk each count frames."""
-    counts = ds64(4 + 36 + len(FMT) + len(fact(told)) + len(DATA), 960, frames)
-    return riff(counts, FMT, fact(told), b"data" + struct.pack("<I", STREAM) + SOUND, magic=b"RF64", size=STREAM)
+    counts = ds64(4 + 36 + len(FMT) + len(fact(reported)) + len(DATA), 960, frames)
+    return riff(counts, FMT, fact(reported), b"data" + struct.pack("<I", STREAM) + SOUND, magic=b"RF64", size=STREAM)
 
 
 REFUSED = {
