@@ -69,6 +69,7 @@ class MoneyTerms:
     notice_days: int | None = None  # None: it ends early only where both agree
     deposit_at_end: DepositAtEnd = DepositAtEnd.STAYS
     sources_needed: SourcesNeeded = SourcesNeeded.ASKED
+    late_interest_monthly_bp: int = 0  # of what is open of an invoice after its day
 
     @classmethod
     def of(cls, terms: Mapping[str, Any]) -> "MoneyTerms":

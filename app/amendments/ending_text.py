@@ -41,7 +41,7 @@ def statement_text(ending: EndingRead, studio: str) -> str:
         f"| Cues | {amount(ending.cues_minor)} |",
         f"| Deposit, {deposit} | {amount(ending.deposit_minor)} |",
         f"| Rounds beyond those included | {amount(ending.rounds_minor)} |",
-        f"| Work by change orders | {amount(ending.extra_minor)} |",
+        f"| Work by change orders, and late interest | {amount(ending.extra_minor)} |",
         f"| Days worked | {amount(ending.days_minor)} |",
         f"| **Owed** | **{amount(figures.accepted_minor)}** |",
         f"| Paid so far | {amount(-figures.paid_minor)} |",

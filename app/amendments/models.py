@@ -78,22 +78,6 @@ class ChangeOrder(Base):
     proposer: Mapped[Person] = relationship(lazy="raise")
 
 
-class Handover(Base):
-    """Lets another designer of a project have the handover pack of a contract that ended early."""
-
-    __tablename__ = "contracts_handovers"
-    __table_args__ = (UniqueConstraint("contract_id", "to_id"),)
-
-    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
-    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"))
-    to_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
-    shared_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    shared_at: Mapped[datetime] = mapped_column(default=clock.now)
-    to: Mapped[Person] = relationship(lazy="raise", foreign_keys=[to_id])
-
-
 class AmendmentAcceptance(Base):
     """One party's yes to the text of a statement or change order: who gave it, under which name, when, from where."""
 

@@ -68,7 +68,9 @@ def statement_of(
         figures=figures_of(after, cut, beside_cues_minor, is_ended=True),
         deposit_minor=sum(line.amount_minor for line in after.standing(LineKind.DEPOSIT)),
         rounds_minor=sum(line.amount_minor for line in after.standing(LineKind.EXTRA_ROUND)),
-        extra_minor=sum(line.amount_minor for line in after.standing(LineKind.EXTRA_WORK)),
+        extra_minor=sum(
+            line.amount_minor for kind in (LineKind.EXTRA_WORK, LineKind.LATE_INTEREST) for line in after.standing(kind)
+        ),
         days_minor=sum(line.amount_minor for line in after.standing(LineKind.WORKED_DAY)),
     )
 

@@ -25,6 +25,7 @@ from app.money.errors import (
     ExtraRoundNotFound,
     InvoiceNotFound,
     InvoiceNumberTaken,
+    NoInterestDue,
     NotAgreed,
     NotDayRate,
     NothingToInvoice,
@@ -203,6 +204,18 @@ def read_invoice_pdf(invoice_id: UUID, session: DbSession, actor: Actor = allows
     found = invoices.invoice(session, actor, invoice_id)
     name = f'inline; filename="invoice-{file_part(found.full_number)}.pdf"'
     return Response(invoice_text.pdf_of(found), media_type=documents.PDF, headers={"Content-Disposition": name})
+
+
+@router.post(
+    "/invoices/{invoice_id}/late-interest",
+    status_code=201,
+    responses=problems(InvoiceNotFound, OtherPartyNeeded, NoInterestDue),
+)
+def charge_late_interest(
+    invoice_id: UUID, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
+) -> schemas.InvoiceRead:
+    """Make the interest that an invoice bears by today due; it goes on the next invoice."""
+    return invoices.charge_late_interest(session, actor, invoice_id)
 
 
 @router.post(

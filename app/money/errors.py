@@ -7,6 +7,10 @@ class NotAgreed(Conflict):
     """Money is invoiced, paid and logged under an agreed contract only."""
 
 
+class NoInterestDue(Conflict):
+    """No interest is due on the invoice, or it is charged up to today."""
+
+
 class NothingToInvoice(Conflict):
     """Nothing is due that is not on an invoice already."""
 

@@ -1,7 +1,7 @@
 """Invoices: everything that is due and on none yet, numbered without gaps, with the tax of each rate."""
 
 from collections.abc import Iterable, Sequence
-from datetime import timedelta
+from datetime import date, timedelta
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -18,9 +18,10 @@ from app.kit import clock
 from app.kit.events import publish
 from app.kit.money import money, percent
 from app.money import invoice_numbers, queries, schemas
-from app.money.errors import InvoiceNotFound, InvoiceNumberTaken, NotAgreed, OtherPartyNeeded
+from app.money.errors import InvoiceNotFound, InvoiceNumberTaken, NoInterestDue, NotAgreed, OtherPartyNeeded
+from app.money.late_interest import interest_minor
 from app.money.ledger import called, load_ledger_book, write
-from app.money.ledger_book import SHARES, Entry, LedgerBook, Line, tax_entries
+from app.money.ledger_book import CLAUSES, SHARES, Entry, LedgerBook, Line, tax_entries
 from app.money.models import Invoice, InvoiceLine
 from app.money.rules import LineKind
 from app.projects.models import Project
@@ -192,6 +193,9 @@ def texts_of(session: Session, contract: Contract, lines: Iterable[Line]) -> dic
                 return f"{cue}, round {line.round_number} ({milestone})"
             case LineKind.WORKED_DAY:
                 return f"Work by the day ({milestone})"
+            case LineKind.LATE_INTEREST if line.late_invoice_id:
+                late = queries.invoice_by_id(session, line.late_invoice_id)
+                return f"Interest on invoice {late.full_number if late else ''}, up to {line.late_until_on}"
             case LineKind.EXTRA_WORK:
                 return f"Work by a change order ({milestone})"
         return f"Taken back: {cue or milestone}"
@@ -223,6 +227,47 @@ def invoice(session: Session, actor: Actor, invoice_id: UUID) -> schemas.Invoice
     return invoice_read(session, contract, load_ledger_book(session, contract), found)
 
 
+def charge_late_interest(session: Session, actor: Actor, invoice_id: UUID) -> schemas.InvoiceRead:
+    """Make the interest that an invoice bears by today due, as its designer; what is charged already is left out."""
+    found, contract = visible_invoice(session, actor, invoice_id)
+    if contract.designer_id != actor.person:
+        raise OtherPartyNeeded("the designer of this contract charges interest")
+    lock_contract(session, contract.id)
+    book, today = load_ledger_book(session, contract), clock.now().date()
+    accrued_minor, charged_minor = _late_interest(session, contract, book, found, today)
+    if accrued_minor <= charged_minor:
+        raise NoInterestDue(f"{money(charged_minor, contract.currency)} of interest is charged, and no more is due")
+    entry = Entry(
+        LineKind.LATE_INTEREST,
+        accrued_minor - charged_minor,
+        CLAUSES[LineKind.LATE_INTEREST],
+        late_invoice_id=found.id,
+        late_until_on=today,
+    )
+    write(session, contract, [entry], person_id=actor.person)
+    return invoice_read(session, contract, load_ledger_book(session, contract), found)
+
+
+def _late_interest(
+    session: Session, contract: Contract, book: LedgerBook, invoice: Invoice, until: date
+) -> tuple[int, int]:
+    """Return the interest that an invoice bears up to a day, and how much of it is charged; interest bears none."""
+    monthly_bp = terms_of(session, contract).late_interest_monthly_bp
+    owed_minor = sum(
+        line.amount_minor
+        for line in book.owed
+        if line.invoice_id == invoice.id and line.kind is not LineKind.LATE_INTEREST
+    )
+    payments = [
+        (one.paid_on, one.amount_minor)
+        for one in queries.payments_of(session, contract.id)
+        if one.invoice_id == invoice.id
+    ]
+    accrued_minor = interest_minor(owed_minor, payments, due_on=invoice.due_on, until=until, monthly_bp=monthly_bp)
+    charged = [line.amount_minor for line in book.lines if line.late_invoice_id == invoice.id]
+    return accrued_minor, sum(charged)
+
+
 def invoice_read(session: Session, contract: Contract, book: LedgerBook, invoice: Invoice) -> schemas.InvoiceRead:
     """Return an invoice with its lines, its sums and what was paid on it."""
     texts = queries.invoice_texts(session, invoice.id)
@@ -233,7 +278,9 @@ def invoice_read(session: Session, contract: Contract, book: LedgerBook, invoice
     paid_minor = sum(payment.amount_minor for payment in payments)
     is_paid = paid_minor == whole_minor
     last_on = max((payment.paid_on for payment in payments if payment.refund_of_id is None), default=None)
-    is_late = clock.now().date() > invoice.due_on
+    today = clock.now().date()
+    is_late = today > invoice.due_on
+    accrued_minor, charged_minor = _late_interest(session, contract, book, invoice, today)
     return schemas.InvoiceRead(
         id=invoice.id,
         contract_id=contract.id,
@@ -258,6 +305,8 @@ def invoice_read(session: Session, contract: Contract, book: LedgerBook, invoice
         paid_minor=paid_minor,
         open_minor=whole_minor - paid_minor,
         state="paid" if is_paid else "late" if is_late else "partly_paid" if paid_minor else "open",
+        late_interest_minor=accrued_minor,
+        late_interest_charged_minor=charged_minor,
         days_to_pay=(last_on - invoice.issued_on).days if is_paid and last_on else None,
         payments=[
             schemas.PaymentRead(

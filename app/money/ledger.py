@@ -15,7 +15,7 @@ from app.agreements.terms import MoneyTerms
 from app.kit.money import money
 from app.money import queries
 from app.money.ledger_book import CLAUSES, Entry, LedgerBook, Line, PayRules, PricedCue
-from app.money.models import LedgerLine
+from app.money.models import Invoice, LedgerLine
 from app.money.rules import LineKind
 from app.projects.models import Project
 from app.sound_lists.models import Cue
@@ -30,6 +30,7 @@ EVENTS = {
     LineKind.EXTRA_ROUND: "due",
     LineKind.WORKED_DAY: "due",
     LineKind.EXTRA_WORK: "due",
+    LineKind.LATE_INTEREST: "due",
     LineKind.TAX: "due",
     LineKind.REVERSED: "taken_back",
     LineKind.PAID: "paid",
@@ -53,6 +54,8 @@ def _line(line: LedgerLine, invoice_id: UUID | None) -> Line:
         about_id=line.about_id,
         round_number=line.round_number,
         tax_bp=line.tax_bp,
+        late_invoice_id=line.late_invoice_id,
+        late_until_on=line.late_until_on,
         id=line.id,
         person_id=line.person_id,
         invoice_id=invoice_id,
@@ -141,6 +144,9 @@ def _facts_of(session: Session, line: LedgerLine, currency: str, cue_prefix: str
         facts["round"] = line.round_number
     if line.tax_bp is not None and line.cue_id is None and line.milestone_id is None:
         facts["tax_bp"] = line.tax_bp
+    if line.late_invoice_id is not None and line.late_until_on is not None:
+        facts["late_invoice"] = session.get_one(Invoice, line.late_invoice_id).full_number
+        facts["until"] = line.late_until_on.isoformat()
     if line.about_id is not None:
         facts["about_line"] = str(line.about_id)
     if line.payment_id is not None:

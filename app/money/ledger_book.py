@@ -6,6 +6,7 @@ is laid out over the lines of its invoice, so that every cent of it names a cue.
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from datetime import date
 from uuid import UUID
 
 from app.agreements.rules import ReleaseClause, WorkState
@@ -24,6 +25,7 @@ CLAUSES = {
     LineKind.EXTRA_ROUND: "rates",
     LineKind.WORKED_DAY: "rates",
     LineKind.EXTRA_WORK: "changes",
+    LineKind.LATE_INTEREST: "payment",
     LineKind.TAX: "payment",
     LineKind.PAID: "payment",
 }  # a line that takes another back names that one's clause
@@ -41,6 +43,8 @@ class Entry:
     about_id: UUID | None = None  # the line that is taken back or paid
     round_number: int | None = None
     tax_bp: int | None = None
+    late_invoice_id: UUID | None = None  # the invoice that bears interest
+    late_until_on: date | None = None
 
 
 @dataclass(frozen=True)
@@ -225,6 +229,8 @@ def tax_entries(lines: Sequence[Line], tax_bp_of: Mapping[UUID, int], *, default
         raise NothingToInvoice("everything due is on an invoice already")
     by_rate: dict[int, int] = {}
     for line in lines:
+        if line.kind is LineKind.LATE_INTEREST:
+            continue  # it is no price of work
         rate = tax_bp_of.get(line.milestone_id, default_bp) if line.milestone_id else default_bp
         by_rate[rate] = by_rate.get(rate, 0) + line.amount_minor
     return [

@@ -16,6 +16,7 @@ class LineKind(StrEnum):
     EXTRA_ROUND = "extra_round"
     WORKED_DAY = "worked_day"
     EXTRA_WORK = "extra_work"  # beside the cues, by a change order: rush, a voice session
+    LATE_INTEREST = "late_interest"  # on an invoice that was not paid in time
     TAX = "tax"
     REVERSED = "reversed"  # takes back a line of any kind above
     PAID = "paid"

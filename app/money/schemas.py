@@ -255,6 +255,8 @@ class InvoiceRead(Schema):
     open_minor: int
     state: Literal["open", "partly_paid", "paid", "late"]
     days_to_pay: int | None
+    late_interest_minor: int = Field(description="What it bears by today, by the contract's clause on late payment.")
+    late_interest_charged_minor: int = Field(description="What of it is charged already.")
     payments: Sequence[PaymentRead]
 
 

@@ -47,7 +47,6 @@ from app.projects.errors import (
     LiaisonNotFound,
     ProducerNeeded,
     ProjectNotFound,
-    ShippedAhead,
     TeamNeeded,
     TokenNotFound,
 )
@@ -69,7 +68,6 @@ def _project(view: overviews.ProjectOverview) -> schemas.ProjectRead:
         created_at=project.created_at,
         archived_at=project.archived_at,
         nda_needed=project.nda_needed,
-        shipped_on=project.shipped_on,
         studio=StudioBrief.model_validate(project.studio),
         approver=PersonBrief.model_validate(view.approver),
         liaisons=[PersonBrief.model_validate(person) for person in view.liaisons],
@@ -129,7 +127,7 @@ def get_project_calendar(project_id: UUID, session: DbSession, actor: Actor = al
     return calendar_of(session, service.project_access(session, actor, project_id).project.studio_id)
 
 
-@router.patch("/projects/{project_id}", responses=problems(ProjectNotFound, ProducerNeeded, ShippedAhead))
+@router.patch("/projects/{project_id}", responses=problems(ProjectNotFound, ProducerNeeded))
 def change_project(
     project_id: UUID, body: schemas.ProjectChange, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.ProjectRead:
@@ -143,7 +141,6 @@ def change_project(
         cue_prefix=body.cue_prefix,
         archived=body.archived,
         nda_needed=body.nda_needed,
-        shipped_on=body.shipped_on,
     )
     return _project(overviews.overview(session, actor, project_id))
 

@@ -7,10 +7,6 @@ class ProjectNotFound(NotFound):
     """No project of that id within the caller's sight."""
 
 
-class ShippedAhead(Invalid):
-    """A game cannot have come out on a day that lies ahead."""
-
-
 class SpecVersionNotFound(NotFound):
     """The project has no spec of that version."""
 

@@ -1,6 +1,6 @@
 """The tables of this room."""
 
-from datetime import date, datetime
+from datetime import datetime
 from uuid import UUID
 
 from sqlalchemy import CheckConstraint, ForeignKey, UniqueConstraint
@@ -25,7 +25,6 @@ class Project(Base):
     created_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     archived_at: Mapped[datetime | None]
-    shipped_on: Mapped[date | None]  # the day on which the game came out, as a producer records it
     nda_needed: Mapped[bool] = mapped_column(default=False)  # designers see brief, list and spec once they accepted it
     studio: Mapped[Studio] = relationship(lazy="raise")
 

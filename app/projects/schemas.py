@@ -1,6 +1,6 @@
 """Bodies and answers of projects."""
 
-from datetime import date, datetime
+from datetime import datetime
 from typing import Annotated, Any, Literal
 from uuid import UUID
 
@@ -34,7 +34,6 @@ class ProjectChange(Schema):
     cue_prefix: CuePrefix | None = None
     archived: bool | None = None
     nda_needed: bool | None = None
-    shipped_on: date | None = Field(None, description="The day on which the game came out.")
 
 
 class EngagementRead(Schema):
@@ -69,7 +68,6 @@ class ProjectRead(Schema):
     created_at: datetime
     archived_at: datetime | None
     nda_needed: bool = Field(description="Designers see brief, list and spec once they accepted an NDA.")
-    shipped_on: date | None = Field(description="The day on which the game came out, as a producer recorded it.")
     studio: StudioBrief
     approver: PersonBrief
     liaisons: list[PersonBrief]

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from datetime import date, timedelta
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -27,7 +26,6 @@ from app.projects.errors import (
     NdaNeeded,
     ProducerNeeded,
     ProjectNotFound,
-    ShippedAhead,
     SpecChanged,
     SpecVersionNotFound,
     TeamNeeded,
@@ -175,7 +173,6 @@ def change_project(
     cue_prefix: str | None = None,
     archived: bool | None = None,
     nda_needed: bool | None = None,
-    shipped_on: date | None = None,
 ) -> None:
     """Change a project's name and settings, or archive it; None leaves a value as it is."""
     access = project_access(session, actor, project_id)
@@ -185,9 +182,6 @@ def change_project(
     project.description = project.description if description is None else description
     project.cue_prefix = project.cue_prefix if cue_prefix is None else cue_prefix
     project.nda_needed = project.nda_needed if nda_needed is None else nda_needed
-    if shipped_on is not None and shipped_on > clock.now().date() + timedelta(days=1):  # somewhere it is tomorrow
-        raise ShippedAhead(f"{shipped_on} lies ahead", fix="record the day once the game is out")
-    project.shipped_on = project.shipped_on if shipped_on is None else shipped_on
     if archived is not None and archived != (project.archived_at is not None):
         project.archived_at = clock.now() if archived else None
     session.flush()

@@ -1,4 +1,4 @@
-"""Sources of takes, a studio's calendar, pauses of the clause on silence, late interest, and handovers."""
+"""Sources of takes, a studio's calendar, pauses of the clause on silence, and late interest."""
 
 import sqlalchemy as sa
 from alembic import op
@@ -11,12 +11,7 @@ down_revision = "0029"
 branch_labels = None
 depends_on = None
 
-SOURCES, HOLIDAYS, PAUSES, HANDOVERS = (
-    "deliveries_source_statements",
-    "accounts_holidays",
-    "reviews_clock_pauses",
-    "contracts_handovers",
-)
+SOURCES, HOLIDAYS, PAUSES = "deliveries_source_statements", "accounts_holidays", "reviews_clock_pauses"
 LINES, VERDICTS = "contracts_ledger_lines", "reviews_verdicts"
 ABOUT_SOMETHING = "cue_id is not null or milestone_id is not null or tax_bp is not null"
 
@@ -78,8 +73,6 @@ def upgrade() -> None:
     )
     with op.batch_alter_table("accounts_studios") as table:
         table.add_column(sa.Column("time_zone", sa.String(), nullable=False, server_default="UTC"))
-    with op.batch_alter_table("projects_projects") as table:
-        table.add_column(sa.Column("shipped_on", sa.Date()))
 
     op.create_table(
         PAUSES,
@@ -109,18 +102,10 @@ def upgrade() -> None:
             op.f(f"ck_{LINES}_late_until_a_day"), "(late_invoice_id is null) = (late_until_on is null)"
         )
 
-    op.create_table(
-        HANDOVERS,
-        *columns_of(HANDOVERS, contract_id="contracts_contracts", to_id="accounts_people", shared_by="accounts_people"),
-        sa.Column("shared_at", instant(), nullable=False),
-        sa.UniqueConstraint("contract_id", "to_id", name=op.f(f"uq_{HANDOVERS}_contract_id_to_id")),
-    )
-    index(HANDOVERS, "studio_id", "project_id", "to_id")
-
 
 def downgrade() -> None:
     """Take it all back; verdicts and lines that name nobody keep none, so they are refused by the older tables."""
-    for table in (HANDOVERS, PAUSES, HOLIDAYS, SOURCES):
+    for table in (PAUSES, HOLIDAYS, SOURCES):
         op.drop_table(table)
     with op.batch_alter_table(LINES) as table:
         table.drop_constraint(op.f(f"ck_{LINES}_late_until_a_day"), type_="check")
@@ -133,7 +118,5 @@ def downgrade() -> None:
     with op.batch_alter_table(VERDICTS) as table:
         table.drop_constraint(op.f(f"ck_{VERDICTS}_given_or_deemed"), type_="check")
         table.alter_column("given_by", existing_type=sa.Uuid(), nullable=False)
-    with op.batch_alter_table("projects_projects") as table:
-        table.drop_column("shipped_on")
     with op.batch_alter_table("accounts_studios") as table:
         table.drop_column("time_zone")

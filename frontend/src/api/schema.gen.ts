@@ -1405,6 +1405,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/invoices/{invoice_id}/late-interest": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Charge Late Interest
+         * @description Make the interest that an invoice bears by today due; it goes on the next invoice.
+         */
+        post: operations["charge_late_interest"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/invoices/{invoice_id}/payments": {
         parameters: {
             query?: never;
@@ -8003,6 +8023,16 @@ export interface components {
             state: "open" | "partly_paid" | "paid" | "late";
             /** Days To Pay */
             days_to_pay: number | null;
+            /**
+             * Late Interest Minor
+             * @description What it bears by today, by the contract's clause on late payment.
+             */
+            late_interest_minor: number;
+            /**
+             * Late Interest Charged Minor
+             * @description What of it is charged already.
+             */
+            late_interest_charged_minor: number;
             /** Payments */
             payments: components["schemas"]["PaymentRead"][];
         };
@@ -8315,7 +8345,7 @@ export interface components {
          * @description Why a line of the ledger was written.
          * @enum {string}
          */
-        LineKind: "deposit" | "accepted" | "held_back" | "cut" | "extra_round" | "worked_day" | "extra_work" | "tax" | "reversed" | "paid" | "refunded";
+        LineKind: "deposit" | "accepted" | "held_back" | "cut" | "extra_round" | "worked_day" | "extra_work" | "late_interest" | "tax" | "reversed" | "paid" | "refunded";
         /**
          * ListComparison
          * @description The changes of the list between two revisions.
@@ -9953,11 +9983,6 @@ export interface components {
             archived?: boolean | null;
             /** Nda Needed */
             nda_needed?: boolean | null;
-            /**
-             * Shipped On
-             * @description The day on which the game came out.
-             */
-            shipped_on?: string | null;
         };
         /**
          * ProjectMoney
@@ -9997,11 +10022,6 @@ export interface components {
              * @description Designers see brief, list and spec once they accepted an NDA.
              */
             nda_needed: boolean;
-            /**
-             * Shipped On
-             * @description The day on which the game came out, as a producer recorded it.
-             */
-            shipped_on: string | null;
             studio: components["schemas"]["StudioBrief"];
             approver: components["schemas"]["PersonBrief"];
             /** Liaisons */
@@ -14068,13 +14088,13 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `shipped-ahead` */
+            /** @description Validation Error */
             422: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Problem"];
+                    "application/json": components["schemas"]["HTTPValidationError"];
                 };
             };
         };
@@ -16592,6 +16612,64 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    charge_late_interest: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                invoice_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["InvoiceRead"];
+                };
+            };
+            /** @description `other-party-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `invoice-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `no-interest-due` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
                 };
             };
         };

@@ -156,6 +156,11 @@ export const useRecordPayment = (invoiceId: string) =>
     answered(api.POST('/v1/invoices/{invoice_id}/payments', { params: { path: { invoice_id: invoiceId } }, body })),
   )
 
+export const useChargeInterest = ({ id }: Invoice) =>
+  useMoneyChange(() =>
+    answered(api.POST('/v1/invoices/{invoice_id}/late-interest', { params: { path: { invoice_id: id } } })),
+  )
+
 export const useRefund = (paymentId: string) =>
   useMoneyChange((body: PaymentAdd) =>
     answered(api.POST('/v1/payments/{payment_id}/refunds', { params: { path: { payment_id: paymentId } }, body })),

@@ -290,8 +290,8 @@ describe('the studio', () => {
     openApp('/studio')
     const card = within(await screen.findByRole('region', { name: 'Calendar' }))
     expect(await card.findByText('Christmas Day')).toBeInTheDocument()
-    fireEvent.change(card.getByLabelText(/^Holiday/), { target: { value: '2026-12-26' } })
-    fireEvent.change(card.getByLabelText(/^Name/), { target: { value: 'Boxing Day' } })
+    fireEvent.change(card.getByLabelText(/^Holiday\b/), { target: { value: '2026-12-26' } })
+    fireEvent.change(card.getByLabelText(/^Name\b/), { target: { value: 'Boxing Day' } })
     fireEvent.click(card.getByRole('button', { name: 'Add holiday' }))
     await waitFor(() => expect(asked.some(({ method }) => method === 'PUT')).toBe(true))
     expect(asked.find(({ method }) => method === 'PUT')?.body).toEqual({

@@ -164,7 +164,7 @@ function Statement({ ending }: { ending: Ending }) {
               <Sum head="Rounds" note="beyond those included" minor={ending.rounds_minor} one={one} />
             )}
             {ending.extra_minor !== 0 && (
-              <Sum head="Other work" note="by change orders" minor={ending.extra_minor} one={one} />
+              <Sum head="Other work" note="by change orders, and late interest" minor={ending.extra_minor} one={one} />
             )}
             {ending.days_minor !== 0 && (
               <Sum head="Days" note="worked and agreed" minor={ending.days_minor} one={one} />

@@ -11,6 +11,7 @@ import {
   invoiceDraftQuery,
   invoicesQuery,
   type Payment,
+  useChargeInterest,
   useIssueInvoice,
   useRecordPayment,
   useRefund,
@@ -47,7 +48,7 @@ export function InvoicesCard({ contract, side, isProducer }: InvoicesCardProps) 
       {invoices.length === 0 && billable === 0 && <p className={`mid ${classes.pad}`}>Nothing to invoice yet.</p>}
       <Rows>
         {invoices.toReversed().map((invoice) => (
-          <InvoiceRow key={invoice.id} invoice={invoice} title={contract.title} isProducer={isProducer} />
+          <InvoiceRow key={invoice.id} invoice={invoice} title={contract.title} side={side} isProducer={isProducer} />
         ))}
       </Rows>
       {side === 'designer' && billable !== 0 && <IssueForm contract={contract} />}
@@ -57,7 +58,14 @@ export function InvoicesCard({ contract, side, isProducer }: InvoicesCardProps) 
 
 const STATES = { open: 'open', partly_paid: 'partly paid', paid: 'paid', late: 'late' }
 
-function InvoiceRow({ invoice, title, isProducer }: { invoice: Invoice; title: string; isProducer: boolean }) {
+interface InvoiceRowProps {
+  invoice: Invoice
+  title: string
+  side: 'team' | 'designer'
+  isProducer: boolean
+}
+
+function InvoiceRow({ invoice, title, side, isProducer }: InvoiceRowProps) {
   const [paying, setPaying] = useState(false)
   const { currency, total_minor: total, open_minor: open } = invoice
   return (
@@ -80,6 +88,7 @@ function InvoiceRow({ invoice, title, isProducer }: { invoice: Invoice; title: s
           </Button>
         )}
       </Row>
+      {invoice.late_interest_minor > 0 && <LateInterest invoice={invoice} side={side} />}
       {paying && (
         <li>
           <PayForm invoice={invoice} title={title} onDone={() => setPaying(false)} />
@@ -89,6 +98,32 @@ function InvoiceRow({ invoice, title, isProducer }: { invoice: Invoice; title: s
         <PaymentRow key={payment.id} payment={payment} invoice={invoice} isProducer={isProducer} />
       ))}
     </>
+  )
+}
+
+/** What an invoice that was not paid in time bears by today; the designer charges what is not charged yet. */
+function LateInterest({ invoice, side }: { invoice: Invoice; side: 'team' | 'designer' }) {
+  const charge = useChargeInterest(invoice)
+  const { currency, late_interest_minor: bears, late_interest_charged_minor: charged } = invoice
+  const left = bears - charged
+  return (
+    <Row dense className={classes.payment}>
+      <span className="grow small mid">
+        late interest by today, {amount(bears, currency)}
+        {charged > 0 && `; ${amount(charged, currency)} charged`}
+        {charge.error instanceof ApiProblem && <span role="alert">. {charge.error.detail}</span>}
+      </span>
+      {side === 'designer' && left > 0 && (
+        <Button
+          variant="quiet"
+          disabled={charge.isPending}
+          onClick={() => charge.mutate()}
+          aria-label={`Charge late interest on invoice ${invoice.full_number}`}
+        >
+          Charge {amount(left, currency)}
+        </Button>
+      )}
+    </Row>
   )
 }
 

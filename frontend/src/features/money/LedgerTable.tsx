@@ -12,6 +12,7 @@ const KINDS = {
   extra_round: 'Extra round',
   worked_day: 'Day worked',
   extra_work: 'Extra work',
+  late_interest: 'Late interest',
   tax: 'Tax',
   reversed: 'Reversed',
   paid: 'Paid',

@@ -45,6 +45,8 @@ function anInvoice(contractId: string, more: Partial<Invoice> = {}): Invoice {
     open_minor: 36_000,
     state: 'open',
     days_to_pay: null,
+    late_interest_minor: 0,
+    late_interest_charged_minor: 0,
     payments: [],
     ...more,
   }
