@@ -213,28 +213,33 @@ PyObject *group_sums(PyObject *module, PyObject *const *args, Py_ssize_t count) 
 }
 
 /* Lower and raise what is known of a point by some samples in lanes, and add their energy to it. */
-CLONES static void shape_point(const double *samples, Py_ssize_t count, double *lowest, double *highest, double *squares) {
-    enum { LANES = 4 };
-    double low[LANES], high[LANES], sums[LANES] = {0};
-    for (int lane = 0; lane < LANES; lane++) low[lane] = *lowest, high[lane] = *highest;
+static void shape_point(const double *samples, Py_ssize_t count, double *lowest, double *highest, double *squares) {
+    enum { LANES = 4, REGISTERS = LANES / TOGETHER };
+    together high[REGISTERS], deep[REGISTERS], energy[REGISTERS];
+    for (int which = 0; which < REGISTERS; which++) {
+        high[which] = BOTH(*highest, *highest), deep[which] = BOTH(-*lowest, -*lowest), energy[which] = BOTH(0.0, 0.0);
+    }
     Py_ssize_t at = 0;
     for (; at + LANES <= count; at += LANES)
-        for (int lane = 0; lane < LANES; lane++) {
-            const double sample = samples[at + lane];
-            low[lane] = sample < low[lane] ? sample : low[lane];
-            high[lane] = sample > high[lane] ? sample : high[lane];
-            sums[lane] += sample * sample;
+        for (int which = 0; which < REGISTERS; which++) {
+            const together here = neighbours(samples + at + which * TOGETHER);
+            high[which] = larger(here, high[which]);
+            deep[which] = larger(-here, deep[which]);
+            energy[which] += here * here;
         }
-    for (int lane = 0; at < count; at++, lane++) {
-        const double sample = samples[at];
-        low[lane] = sample < low[lane] ? sample : low[lane];
-        high[lane] = sample > high[lane] ? sample : high[lane];
-        sums[lane] += sample * sample;
+    double sums[LANES], top = *highest, bottom = *lowest;
+    memcpy(sums, energy, sizeof sums);
+    for (int which = 0; which < REGISTERS; which++) {
+        const double peak = largest(high[which]), depth = -largest(deep[which]);
+        if (peak > top) top = peak;
+        if (depth < bottom) bottom = depth;
     }
-    for (int lane = 0; lane < LANES; lane++) {
-        if (low[lane] < *lowest) *lowest = low[lane];
-        if (high[lane] > *highest) *highest = high[lane];
+    for (; at < count; at++) {
+        if (samples[at] > top) top = samples[at];
+        if (samples[at] < bottom) bottom = samples[at];
+        sums[0] += samples[at] * samples[at];
     }
+    *highest = top, *lowest = bottom;
     *squares += (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
