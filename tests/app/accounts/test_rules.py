@@ -1,4 +1,7 @@
+from typing import Any
+
 import pytest
+import zxcvbn
 
 from app.accounts.errors import BadAddress, LastProducer, PasswordTooWeak
 from app.accounts.rules import Role, ensure_address, ensure_producer_remains, ensure_strong_password
@@ -76,6 +79,20 @@ def test_passwords(password: str | None, is_good: bool) -> None:
     with pytest.raises(PasswordTooWeak) as refused:
         ensure_strong_password(password, "name.surname@studio.example", "Ada Surname")
     assert refused.value.errors[0]["where"] == "password"
+
+
+def test_names_of_three_letters_count_as_known_and_shorter_ones_do_not(monkeypatch: pytest.MonkeyPatch) -> None:
+    known: list[str] = []
+    guess = zxcvbn.zxcvbn
+
+    def recorded(password: str, user_inputs: list[str]) -> dict[str, Any]:
+        known.extend(user_inputs)
+        return guess(password, user_inputs=user_inputs)
+
+    monkeypatch.setattr(zxcvbn, "zxcvbn", recorded)
+    ensure_strong_password("correct horse battery staple", "jo@studio.example", "Bo", "Ada")
+    assert "Ada" in known
+    assert {"Bo", "jo"}.isdisjoint(known)
 
 
 @pytest.mark.parametrize(
