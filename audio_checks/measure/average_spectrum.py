@@ -104,7 +104,7 @@ def _frames_of_window(sample_rate_hz: int) -> int:
 def _pieces(
     size: int, sample_rate_hz: int, bands_of_hz: int
 ) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float64]]:
-    """Return the pieces of bins between the edges of bands: which bin and band they are of, and their share of the bin."""
+    """Return the pieces of bins between the edges of bands: of which bin and band each is, and its share of the bin."""
     edges_hz = _edges(bands_of_hz)
     bins = np.clip((np.arange(size // 2 + 2) - 0.5) * sample_rate_hz / size, 0, sample_rate_hz / 2)
     cuts = np.union1d(bins, edges_hz)
