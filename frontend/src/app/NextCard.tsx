@@ -5,6 +5,7 @@ import { ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { age } from '@/ui/format'
 import { NowDot } from '@/ui/NowDot'
+import { Person } from '@/ui/Person'
 import { Row, Rows } from '@/ui/Rows'
 
 import classes from './NextCard.module.css'
@@ -56,7 +57,7 @@ export function AwaitedRows({ awaited }: { awaited: readonly Awaited[] }) {
   return awaited.map((one) => (
     <Row key={`${one.kind} ${one.who} ${one.subject}`}>
       <span className="grow">
-        <span className="strong">{one.who || 'Designers'}</span> <span className="mid">{awaitedWords(one)}</span>
+        <Person name={one.who || 'Designers'} /> <span className="mid">{awaitedWords(one)}</span>
       </span>
       {one.since && <span className="dim num small nowrap">{age(one.since)}</span>}
     </Row>

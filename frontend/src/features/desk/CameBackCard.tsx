@@ -1,6 +1,7 @@
 import { Link } from '@tanstack/react-router'
 import { useState } from 'react'
 
+import { useRoles } from '@/api/roles'
 import { HotkeyButton, useHotkeys } from '@/app/keys'
 import {
   type FindingMark,
@@ -126,6 +127,7 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
   const changes = changesOf(item)
   const advice = item.comments.filter((one) => one.reply_to_id === null && one.change_request_id === null)
   const recheck = useRecheck(projectId)
+  const roleOf = useRoles(projectId)
   const take = { id, name: cue?.name ?? item.file_name, number, previewUrl: url }
   const fixing = useFixing(take, player, playing, { mayUse: true, group: 'Desk' })
   const isMade = fixing.fix?.state === 'made'
@@ -191,6 +193,7 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
               <div className="grow">
                 <p>
                   <span className="strong">{one.author.name}</span>{' '}
+                  <span className="small dim">{roleOf(one.author.id)}</span>{' '}
                   <span className="small dim">{ago(one.created_at)}</span>
                 </p>
                 <p>{one.text}</p>

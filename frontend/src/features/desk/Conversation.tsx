@@ -3,6 +3,7 @@ import { useState } from 'react'
 import { ApiProblem } from '@/api'
 import { ReplyField } from '@/judging/ReplyField'
 import { ago } from '@/ui/format'
+import { Person } from '@/ui/Person'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import { type CameBack, useReply } from './api'
@@ -31,7 +32,7 @@ export function Conversation({ takeId, noteId, kind, to, replies }: Conversation
         <ul className={classes.replies} aria-label={`Replies to ${to}`}>
           {replies.map((one) => (
             <li key={one.id}>
-              <span className="strong">{one.author.name}</span> <span className="small dim">{ago(one.created_at)}</span>
+              <Person name={one.author.name} /> <span className="small dim">{ago(one.created_at)}</span>
               <p>{one.text}</p>
             </li>
           ))}

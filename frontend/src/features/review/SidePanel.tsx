@@ -21,6 +21,7 @@ import { Face } from '@/ui/Face'
 import { Finding } from '@/ui/Finding'
 import { age, clock, day, place, range } from '@/ui/format'
 import { Key } from '@/ui/Key'
+import { Person } from '@/ui/Person'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import { historyQuery, useComment, useResolve } from './api'
@@ -231,7 +232,7 @@ function SaidLine({ said, open, on, onOpen, onResolve, onReply }: SaidLineProps)
         <ul className={classes.replies} aria-label={`Replies to ${said.who}`}>
           {said.replies.map((one) => (
             <li key={one.id}>
-              <span className="strong">{one.author.name}</span> <span className="small dim">{age(one.created_at)}</span>
+              <Person name={one.author.name} /> <span className="small dim">{age(one.created_at)}</span>
               <p>{one.text}</p>
             </li>
           ))}

@@ -1,10 +1,12 @@
 import { Checkbox, Textarea } from '@mantine/core'
 import { useEffect, useRef, useState } from 'react'
 
+import { useRoles } from '@/api/roles'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { ago } from '@/ui/format'
+import { Person } from '@/ui/Person'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { State } from '@/ui/State'
 
@@ -25,6 +27,7 @@ export function QuestionLine({
   /** Its field takes the focus as it opens. */
   opens?: boolean
 }) {
+  const roleOf = useRoles(projectId)
   return (
     <article className={classes.question} aria-label={`Question: ${question.text}`}>
       <p className="small dim">
@@ -33,13 +36,19 @@ export function QuestionLine({
             <State kind="question" />{' '}
           </>
         )}
-        {question.asked_by?.name ?? 'Another designer'} asked {ago(question.asked_at)}
+        {question.asked_by ? (
+          <Person name={question.asked_by.name} role={roleOf(question.asked_by.id)} />
+        ) : (
+          'Another designer'
+        )}{' '}
+        asked {ago(question.asked_at)}
       </p>
       <p className={question.answer === null ? 'strong' : ''}>{question.text}</p>
       {question.answer !== null && (
         <>
           <p className="small dim">
-            {question.answered_by?.name} answered {question.answered_at && ago(question.answered_at)}
+            {question.answered_by && <Person name={question.answered_by.name} role={roleOf(question.answered_by.id)} />}{' '}
+            answered {question.answered_at && ago(question.answered_at)}
           </p>
           <p className={classes.quote}>{question.answer}</p>
         </>

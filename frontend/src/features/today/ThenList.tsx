@@ -2,6 +2,7 @@ import { Link } from '@tanstack/react-router'
 import { useId, useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { useRoles } from '@/api/roles'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { WaveThumb } from '@/audio'
@@ -13,6 +14,7 @@ import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { age } from '@/ui/format'
 import { Key } from '@/ui/Key'
+import { Person } from '@/ui/Person'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { State } from '@/ui/State'
 
@@ -102,6 +104,7 @@ function QuestionLine({ question, projectId }: { question: AskedQuestion; projec
   const [open, setOpen] = useState(false)
   const { cue } = question
   const placeId = useId()
+  const roleOf = useRoles(projectId)
   return (
     <li>
       <button
@@ -115,7 +118,9 @@ function QuestionLine({ question, projectId }: { question: AskedQuestion; projec
         <span className={`mono dim ${classes.number}`}>{cue.label}</span>{' '}
         <span className="strong cut-text">{cue.name}</span>{' '}
         <span className={`mid ${open ? '' : 'cut-text'} ${classes.why}`}>“{question.text}”</span>
-        <span className={classes.lineWave} />
+        <span className={`small mid ${classes.lineWave}`}>
+          <Person name={question.asked_by.name} role={roleOf(question.asked_by.id)} />
+        </span>
         <span className={classes.state}>
           <State kind="question" />
         </span>
@@ -137,6 +142,7 @@ interface AnswerProps {
 function Answer({ question, projectId, onClose }: AnswerProps) {
   const [text, setText, draft] = useDraft(`answer:${question.id}`, '')
   const answer = useAnswer(projectId, question.id)
+  const roleOf = useRoles(projectId)
   const said = text.trim()
   const send = () => {
     if (said === '' || answer.isPending) return
@@ -156,7 +162,8 @@ function Answer({ question, projectId, onClose }: AnswerProps) {
       }}
     >
       <p className="small dim">
-        {question.asked_by.name} asks. The answer is added to the description of {question.cue.name}.
+        <Person name={question.asked_by.name} role={roleOf(question.asked_by.id)} /> asks. The answer is added to the
+        description of {question.cue.name}.
       </p>
       <div className={classes.answerLine}>
         <input

@@ -1,0 +1,19 @@
+import { Face } from './Face'
+import classes from './Person.module.css'
+
+interface PersonProps {
+  name: string
+  /** What they are here: "approver", "designer". */
+  role?: string
+}
+
+/** A person as they are named everywhere: their picture, their name, and what they are. */
+export function Person({ name, role }: PersonProps) {
+  return (
+    <span className={classes.person}>
+      <Face name={name} />
+      <span className="cut-text">{name}</span>
+      {role && <span className="small dim nowrap">{role}</span>}
+    </span>
+  )
+}
