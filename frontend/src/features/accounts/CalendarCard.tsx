@@ -40,7 +40,7 @@ function Fields({ calendar: { time_zone: zone, holidays }, isPending, onSave }: 
   const [name, setName] = useState('')
   return (
     <>
-      <div className={classes.inside}>
+      <div className={classes.zone}>
         <Select
           label="Time zone"
           searchable
