@@ -44,7 +44,9 @@ def propose_milestones(
         groups.setdefault((cue.due_on, "" if cue.due_on else cue.category), []).append(cue)
     dated = sorted((day, found) for (day, _), found in groups.items() if day is not None)
     undated = [(category, found) for (day, category), found in groups.items() if day is None]
-    parts = [(_day_name(day, found), day, found) for day, found in dated]
+    parts: list[tuple[str, date | None, list[WantedCue]]] = [
+        (_day_name(day, found), day, found) for day, found in dated
+    ]
     parts += [(_called(category) if category else REST, None, found) for category, found in undated]
     deposit_minor = (total_minor or 0) * deposit_bp // BASIS_POINTS if parts else 0
     shares: Sequence[int | None] = [None] * len(parts)

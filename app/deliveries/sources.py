@@ -163,14 +163,6 @@ def put_on_record(session: Session, take: Take) -> None:
     note_take(session, take, "sources", {"sources": words_of(sources)}, by=take.designer_id)
 
 
-def needs_sources(session: Session, contract: Contract, takes: Sequence[Take]) -> bool:
-    """Return whether a contract refuses to accept takes because their sources are not all stated."""
-    if terms_of(session, contract).sources_needed is not SourcesNeeded.BEFORE_ACCEPTANCE:
-        return False
-    stated = sources_of(session, takes)
-    return any(open_points(stated.get(take.id)) for take in takes)
-
-
 def ensure_stated_to_invoice(session: Session, event: Mapping[str, Any]) -> None:
     """Raise SourcesMissing where a contract wants the sources of accepted cues before they are invoiced."""
     contract = session.get_one(Contract, UUID(event["contract_id"]))

@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.dashboards.rules import CueStatus, VariationFact, cue_status, variation_status
+from app.dashboards.rules import CueStatus, VariationFact, cue_status, statuses_of, variation_status
 from app.deliveries.rules import TakeState
 from app.sound_lists.rules import CueState
 
@@ -32,6 +32,13 @@ def summed(*states: TakeState) -> VariationFact:
 )
 def test_one_variation(states: list[TakeState], status: CueStatus):
     assert variation_status(summed(*states)) is status
+
+
+def test_variations_without_a_take_are_to_make():
+    assert statuses_of(None, 3) == (S.TO_MAKE,) * 3
+    sums = f"{summed(T.APPROVED).packed},{summed(T.RETURNED).packed}"
+    assert statuses_of(sums, 4) == (S.ACCEPTED, S.RETURNED, S.TO_MAKE, S.TO_MAKE)
+    assert statuses_of(sums, 1) == (S.ACCEPTED,)  # the list asks for fewer than were delivered
 
 
 @pytest.mark.parametrize(

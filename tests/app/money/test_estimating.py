@@ -1,6 +1,6 @@
 """Error rates, their spread and the dates they forecast, against sums done by hand."""
 
-from datetime import date
+from datetime import date, timedelta
 
 import pytest
 from hypothesis import given
@@ -26,6 +26,12 @@ def test_mean_and_spread():
 def test_a_steady_rate_forecasts_the_date():
     rate = error_rate([(10, 12), (10, 14), (10, 13)])
     assert forecast(BEGAN, DUE, rate) == date(2027, 3, 14)  # ten days become thirteen
+
+
+def test_a_forecast_is_exact_to_the_day():
+    rate = error_rate([(10, 12), (10, 14), (10, 13)])
+    assert forecast(BEGAN, BEGAN + timedelta(days=1000), rate) == BEGAN + timedelta(days=1300)
+    assert forecast(BEGAN, BEGAN + timedelta(days=1001), rate) == BEGAN + timedelta(days=1302)  # 1301.3, rounded up
 
 
 def test_a_wild_rate_forecasts_nothing():

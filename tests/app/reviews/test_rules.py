@@ -2,6 +2,8 @@ from datetime import UTC, datetime, timedelta
 
 import pytest
 
+from app.agreements.rules import WorkState
+from app.deliveries.rules import TakeState
 from app.reviews.errors import RangeInvalid, StaleView, TooLateToUndo
 from app.reviews.rules import (
     QueueKind,
@@ -11,6 +13,7 @@ from app.reviews.rules import (
     missing_variations,
     queue_kind,
     why_not_counted,
+    work_state,
 )
 
 NOON = datetime(2026, 11, 20, 12, tzinfo=UTC)
@@ -28,6 +31,24 @@ def test_only_reversals_alone_are_no_round():
     assert why_not_counted([False]) is None
     assert why_not_counted([True, False]) is None
     assert "reversed" in (why_not_counted([True, True]) or "")
+
+
+@pytest.mark.parametrize(
+    ("variations", "states", "work"),
+    [
+        (2, {}, WorkState.NOT_BEGUN),
+        (2, {1: []}, WorkState.NOT_BEGUN),
+        (2, {1: [TakeState.APPROVED]}, WorkState.IN_WORK),
+        (2, {2: [TakeState.APPROVED]}, WorkState.IN_WORK),
+        (2, {1: [TakeState.APPROVED], 2: [TakeState.RETURNED]}, WorkState.IN_WORK),
+        (2, {1: [TakeState.APPROVED], 2: [TakeState.CHANGE_REQUESTED]}, WorkState.IN_WORK),
+        (2, {1: [TakeState.APPROVED], 2: [TakeState.RETURNED, TakeState.CONFORMING]}, WorkState.DELIVERED),
+        (2, {1: [TakeState.APPROVED], 2: [TakeState.APPROVED]}, WorkState.ACCEPTED),
+        (1, {1: [TakeState.APPROVED], 2: [TakeState.RETURNED]}, WorkState.ACCEPTED),  # the list asks for one now
+    ],
+)
+def test_how_far_the_work_on_a_cue_is(variations, states, work):
+    assert work_state(variations, states) is work
 
 
 def test_a_verdict_can_be_taken_back_for_a_minute():
