@@ -3,6 +3,7 @@ import { fileURLToPath } from 'node:url'
 import react from '@vitejs/plugin-react'
 import { defineConfig } from 'vitest/config'
 
+import { chunkNames } from './scripts/chunks.ts'
 import { precompress } from './scripts/precompress.ts'
 
 const server = process.env.SOUNDLIST_SERVER ?? 'http://127.0.0.1:8000'
@@ -24,7 +25,15 @@ export default defineConfig({
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
     // The application, and the API's documentation at /docs.
-    rollupOptions: { input: ['index.html', 'docs/index.html'] },
+    rolldownOptions: {
+      input: ['index.html', 'docs/index.html'],
+      output: {
+        codeSplitting: {
+          includeDependenciesRecursively: false,
+          groups: [{ name: chunkNames(fileURLToPath(new URL('./src/main.tsx', import.meta.url))) }],
+        },
+      },
+    },
   },
   test: {
     environment: 'jsdom',

@@ -107,8 +107,8 @@ for (const { name, part, path, shows } of [
       expect(page.getByText(shows).first()).toBeAttached({ timeout: 30_000 }),
     )
     report(name, loaded)
-    expect.soft(bytesOf(loaded, 'script'), 'compressed script').toBeLessThan(290_000)
-    expect.soft(bytesOf(loaded, 'style'), 'compressed styles').toBeLessThan(40_000)
+    expect.soft(bytesOf(loaded, 'script'), 'compressed script').toBeLessThan(200_000)
+    expect.soft(bytesOf(loaded, 'style'), 'compressed styles').toBeLessThan(30_000)
     expect.soft(loaded.shift, 'layout shift').toBeLessThanOrEqual(0.05)
   })
 }

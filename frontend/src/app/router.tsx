@@ -1,3 +1,4 @@
+import type { QueryClient } from '@tanstack/react-query'
 import { createRouter } from '@tanstack/react-router'
 
 import { queryClient } from '@/api/queryClient'
@@ -20,6 +21,7 @@ import { partsRoute } from '@/parts/routes'
 import { ErrorPage } from './ErrorPage'
 import { NotFoundPage } from './NotFoundPage'
 import { guestRoute, nowhereRoute, rootRoute, shellRoute } from './roots'
+import type { Session } from './session'
 
 const pages = [
   guestRoute.addChildren([...accountGuestRoutes, ...invitationRoutes, ...checkRoutes]),
@@ -59,5 +61,7 @@ declare module '@tanstack/react-router' {
   interface StaticDataRouteOption {
     /** Moving between two addresses of this route leaves the focus where it is, as when stepping through a queue. */
     keepsFocus?: boolean
+    /** Asks for what the page shows first, as soon as the address is known. What is refused is asked for again by the page. */
+    early?: (client: QueryClient, params: Record<string, string>, session: Session) => void
   }
 }

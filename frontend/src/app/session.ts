@@ -31,6 +31,8 @@ export interface ShellData {
 /** The current person, as the account feature passes it to the shell through the router's context. */
 export interface Session {
   useShell: () => ShellData
+  /** Asks who is signed in, before anything needs the answer. */
+  startEarly?: () => void
   /** Called before every page of the shell; throws a redirect to sign-in if not signed in. */
   ensureSignedIn: (href: string) => Promise<void>
 }

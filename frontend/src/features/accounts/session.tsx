@@ -109,6 +109,10 @@ function useShell(): ShellData {
 export function createSession(client: QueryClient): Session {
   return {
     useShell,
+    startEarly: () => {
+      void client.prefetchQuery(sessionQuery)
+      void client.prefetchQuery(meQuery) // nearly always someone is
+    },
     ensureSignedIn: async (href) => {
       const session = await client.ensureQueryData(sessionQuery)
       if (!session.signed_in) {

@@ -1,7 +1,9 @@
 import { createRoute, lazyRouteComponent, redirect } from '@tanstack/react-router'
 
 import { meQuery } from '@/api/me'
+import { deskQuery } from '@/app/desk'
 import { lastProject } from '@/app/lastProject'
+import { nextStepsQuery } from '@/app/nextSteps'
 import { shellRoute } from '@/app/roots'
 
 export const deskRoutes = [
@@ -19,6 +21,12 @@ export const deskRoutes = [
   createRoute({
     getParentRoute: () => shellRoute,
     path: '/projects/$projectId/desk',
+    staticData: {
+      early: (client, { projectId = '' }) => {
+        void client.prefetchQuery(deskQuery(projectId))
+        void client.prefetchQuery(nextStepsQuery(projectId))
+      },
+    },
     component: lazyRouteComponent(() => import('./DeskPage'), 'DeskPage'),
   }),
 ]

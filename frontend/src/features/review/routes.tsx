@@ -1,6 +1,9 @@
+import type { QueryClient } from '@tanstack/react-query'
 import { createRoute, lazyRouteComponent } from '@tanstack/react-router'
 
 import { shellRoute } from '@/app/roots'
+import { isNoted } from '@/judging/afterVerdict'
+import { queueQuery, reviewQuery } from '@/judging/api'
 
 interface Spot {
   /** The selected version. */
@@ -9,10 +12,26 @@ interface Spot {
   at?: number
 }
 
+const reviewPage = lazyRouteComponent(() => import('./ReviewPage'), 'ReviewPage')
+
+/** The queue, and the cue that Review opens of it. */
+async function openFirst(client: QueryClient, projectId: string): Promise<void> {
+  await client.prefetchInfiniteQuery(queueQuery(projectId))
+  const pages = client.getQueryData(queueQuery(projectId).queryKey)?.pages ?? []
+  const first = pages.flatMap(({ items }) => items).find((item) => !isNoted(item))
+  if (first) await client.prefetchQuery(reviewQuery(first.cue.id))
+}
+
 export const reviewRoutes = [
   createRoute({
     getParentRoute: () => shellRoute,
     path: '/projects/$projectId/review',
+    staticData: {
+      early: (client, { projectId = '' }) => {
+        void openFirst(client, projectId)
+        void reviewPage.preload?.()?.catch(() => undefined)
+      },
+    },
     component: lazyRouteComponent(() => import('./ReviewStart'), 'ReviewStart'),
   }),
   createRoute({
@@ -22,7 +41,13 @@ export const reviewRoutes = [
       take: typeof search.take === 'string' ? search.take : undefined,
       at: typeof search.at === 'number' && search.at >= 0 ? search.at : undefined,
     }),
-    staticData: { keepsFocus: true },
-    component: lazyRouteComponent(() => import('./ReviewPage'), 'ReviewPage'),
+    staticData: {
+      keepsFocus: true,
+      early: (client, { projectId = '', cueId = '' }) => {
+        void client.prefetchInfiniteQuery(queueQuery(projectId))
+        void client.prefetchQuery(reviewQuery(cueId))
+      },
+    },
+    component: reviewPage,
   }),
 ] as const

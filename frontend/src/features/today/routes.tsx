@@ -3,7 +3,11 @@ import { createRoute, lazyRouteComponent, redirect } from '@tanstack/react-route
 
 import { meQuery } from '@/api/me'
 import { lastProject } from '@/app/lastProject'
+import { nextStepsQuery } from '@/app/nextSteps'
 import { shellRoute } from '@/app/roots'
+import { queueQuery } from '@/judging/api'
+
+import { todayQuery } from './api'
 
 /** Where one starts: Today of the project that was open last, or of the first one, the desk for a designer. */
 const start = {
@@ -23,6 +27,13 @@ export const todayRoutes = [
   createRoute({
     getParentRoute: () => shellRoute,
     path: '/projects/$projectId/today',
+    staticData: {
+      early: (client, { projectId = '' }) => {
+        void client.prefetchInfiniteQuery(queueQuery(projectId))
+        void client.prefetchQuery(todayQuery(projectId))
+        void client.prefetchQuery(nextStepsQuery(projectId))
+      },
+    },
     component: lazyRouteComponent(() => import('./TodayPage'), 'TodayPage'),
   }),
 ] as const
