@@ -1,4 +1,4 @@
-"""What we use of FastAPI and Starlette beside their documentation is there in the pinned versions, and in one module."""
+"""What we use of FastAPI and Starlette beside their documentation is in the pinned versions, and in one module."""
 
 import inspect
 import re
