@@ -3,7 +3,6 @@ import { render, screen } from '@testing-library/react'
 import { expect, test } from 'vitest'
 
 import { serve } from '@/test/server'
-import { Person } from '@/ui/Person'
 
 import { useRoles } from './roles'
 
@@ -11,11 +10,7 @@ const person = (id: string) => ({ id, name: id })
 
 function Everyone() {
   const roleOf = useRoles('p1')
-  return ['Ada', 'Lee', 'Director', 'Guest'].map((id) => (
-    <p key={id}>
-      <Person name={id} role={roleOf(id)} />
-    </p>
-  ))
+  return ['Designer', 'Liaison', 'Director', 'Guest'].map((id) => <p key={id}>{`${id}: ${roleOf(id) || 'none'}`}</p>)
 }
 
 test('beside a name stands what the person is in the project', async () => {
@@ -23,8 +18,8 @@ test('beside a name stands what the person is in the project', async () => {
     'GET /v1/projects/p1': {
       id: 'p1',
       approver: person('Director'),
-      liaisons: [person('Director'), person('Lee')],
-      engagements: [{ designer: person('Ada') }],
+      liaisons: [person('Director'), person('Liaison')],
+      engagements: [{ designer: person('Designer') }],
     },
   })
   render(
@@ -32,8 +27,8 @@ test('beside a name stands what the person is in the project', async () => {
       <Everyone />
     </QueryClientProvider>,
   )
-  expect((await screen.findByText('approver')).closest('p')).toHaveTextContent('DIDirectorapprover')
-  expect(screen.getByText('designer').closest('p')).toHaveTextContent('ADAdadesigner')
-  expect(screen.getByText('liaison').closest('p')).toHaveTextContent('LELeeliaison')
-  expect(screen.getByText('Guest').closest('p')).toHaveTextContent(/^GUGuest$/)
+  expect(await screen.findByText('Director: approver')).toBeVisible()
+  expect(screen.getByText('Designer: designer')).toBeVisible()
+  expect(screen.getByText('Liaison: liaison')).toBeVisible()
+  expect(screen.getByText('Guest: none')).toBeVisible()
 })
