@@ -27,7 +27,7 @@ export async function freePort(): Promise<number> {
 export async function until(
   what: string,
   condition: () => Promise<boolean> | boolean,
-  withinMs = 60_000,
+  withinMs = 120_000,
 ): Promise<void> {
   const deadline = Date.now() + withinMs
   while (!(await condition())) {
