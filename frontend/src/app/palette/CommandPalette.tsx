@@ -1,5 +1,5 @@
 import { Modal } from '@mantine/core'
-import { useEffect, useId, useMemo, useState } from 'react'
+import { useEffect, useId, useMemo, useRef, useState } from 'react'
 
 import { Icon } from '@/ui/Icon'
 import { Key } from '@/ui/Key'
@@ -76,6 +76,7 @@ function PaletteBody({ onClose }: { onClose: () => void }) {
   const [query, setQuery] = useState('')
   const [at, setAt] = useState(0)
   const listId = useId()
+  const input = useRef<HTMLInputElement>(null)
   const commands = useRegisteredCommands()
   const providers = useRegisteredProviders()
   const { asking, found } = useFound(query, providers)
@@ -105,6 +106,9 @@ function PaletteBody({ onClose }: { onClose: () => void }) {
   const selected = lines[Math.min(at, lines.length - 1)]
   const optionId = (line: Line) => `${listId}-${line.id}`
 
+  // Mantine's own focus trap looks for it before it is there where the palette is loaded as it opens.
+  useEffect(() => input.current?.focus(), [])
+
   useEffect(() => {
     if (selected) document.getElementById(`${listId}-${selected.id}`)?.scrollIntoView({ block: 'nearest' })
   }, [selected, listId])
@@ -120,6 +124,7 @@ function PaletteBody({ onClose }: { onClose: () => void }) {
       <div className={classes.field}>
         <Icon name="search" />
         <input
+          ref={input}
           data-autofocus
           className={classes.input}
           role="combobox"
