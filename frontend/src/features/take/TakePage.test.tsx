@@ -235,7 +235,7 @@ describe('findings', () => {
     server.on('GET /v1/takes/t1/check', aCheck({ findings: [{ ...LATE, waived: true }], waiver }))
     await opened()
     expect(await screen.findByText(/Waived by the approver\./)).toBeInTheDocument()
-    expect(screen.getByText(': Meant so')).toBeInTheDocument()
+    expect(await screen.findByText(': Meant so')).toBeInTheDocument()
   })
 })
 
