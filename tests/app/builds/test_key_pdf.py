@@ -27,6 +27,7 @@ ROW = KeyRow(
     attenuation_db=0.0,
     version=1,
     note="",
+    sources="made from scratch",
     master="laser_fire_01.wav",
     file_sha256="0" * 64,
     master_sha256="0" * 64,
