@@ -17,9 +17,8 @@ from app.kit.events import publish
 from app.money import queries as money_queries
 from app.money.ledger import write
 from app.money.ledger_book import CLAUSES, Entry
-from app.money.models import ExtraRound
 from app.money.rules import LineKind
-from app.money.settlement import charge_round, settle, take_out
+from app.money.settlement import add_round, charge_round, settle, take_out
 from app.reviews.clock_pauses import end_pause
 from app.reviews.queries import round_counts
 
@@ -87,14 +86,5 @@ def _agree_round(session: Session, reviewer: Reviewer, cue_id: UUID, *, person_i
     if proposed is None:
         counted = round_counts(session, [cue_id]).get(cue_id, 0)
         number = max([reviewer.terms.rounds_included, counted, *(one.number for one in known)]) + 1
-        proposed = ExtraRound(
-            studio_id=contract.studio_id,
-            project_id=contract.project_id,
-            contract_id=contract.id,
-            cue_id=cue_id,
-            number=number,
-            proposed_by=person_id,
-        )
-        session.add(proposed)
-        session.flush()
+        proposed = add_round(session, contract, cue_id, number=number, person_id=person_id)
     charge_round(session, contract, proposed, person_id=person_id)

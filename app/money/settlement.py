@@ -149,7 +149,14 @@ def price_round(session: Session, cue_id: UUID, *, number: int, person_id: UUID)
         return None
     if any(one.cue_id == cue_id and one.number == number for one in queries.extra_rounds_of(session, contract.id)):
         return None  # a change order agreed to it beforehand
-    proposed = ExtraRound(
+    proposed = add_round(session, contract, cue_id, number=number, person_id=person_id)
+    _record(session, covered, "round_proposed", person_id, {"round": number})
+    return proposed
+
+
+def add_round(session: Session, contract: Contract, cue_id: UUID, *, number: int, person_id: UUID) -> ExtraRound:
+    """Add a round beyond the included ones, to be agreed to."""
+    added = ExtraRound(
         studio_id=contract.studio_id,
         project_id=contract.project_id,
         contract_id=contract.id,
@@ -157,10 +164,9 @@ def price_round(session: Session, cue_id: UUID, *, number: int, person_id: UUID)
         number=number,
         proposed_by=person_id,
     )
-    session.add(proposed)
+    session.add(added)
     session.flush()
-    _record(session, covered, "round_proposed", person_id, {"round": number})
-    return proposed
+    return added
 
 
 def agree_extra_round(session: Session, actor: Actor, extra_round_id: UUID) -> ExtraRound:

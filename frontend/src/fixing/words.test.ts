@@ -39,7 +39,7 @@ describe('what a fix moves', () => {
     expect(movedFigures(seen)).toEqual([{ what: 'True peak', before: '−0.96 dBTP', after: '−1.04 dBTP' }])
   })
 
-  test('an offset is told in per cent', () => {
+  test('an offset is given in per cent', () => {
     const centred = fix({ before: { dc_offset_percent: 5.003 }, after: { dc_offset_percent: 0.0001 } })
     expect(movedFigures(centred)).toEqual([{ what: 'DC offset', before: '5.0 %', after: '0.0 %' }])
   })

@@ -111,9 +111,7 @@ def test_a_copy_shows_what_was_written_anew(
     world.server.in_database(lambda session: rewrite(session, UUID(agreed["id"])))
     result = verify(monkeypatch, world.server.runtime.settings, copy)
     (reported,) = lines_on(result, agreed["id"])
-    assert reported.endswith("is in no entry"), (
-        "the tables tell of it too; with them altered as well only the copy does"
-    )
+    assert reported.endswith("is in no entry"), "the tables show it too; with them altered as well only the copy does"
     assert [line.removeprefix(f"{copy}: ") for line in lines_on(result, copy)] == ["entry 3 is another one in the copy"]
     assert result.exit_code == 1
 

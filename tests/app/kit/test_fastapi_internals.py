@@ -31,7 +31,7 @@ USED: dict[Callable[..., Any], tuple[str, ...]] = {  # and the parameters that a
 }
 
 
-class Told(BaseModel):
+class Echoed(BaseModel):
     """An answer."""
 
     number: int
@@ -48,8 +48,8 @@ async def inner(of: str = Depends(outer)) -> str:
 def route_of(**more: Any) -> InterceptedRoute:
     router = APIRouter(route_class=InterceptedRoute)
 
-    @router.post("/told", **more)
-    def tell(body: Told, who: str = Depends(inner)) -> Told:
+    @router.post("/echo", **more)
+    def echo(body: Echoed, who: str = Depends(inner)) -> Echoed:
         return body
 
     (route,) = router.routes
@@ -75,8 +75,8 @@ def test_a_route_has_the_attributes_that_we_read():
     assert [dependency.call for dependency in route.dependant.dependencies] == [inner]
     assert route.body_field is not None
     assert route.response_field is not None
-    assert route.response_field.validate(Told(number=3), loc=("response",)) == (Told(number=3), [])
-    assert route.response_field.serialize_json(Told(number=3)) == b'{"number":3}'
+    assert route.response_field.validate(Echoed(number=3), loc=("response",)) == (Echoed(number=3), [])
+    assert route.response_field.serialize_json(Echoed(number=3)) == b'{"number":3}'
     assert isinstance(RouteContext.path, property)
 
 
@@ -86,7 +86,7 @@ def test_dependencies_are_found_with_those_that_they_have():
 
 def test_an_answer_is_the_json_that_fastapi_would_send():
     route = route_of(status_code=201)
-    answer = route.as_json(Told(number=3))
+    answer = route.as_json(Echoed(number=3))
     assert (answer.status_code, answer.body) == (201, b'{"number":3}')
     assert route.as_json("no number") == "no number"  # FastAPI refuses it
 

@@ -257,7 +257,7 @@ describe('a producer', () => {
   }
   const shown = { blocks: [block('text', 'It includes 3 rounds.')], problems: [] }
 
-  test('begins like the last contract, unless told otherwise', async () => {
+  test('begins like the last contract, unless another choice is made', async () => {
     const project = {
       id: 'p1',
       studio: { id: 's1', name: 'Shield Wing studio' },
