@@ -12,8 +12,10 @@ export function Person({ name, role }: PersonProps) {
   return (
     <span className={classes.person}>
       <Face name={name} />
-      <span className="cut-text">{name}</span>
-      {role && <span className="small dim nowrap">{role}</span>}
+      <span className={classes.words}>
+        <span className="cut-text">{name}</span>
+        {role && <span className="small dim nowrap">{role}</span>}
+      </span>
     </span>
   )
 }
