@@ -24,12 +24,12 @@ export const soundListRoutes = [
       // "12" in an address is read as a number.
       q: typeof q === 'string' || typeof q === 'number' ? String(q) : undefined,
     }),
-    component: lazyRouteComponent(() => import('./SoundListPage'), 'SoundListPage'),
+    component: lazyRouteComponent(() => import('./list/SoundListPage'), 'SoundListPage'),
   }),
   createRoute({
     getParentRoute: () => shellRoute,
     path: '/projects/$projectId/sound-list/import',
-    component: lazyRouteComponent(() => import('./ImportPage'), 'ImportPage'),
+    component: lazyRouteComponent(() => import('./import/ImportPage'), 'ImportPage'),
   }),
   createRoute({
     getParentRoute: () => shellRoute,
@@ -38,12 +38,12 @@ export const soundListRoutes = [
       from: revision(from),
       to: revision(to),
     }),
-    component: lazyRouteComponent(() => import('./ComparePage'), 'ComparePage'),
+    component: lazyRouteComponent(() => import('./compare/ComparePage'), 'ComparePage'),
   }),
   createRoute({
     getParentRoute: () => shellRoute,
     path: '/projects/$projectId/sound-list/cues/$cueId',
     staticData: { keepsFocus: true },
-    component: lazyRouteComponent(() => import('./CuePage'), 'CuePage'),
+    component: lazyRouteComponent(() => import('./cue/CuePage'), 'CuePage'),
   }),
 ] as const

@@ -6,9 +6,9 @@ import { plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { ProblemNote } from '@/ui/ProblemNote'
 
-import { type Cue, problemIn, type SharedField, useSetForSeveral } from './api'
+import { type Cue, problemIn, type SharedField, useSetForSeveral } from '../api'
 import classes from './SoundList.module.css'
-import { SETTLED } from './words'
+import { SETTLED } from '../words'
 
 interface PickedBarProps {
   projectId: string

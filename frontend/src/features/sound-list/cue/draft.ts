@@ -1,6 +1,6 @@
 import type { ApiProblem } from '@/api'
 
-import type { Cue, CueAdd, CueFacts, FieldChange } from './api'
+import type { Cue, CueAdd, CueFacts, FieldChange } from '../api'
 
 /** A cue as form fields: figures are as typed. */
 export interface CueDraft {

@@ -9,7 +9,7 @@ import { ago, length, place } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { State, type StateKind } from '@/ui/State'
 
-import type { CueDetail, Take, Version } from './api'
+import type { CueDetail, Take, Version } from '../api'
 import classes from './Cue.module.css'
 import { Reel } from './Reel'
 

@@ -4,10 +4,10 @@ import { FilterChip } from '@/ui/FilterChip'
 import { Icon } from '@/ui/Icon'
 import { Key } from '@/ui/Key'
 
-import type { CueStatus } from './api'
-import { type CueRow, type Grouping, kindOf, type ListSearch } from './rows'
+import type { CueStatus } from '../api'
+import { type CueRow, type Grouping, kindOf, type ListSearch } from '../rows'
 import classes from './SoundList.module.css'
-import { STATUS_ORDER, STATUS_WORDS } from './words'
+import { STATUS_ORDER, STATUS_WORDS } from '../words'
 
 interface ListToolsProps {
   rows: readonly CueRow[]

@@ -17,11 +17,11 @@ import { ProblemNote } from '@/ui/ProblemNote'
 import { Segmented } from '@/ui/Segmented'
 import { Select } from '@/ui/Select'
 
-import { type ImportField, type ImportRead, importSheet, problemIn, useImport, useRights } from './api'
+import { type ImportField, type ImportRead, importSheet, problemIn, useImport, useRights } from '../api'
 import classes from './Import.module.css'
 import { ImportRows } from './ImportRows'
 import { EMPTY_SHEET, keepSheet, keptSheet, mappingFor, type SheetDraft } from './pasted'
-import { IMPORT_FIELDS } from './words'
+import { IMPORT_FIELDS } from '../words'
 
 const LARGEST_BYTES = 5_000_000
 const TYPING_MS = 300

@@ -8,8 +8,8 @@ import { SetBlocks } from '@/ui/SetBlocks'
 import { State } from '@/ui/State'
 
 import classes from './CueTable.module.css'
-import { blocksOf, type CueRow, type Group } from './rows'
-import { useVirtualRows } from './useVirtualRows'
+import { blocksOf, type CueRow, type Group } from '../rows'
+import { useVirtualRows } from '../useVirtualRows'
 
 const COLUMNS = 9
 const ROW_PX = 26

@@ -6,7 +6,7 @@ import { length, plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { Segmented } from '@/ui/Segmented'
 
-import { problemIn, type Reel as Made, type ReelAdd, useReel } from './api'
+import { problemIn, type Reel as Made, type ReelAdd, useReel } from '../api'
 import classes from './Cue.module.css'
 
 const SLATES = {

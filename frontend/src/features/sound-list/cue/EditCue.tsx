@@ -8,8 +8,8 @@ import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { ProblemNote } from '@/ui/ProblemNote'
 
-import { type Cue, type FieldChange, problemIn, readAgain, useChangeCue } from './api'
-import { Changes } from './Changes'
+import { type Cue, type FieldChange, problemIn, readAgain, useChangeCue } from '../api'
+import { Changes } from '../Changes'
 import { CueFields } from './CueFields'
 import {
   changedFacts,

@@ -5,10 +5,10 @@ import { day, figure } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { Segmented } from '@/ui/Segmented'
 
-import type { ImportRead } from './api'
-import { Changes } from './Changes'
+import type { ImportRead } from '../api'
+import { Changes } from '../Changes'
 import classes from './Import.module.css'
-import { useVirtualRows } from './useVirtualRows'
+import { useVirtualRows } from '../useVirtualRows'
 
 type Shown = 'all' | 'errors' | 'changes'
 type Fault = ImportRead['errors'][number]

@@ -6,7 +6,7 @@ import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { ProblemNote } from '@/ui/ProblemNote'
 
-import { type Cue, problemIn, useCut } from './api'
+import { type Cue, problemIn, useCut } from '../api'
 import classes from './Panel.module.css'
 
 interface CutCueProps {

@@ -2,11 +2,11 @@ import { useQuery } from '@tanstack/react-query'
 
 import { Button } from '@/ui/Button'
 
-import { type Cue, cueQuery, type Rights } from './api'
-import { CutCue } from './CutCue'
-import { EditCue } from './EditCue'
-import classes from './Panel.module.css'
-import { AskForm, QuestionLine } from './Questions'
+import { type Cue, cueQuery, type Rights } from '../api'
+import { CutCue } from '../cue/CutCue'
+import { EditCue } from '../cue/EditCue'
+import classes from '../cue/Panel.module.css'
+import { AskForm, QuestionLine } from '../cue/Questions'
 
 export type PanelKind = 'edit' | 'ask' | 'cut'
 

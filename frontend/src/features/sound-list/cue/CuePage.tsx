@@ -22,16 +22,16 @@ import {
   type Version,
   versionsQuery,
   useRights,
-} from './api'
+} from '../api'
 import classes from './Cue.module.css'
 import { CutCue } from './CutCue'
 import { EditCue } from './EditCue'
 import { History } from './History'
-import { keepLastCue } from './lastCue'
+import { keepLastCue } from '../lastCue'
 import { AskForm, QuestionLine } from './Questions'
-import { categoriesOf, rowsOf } from './rows'
+import { categoriesOf, rowsOf } from '../rows'
 import { Versions } from './Versions'
-import { REVERBS, SETTLED } from './words'
+import { REVERBS, SETTLED } from '../words'
 
 const NO_VERSIONS: Version[] = []
 

@@ -2,7 +2,7 @@ import { Autocomplete, Checkbox, NativeSelect, Textarea, TextInput } from '@mant
 
 import classes from './CueFields.module.css'
 import type { CueDraft, DraftField, Faults } from './draft'
-import { fieldWord, REVERBS, SETTLED } from './words'
+import { fieldWord, REVERBS, SETTLED } from '../words'
 
 interface CueFieldsProps {
   draft: CueDraft

@@ -6,8 +6,8 @@ import { Card, CardHead } from '@/ui/Card'
 import { clock, day } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 
-import { type CueChanged, type CueDetail, problemIn, type Version } from './api'
-import { Changes } from './Changes'
+import { type CueChanged, type CueDetail, problemIn, type Version } from '../api'
+import { Changes } from '../Changes'
 import classes from './Cue.module.css'
 
 interface Happened {

@@ -10,7 +10,7 @@ import { Person } from '@/ui/Person'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { State } from '@/ui/State'
 
-import { type Cue, problemIn, type Question, useAnswer, useAsk } from './api'
+import { type Cue, problemIn, type Question, useAnswer, useAsk } from '../api'
 import fields from './CueFields.module.css'
 import classes from './Panel.module.css'
 

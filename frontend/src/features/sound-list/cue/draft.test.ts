@@ -4,7 +4,7 @@ import { ApiProblem } from '@/api'
 import { aCue } from '@/test/soundList'
 
 import { changedFacts, changesBetween, draftOf, EMPTY_DRAFT, readDraft, rebased, refusedRows } from './draft'
-import { blankRow, isBlank, withPasted, withRoom } from './newRows'
+import { blankRow, isBlank, withPasted, withRoom } from '../list/newRows'
 
 test('figures are read with a point or a comma, and an empty one is none', () => {
   const read = (duration_s: string) => readDraft({ ...EMPTY_DRAFT, name: 'a', duration_s })

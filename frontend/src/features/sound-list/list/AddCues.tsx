@@ -11,10 +11,10 @@ import { plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import classes from './AddCues.module.css'
-import { type Cue, problemIn, useAddCues } from './api'
-import { type CueDraft, readDraft, refusedRows } from './draft'
+import { type Cue, problemIn, useAddCues } from '../api'
+import { type CueDraft, readDraft, refusedRows } from '../cue/draft'
 import { blankRow, isBlank, isBlock, NEW_FIELDS, type NewRow, withPasted, withRoom } from './newRows'
-import { SETTLED } from './words'
+import { SETTLED } from '../words'
 
 type NewField = (typeof NEW_FIELDS)[number]
 

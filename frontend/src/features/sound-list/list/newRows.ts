@@ -1,4 +1,4 @@
-import { type CueDraft, type DraftField, EMPTY_DRAFT, type Faults } from './draft'
+import { type CueDraft, type DraftField, EMPTY_DRAFT, type Faults } from '../cue/draft'
 
 /** One typed row before it is saved. */
 export interface NewRow {

@@ -11,8 +11,8 @@ import { clock, day, plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { Select } from '@/ui/Select'
 
-import { compareQuery, type Difference, listQuery, problemIn, type Revision, revisionsQuery } from './api'
-import { Changes } from './Changes'
+import { compareQuery, type Difference, listQuery, problemIn, type Revision, revisionsQuery } from '../api'
+import { Changes } from '../Changes'
 import classes from './Compare.module.css'
 
 /** Two revisions of the list side by side: what was added, changed and cut. */
