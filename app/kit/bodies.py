@@ -21,7 +21,7 @@ FIRST_S = 20.0  # time allowed for any body, plus the time that its bytes take a
 LEAST_BYTES_PER_S = 32 << 10
 UNITS = ((1 << 30, "GiB"), (1 << 20, "MiB"), (1 << 10, "KiB"))
 SUSPECT = re.compile(rb"\\u0000|[0-9]{16}|[eE][+-]?[0-9]{3}")  # NUL, and numbers that may be too large
-MANY_NAMES = 200  # in one JSON object: as many as a sheet has columns
+MANY_NAMES = 50  # in one JSON object: more than the fields of any schema that comes in numbers
 MAX_NAMES = 10_000  # in all objects with more; a schema refuses each unknown one by itself, which takes long
 LARGEST_INTEGER = 2**53 - 1  # what every reader of JSON keeps exactly (RFC 8259, section 6)
 

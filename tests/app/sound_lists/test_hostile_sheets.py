@@ -188,7 +188,7 @@ def test_no_cell_of_the_longest_takes_an_expression_long(letters: str, end: str)
     for field in ("duration_s", "frame_rate_fps", "variations", "playback_priority", "loop", "state", "reverb", "name"):
         with contextlib.suppress(ValueError):
             read_cell(field, cell)
-    assert time.process_time() - begun < 0.5  # "1a" of 20 kB took 16 s
+    assert time.process_time() - begun < 2  # 0.02 s as a rule; "1a" took 4 s
 
 
 @pytest.mark.parametrize("letters", LETTERS)
@@ -200,7 +200,7 @@ def test_no_file_name_takes_guessing_long(letters: str):
     index.sure(name)
     index.guesses(f"{letters * 100}/{name}")
     index.shared_prefixes([name] * 10)
-    assert time.process_time() - begun < 3
+    assert time.process_time() - begun < 15
 
 
 GOOD = [b"Name,Use\nDoor,hall\n", workbook([["Name", "Use"], ["Door", "hall"]]), LINES.encode("utf-16")]

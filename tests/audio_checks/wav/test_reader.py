@@ -380,7 +380,7 @@ def test_only_regular_files_are_opened(tmp_path):
             assert refusal.value.rule == "R11"
         with pytest.raises(Unreadable):
             open_regular("/dev/zero")
-    assert time.monotonic() - started < 1
+    assert time.monotonic() - started < 10  # a FIFO without a writer is waited for without end
 
 
 def test_a_link_to_a_file_is_opened(tmp_path):
