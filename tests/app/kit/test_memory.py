@@ -43,6 +43,28 @@ print(json.dumps(mib() - before), flush=True)
 done.set()
 """
 
+BETWEEN = """
+import json, threading, time
+from app.kit import memory
+
+def mib():
+    with open("/proc/self/statm") as file:
+        return int(file.read().split()[1]) * 4096 / 2**20
+
+memory.return_free_memory()
+before = mib()
+blocks = [(bytearray(100_000), bytearray(1_000)) for _ in range(1_000)]
+kept = [small for _, small in blocks]
+del blocks
+free = mib() - before
+memory.COLLECT_EVERY_S = 0.05
+memory.collect_garbage(until=threading.Event())
+deadline = time.monotonic() + 30
+while mib() - before > free / 2 and time.monotonic() < deadline:
+    time.sleep(0.05)
+print(json.dumps([free, mib() - before]))
+"""
+
 
 @pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="other allocators return memory by themselves")
 def test_free_memory_of_many_threads_returns():
@@ -54,6 +76,14 @@ def test_free_memory_of_many_threads_returns():
 
     assert left_mib("as it is") > 100, "glibc keeps free memory: without this there is nothing to set up"
     assert left_mib("set up") < 30
+
+
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="other allocators return memory by themselves")
+def test_what_is_free_between_blocks_in_use_returns():
+    done = subprocess.run([sys.executable, "-c", BETWEEN], capture_output=True, text=True, check=True, timeout=60)
+    free_mib, left_mib = json.loads(done.stdout)
+    assert free_mib > 60, "glibc keeps it: without this there is nothing to return"
+    assert left_mib < 30
 
 
 def test_what_refers_to_itself_is_freed_while_nothing_else_happens(monkeypatch):
