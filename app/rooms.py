@@ -11,6 +11,7 @@ from app.agreements.endpoints import router as contracts
 from app.agreements.template_endpoints import router as contract_templates
 from app.agreements.version_endpoints import router as contract_versions
 from app.amendments.endpoints import router as amendments
+from app.briefs.endpoints import router as briefs
 from app.builds.clearance_endpoints import router as clearance
 from app.builds.endpoints import router as builds
 from app.builds.manifest_endpoints import router as manifests
@@ -38,6 +39,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     calendars,
     projects,
     specs,
+    briefs,
     sound_lists,
     money,
     contract_templates,

@@ -3,6 +3,7 @@
 from app.accounts import models as _accounts
 from app.agreements import models as _agreements
 from app.amendments import models as _amendments
+from app.briefs import models as _briefs
 from app.builds import models as _builds
 from app.conformance import models as _conformance
 from app.deliveries import models as _deliveries

@@ -28,6 +28,7 @@ from app.agreements.documents import sha256_of as text_sha256_of
 from app.agreements.models import Contract, ContractCue, ContractTemplate, ContractVersion, Milestone
 from app.agreements.rules import ContractKind, ContractState, Party
 from app.amendments.models import ChangeOrder
+from app.briefs.models import Brief, BriefVersion, FollowUp
 from app.builds.models import Build, SealedPack
 from app.builds.rules import PackState
 from app.conformance.models import CheckRun
@@ -176,6 +177,20 @@ class House(World):
             tool_version="1",
         )
         sets = RenderSet(take_id=take.id, studio_id=self.studio_id, spec_id=spec.id, edition=1)
+        follow_up = FollowUp(**of, question="naming", text="Which separator?", asked_by=self.designer_id)
+        answers = {
+            "genre": {
+                "value": "A platformer",
+                "is_unknown": False,
+                "note": "",
+                "revision": 1,
+                "answered_by": str(self.producer_id),
+                "answered_at": clock.now().isoformat(),
+            }
+        }
+        answered = Brief(**of, revision=1, answers=answers, changed_by=self.producer_id)
+        version = BriefVersion(**of, number=1, answers=answers, published_by=self.producer_id)
+        session.add_all([follow_up, answered, version])
         session.add_all([picture, render, draft, comment, build, batch, pack, reel, export, mail, run, sets])
         self._add_links(session)
         money = self._add_money(session, cue)
@@ -190,6 +205,7 @@ class House(World):
             "version": 1,
             "cue_id": cue.id,
             "question_id": question.id,
+            "follow_up_id": follow_up.id,
             "delivery_id": delivery.id,
             "take_id": take.id,
             "picture_id": picture.id,

@@ -41,6 +41,7 @@ SERVER_COMMANDS = {
     "backup",
     "restore",
     "verify",
+    "brief",
     "demo",
     "token",
     "openapi",

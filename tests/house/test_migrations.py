@@ -16,6 +16,7 @@ from tests.support.postgres import Postgres
 
 ROOMS = (
     "accounts",
+    "briefs",
     "builds",
     "conformance",
     "contracts",
