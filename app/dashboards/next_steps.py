@@ -72,9 +72,9 @@ class _Steps:
             self._counted(NextStepKind.SEND_CHANGES, queries.drafts_since(session, project.id))
             self._counted(NextStepKind.REVIEW, waiting)
         else:
-            self._await(AwaitedKind.VERDICTS, self._approver(), waiting)
+            self._await(AwaitedKind.VERDICTS, *self._approver(), waiting)
         back_since = queries.back_since(session, project.id, project.studio_id)
-        self._await(AwaitedKind.FIXES, "", (sum(counts.get(status, 0) for status in CAME_BACK), back_since))
+        self._await(AwaitedKind.FIXES, "", None, (sum(counts.get(status, 0) for status in CAME_BACK), back_since))
 
     def of_designer(self) -> None:
         """Collect what a designer is to do; before the NDA that is signing it."""
@@ -83,7 +83,7 @@ class _Steps:
         engagement = access.engagement
         if engagement is not None and nda_is_pending(project, engagement):
             if not self.steps and not self.awaited:  # no NDA is with either side yet
-                self._await(AwaitedKind.NDA, project.name, (1, engagement.created_at))
+                self._await(AwaitedKind.NDA, project.name, None, (1, engagement.created_at))
             return
         designer_id = access.actor.person
         counts = counted(progress_queries.cue_groups(session, project.id, designer_id))
@@ -92,23 +92,23 @@ class _Steps:
         self._counted(NextStepKind.MATCH, queries.tray_since(session, project.id, designer_id))
         self._counted(NextStepKind.MAKE, (sum(counts.get(status, 0) for status in UNFINISHED), None))
         waiting = counts.get(CueStatus.TO_REVIEW, 0), queries.conforming_takes_since(session, project.id, designer_id)
-        self._await(AwaitedKind.VERDICTS, self._approver(), waiting)
+        self._await(AwaitedKind.VERDICTS, *self._approver(), waiting)
         asked = queries.questions_open_since(session, project.id, asked_by=designer_id)
-        self._await(AwaitedKind.ANSWER, project.name, asked)
+        self._await(AwaitedKind.ANSWER, project.name, None, asked)
 
     def _counted(self, kind: NextStepKind, found: tuple[int, datetime | None]) -> None:
         count, since = found
         if count:
             self.steps.append(NextStep(kind=kind, count=count, since=since))
 
-    def _await(self, kind: AwaitedKind, who: str, found: tuple[int, datetime | None]) -> None:
+    def _await(self, kind: AwaitedKind, who: str, person_id: UUID | None, found: tuple[int, datetime | None]) -> None:
         count, since = found
         if count:
-            self.awaited.append(Awaited(kind=kind, who=who, count=count, since=since))
+            self.awaited.append(Awaited(kind=kind, who=who, person_id=person_id, count=count, since=since))
 
-    def _approver(self) -> str:
+    def _approver(self) -> tuple[str, UUID]:
         approver_id = approver_of(self._session, self._project)
-        return people_by_id(self._session, {approver_id})[approver_id].name
+        return people_by_id(self._session, {approver_id})[approver_id].name, approver_id
 
     def _hires(self, *, has_cues: bool) -> None:
         session, project, access = self._session, self._project, self._access
@@ -180,6 +180,7 @@ class _Steps:
                 Awaited(
                     kind=AwaitedKind.SIGNATURE,
                     who=_other_side(contract, party),
+                    person_id=contract.designer_id if party is Party.STUDIO else None,
                     subject=contract.title,
                     since=since,
                     contract_id=contract.id,
@@ -229,8 +230,8 @@ class _Steps:
                 )
         billable = book.billable
         due_minor = sum(line.amount_minor for line in billable)
+        is_deposit = due_minor > 0 and all(line.kind is LineKind.DEPOSIT for line in billable)
         if due_minor > 0 and party is Party.DESIGNER:
-            is_deposit = all(line.kind is LineKind.DEPOSIT for line in billable)
             self.steps.append(
                 NextStep(
                     kind=NextStepKind.INVOICE_DEPOSIT if is_deposit else NextStepKind.INVOICE_DUE,
@@ -245,9 +246,20 @@ class _Steps:
                 Awaited(
                     kind=AwaitedKind.INVOICE,
                     who=contract.designer.name,
+                    person_id=contract.designer_id,
                     subject=contract.title,
                     since=contract.agreed_at,
                     contract_id=contract.id,
+                )
+            )
+        if is_deposit and party is Party.STUDIO:
+            self.steps.append(
+                NextStep(
+                    kind=NextStepKind.DEPOSIT_DUE,
+                    subject=contract.title,
+                    since=contract.agreed_at,
+                    amount_minor=due_minor,
+                    **of_contract,
                 )
             )
         if party is Party.STUDIO:

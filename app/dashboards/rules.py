@@ -41,6 +41,7 @@ class NextStepKind(StrEnum):
     CHANGE_CONTRACT = "change_contract"
     PAY_INVOICE = "pay_invoice"
     INVOICE_DEPOSIT = "invoice_deposit"
+    DEPOSIT_DUE = "deposit_due"
     FIX = "fix"
     MATCH = "match"
     ANSWER_QUESTIONS = "answer_questions"

@@ -144,6 +144,7 @@ class WithOthers(Schema):
     file_name: str
     status: Literal["returned", "unmatched", "change_requested", "unjudged"]
     who: str
+    person_id: UUID
     since: datetime
 
 
@@ -305,6 +306,7 @@ class Awaited(Schema):
 
     kind: AwaitedKind
     who: str
+    person_id: UUID | None = None
     count: int = 1
     subject: str = ""
     since: datetime | None

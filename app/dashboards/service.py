@@ -92,7 +92,14 @@ def _with_others(session: Session, project: Project) -> list[schemas.WithOthers]
     """Return what waits for others than the approver, the oldest first."""
 
     def waits(take: Take, cue: CueBrief | None, status: Any, who: str) -> schemas.WithOthers:
-        return schemas.WithOthers(cue=cue, file_name=take.file_name, status=status, who=who, since=take.state_since)
+        return schemas.WithOthers(
+            cue=cue,
+            file_name=take.file_name,
+            status=status,
+            who=who,
+            person_id=take.designer_id,
+            since=take.state_since,
+        )
 
     unmatched = [waits(take, None, "unmatched", who) for take, who in queries.unmatched_takes(session, project.id)]
     back = [

@@ -4858,6 +4858,8 @@ export interface components {
             kind: components["schemas"]["AwaitedKind"];
             /** Who */
             who: string;
+            /** Person Id */
+            person_id?: string | null;
             /**
              * Count
              * @default 1
@@ -9137,7 +9139,7 @@ export interface components {
          * @description What a person is the one to do, in the order in which it is shown.
          * @enum {string}
          */
-        NextStepKind: "add_cues" | "invite_designer" | "send_nda" | "sign_contract" | "change_contract" | "pay_invoice" | "invoice_deposit" | "fix" | "match" | "answer_questions" | "agree_days" | "agree_round" | "send_changes" | "review" | "send_contract" | "invoice_due" | "name_approver" | "make";
+        NextStepKind: "add_cues" | "invite_designer" | "send_nda" | "sign_contract" | "change_contract" | "pay_invoice" | "invoice_deposit" | "deposit_due" | "fix" | "match" | "answer_questions" | "agree_days" | "agree_round" | "send_changes" | "review" | "send_contract" | "invoice_due" | "name_approver" | "make";
         /**
          * NextSteps
          * @description What the caller is to do in a project, the first thing first, and for whom they wait.
@@ -12540,6 +12542,11 @@ export interface components {
             status: "returned" | "unmatched" | "change_requested" | "unjudged";
             /** Who */
             who: string;
+            /**
+             * Person Id
+             * Format: uuid
+             */
+            person_id: string;
             /**
              * Since
              * Format: date-time

@@ -1,6 +1,7 @@
 import type { LinkProps } from '@tanstack/react-router'
 import { Link } from '@tanstack/react-router'
 
+import { useRoles } from '@/api/roles'
 import { ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { age } from '@/ui/format'
@@ -53,11 +54,13 @@ export function NextCard({ steps, projectId }: { steps: readonly NextStep[]; pro
 }
 
 /** Who else is to do something, and since when. */
-export function AwaitedRows({ awaited }: { awaited: readonly Awaited[] }) {
+export function AwaitedRows({ awaited, projectId }: { awaited: readonly Awaited[]; projectId: string }) {
+  const roleOf = useRoles(projectId)
   return awaited.map((one) => (
     <Row key={`${one.kind} ${one.who} ${one.subject}`}>
       <span className="grow">
-        <Person name={one.who || 'Designers'} /> <span className="mid">{awaitedWords(one)}</span>
+        <Person name={one.who || 'Designers'} role={roleOf(one.person_id)} />{' '}
+        <span className="mid">{awaitedWords(one)}</span>
       </span>
       {one.since && <span className="dim num small nowrap">{age(one.since)}</span>}
     </Row>
@@ -65,13 +68,13 @@ export function AwaitedRows({ awaited }: { awaited: readonly Awaited[] }) {
 }
 
 /** For whom the current person waits. */
-export function AwaitedCard({ awaited }: { awaited: readonly Awaited[] }) {
+export function AwaitedCard({ awaited, projectId }: { awaited: readonly Awaited[]; projectId: string }) {
   if (awaited.length === 0) return null
   return (
     <Card aria-labelledby="awaited">
       <CardHead id="awaited" title="Waiting on others" end="since" />
       <Rows>
-        <AwaitedRows awaited={awaited} />
+        <AwaitedRows awaited={awaited} projectId={projectId} />
       </Rows>
     </Card>
   )

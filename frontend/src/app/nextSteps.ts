@@ -27,6 +27,7 @@ const OF_CONTRACT: ReadonlySet<Kind> = new Set([
   'send_contract',
   'pay_invoice',
   'invoice_deposit',
+  'deposit_due',
   'invoice_due',
   'agree_days',
   'agree_round',
@@ -113,6 +114,13 @@ export function wordsOf(step: NextStep, projectId: string): Words {
         head: `Invoice the deposit: ${sum(step)}`,
         why: `${subject} is signed.`,
         act: 'Draft the invoice',
+        path: `${project}/money`,
+      }
+    case 'deposit_due':
+      return {
+        head: `Deposit due to ${who}: ${sum(step)}`,
+        why: `${subject} is signed. Ask for the invoice, then record the payment.`,
+        act: 'Go to money',
         path: `${project}/money`,
       }
     case 'invoice_due':

@@ -332,6 +332,27 @@ def test_an_offset_is_taken_out_and_its_start_shown(world: World) -> None:
     assert [spot["kind"] for spot in fix["spots"]] == ["offset"]
 
 
+def test_all_that_came_back_with_an_offset_are_fixed_in_one_go(world: World) -> None:
+    names = ("airlock", "hatch", "reactor")
+    add_cues(world, *({"name": name} for name in names))
+    for place, name in enumerate(names):
+        tone = sine(hz=440 + 110 * place, dbfs=-50.0, seconds=0.5) + 0.05 * (-1) ** place
+        deliver(world, f"{name}.wav", wav_bytes(tone))
+    world.server.wait_for_jobs()
+    path = f"/v1/projects/{world.project_id}/fixes"
+    offers = world.designer.get(path).json()
+    assert [(one["take_state"], one["state"]) for one in offers] == [("returned", "made")] * 3
+    used = [world.designer.post(f"/v1/takes/{one['take_id']}/fix/use") for one in offers]
+    assert [(one.status_code, one.json()["number"]) for one in used] == [(201, 2)] * 3
+    world.server.wait_for_jobs()
+    found = [checked(world, one.json()["id"]) for one in used]
+    assert [one["state"] for one in found] == ["conforming"] * 3
+    assert not [one for take in found for one in take["findings"] if one["code"] == "dc-offset:over"]
+    assert world.designer.get(path).json() == []
+    queued = world.approver.get("/v1/review-queue", params={"project_id": str(world.project_id)}).json()["items"]
+    assert [one["rounds_so_far"] for one in queued] == [0] * 3
+
+
 def test_why_an_uneven_offset_stays_is_said(world: World) -> None:
     add_cues(world, {"name": "Airlock cycle"})
     uneven = join(sine(hz=440, dbfs=-20.0, seconds=1.0) + 0.06, sine(hz=440, dbfs=-20.0, seconds=1.0))

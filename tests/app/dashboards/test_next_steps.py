@@ -130,12 +130,17 @@ def test_a_deposit_is_told_to_both_and_then_invoiced_and_paid(world: World, cont
     assert len(reported) == 2  # who invoices it, and who pays it
     (step, *_) = asked(world.designer, world.project_id)["steps"]
     assert (step["kind"], step["amount_minor"]) == ("invoice_deposit", 30_000)
-    assert "invoice" in dict(awaited(world))  # the producer sees for whom it waits
+    (due,) = [one for one in asked(world.producer, world.project_id)["steps"] if one["kind"] == "deposit_due"]
+    assert (due["who"], due["amount_minor"], due["currency"]) == ("Sound designer", 30_000, "USD")
+    [waits] = [one for one in asked(world.producer, world.project_id)["awaited"] if one["kind"] == "invoice"]
+    assert waits["person_id"] == str(world.designer_id)
+    assert "deposit_due" not in dict(steps(world, "reviewer"))
     issued = world.designer.post(f"/v1/contracts/{draft['id']}/invoices", json={"seller": "me", "full_number": "SND-7"})
     assert issued.status_code == 201, issued.text
     assert any(subject.endswith("an invoice to pay") for _, subject in mails(world))
     (pay,) = [one for one in asked(world.producer, world.project_id)["steps"] if one["kind"] == "pay_invoice"]
     assert (pay["subject"], pay["amount_minor"]) == ("SND-7", 30_000)
+    assert "deposit_due" not in dict(steps(world))
     assert "payment" in dict(awaited(world, "designer"))
 
 

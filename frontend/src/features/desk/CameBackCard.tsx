@@ -164,6 +164,7 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
               <div className="grow">
                 <p className="lead">“{change.text}”</p>
                 <Conversation
+                  projectId={projectId}
                   takeId={id}
                   noteId={change.id}
                   kind="change"
@@ -198,6 +199,7 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
                 </p>
                 <p>{one.text}</p>
                 <Conversation
+                  projectId={projectId}
                   takeId={id}
                   noteId={one.id}
                   kind="comment"

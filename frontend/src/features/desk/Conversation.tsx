@@ -1,6 +1,7 @@
 import { useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { useRoles } from '@/api/roles'
 import { ReplyField } from '@/judging/ReplyField'
 import { ago } from '@/ui/format'
 import { Person } from '@/ui/Person'
@@ -10,6 +11,7 @@ import { type CameBack, useReply } from './api'
 import classes from './CameBack.module.css'
 
 interface ConversationProps {
+  projectId: string
   takeId: string
   noteId: string
   kind: 'change' | 'comment'
@@ -19,9 +21,10 @@ interface ConversationProps {
 }
 
 /** What was answered to a note, and the way to answer it. */
-export function Conversation({ takeId, noteId, kind, to, replies }: ConversationProps) {
+export function Conversation({ projectId, takeId, noteId, kind, to, replies }: ConversationProps) {
   const [replying, setReplying] = useState(false)
   const reply = useReply(takeId)
+  const roleOf = useRoles(projectId)
   const send = async (text: string) => {
     const answers = kind === 'change' ? { change_request_id: noteId } : { reply_to_id: noteId }
     await reply.mutateAsync({ text, ...answers })
@@ -32,7 +35,8 @@ export function Conversation({ takeId, noteId, kind, to, replies }: Conversation
         <ul className={classes.replies} aria-label={`Replies to ${to}`}>
           {replies.map((one) => (
             <li key={one.id}>
-              <Person name={one.author.name} /> <span className="small dim">{ago(one.created_at)}</span>
+              <Person name={one.author.name} role={roleOf(one.author.id)} />{' '}
+              <span className="small dim">{ago(one.created_at)}</span>
               <p>{one.text}</p>
             </li>
           ))}

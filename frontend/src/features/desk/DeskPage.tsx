@@ -187,7 +187,7 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
           />
           <WithApproverCard projectId={projectId} desk={desk} />
           <FixesCard projectId={projectId} />
-          <AwaitedCard awaited={next?.awaited ?? []} />
+          <AwaitedCard awaited={next?.awaited ?? []} projectId={projectId} />
           <AskedCard
             projectId={projectId}
             questions={desk.questions}

@@ -11,6 +11,7 @@ import {
 } from 'react'
 
 import { ApiProblem } from '@/api'
+import { useRoles } from '@/api/roles'
 import { DraftNote, keepDraft, keptDraft } from '@/app/drafts'
 import type { CueReview, ReviewFinding, ReviewTake } from '@/judging/api'
 import { ReplyField } from '@/judging/ReplyField'
@@ -125,6 +126,7 @@ export function SidePanel(props: SidePanelProps) {
 function Comments({ review, projectId, hand, heard, nameOf, said, openSaid, onOpen }: SidePanelProps) {
   const resolve = useResolve(review.cue.id)
   const replying = useComment(review.cue.id)
+  const roleOf = useRoles(projectId)
   const reply = async ({ id, takeId, kind }: Said, text: string) => {
     const answers = kind === 'change' ? { change_request_id: id } : { reply_to_id: id }
     await replying.mutateAsync({ takeId, text, answers })
@@ -137,6 +139,7 @@ function Comments({ review, projectId, hand, heard, nameOf, said, openSaid, onOp
           <SaidLine
             key={one.id}
             said={one}
+            roleOf={roleOf}
             open={one.id === openSaid}
             on={aboutAnother(one, hand, heard, nameOf)}
             onOpen={() => onOpen(one)}
@@ -193,6 +196,7 @@ function aboutAnother(
 
 interface SaidLineProps {
   said: Said
+  roleOf: ReturnType<typeof useRoles>
   open: boolean
   /** Which other version it is said of. */
   on: string | null
@@ -202,7 +206,7 @@ interface SaidLineProps {
   onReply?: (text: string) => Promise<void>
 }
 
-function SaidLine({ said, open, on, onOpen, onResolve, onReply }: SaidLineProps) {
+function SaidLine({ said, roleOf, open, on, onOpen, onResolve, onReply }: SaidLineProps) {
   const [replying, setReplying] = useState(false)
   const where = spot(said.startS, said.endS)
   const resolved = Boolean(said.comment?.resolved_at)
@@ -232,7 +236,8 @@ function SaidLine({ said, open, on, onOpen, onResolve, onReply }: SaidLineProps)
         <ul className={classes.replies} aria-label={`Replies to ${said.who}`}>
           {said.replies.map((one) => (
             <li key={one.id}>
-              <Person name={one.author.name} /> <span className="small dim">{age(one.created_at)}</span>
+              <Person name={one.author.name} role={roleOf(one.author.id)} />{' '}
+              <span className="small dim">{age(one.created_at)}</span>
               <p>{one.text}</p>
             </li>
           ))}

@@ -1,10 +1,12 @@
 import { Link } from '@tanstack/react-router'
 
+import { useRoles } from '@/api/roles'
 import { Card, CardHead } from '@/ui/Card'
 import { AwaitedRows } from '@/app/NextCard'
 import type { Awaited } from '@/app/nextSteps'
 import { age, plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
+import { Person } from '@/ui/Person'
 import { Row, Rows } from '@/ui/Rows'
 import { State } from '@/ui/State'
 
@@ -16,10 +18,12 @@ const SHOWN = 6
 interface WithOthersProps {
   waiting: TodayAnswer['with_others']
   awaited: readonly Awaited[]
+  projectId: string
 }
 
 /** What waits for another person. */
-export function WithOthersCard({ waiting, awaited }: WithOthersProps) {
+export function WithOthersCard({ waiting, awaited, projectId }: WithOthersProps) {
+  const roleOf = useRoles(projectId)
   const shown = waiting.slice(0, SHOWN)
   // Sounds with designers stand line by line below, and cues with the approver in the list beside.
   const others = awaited.filter(({ kind }) => kind !== 'fixes' && kind !== 'verdicts')
@@ -33,10 +37,16 @@ export function WithOthersCard({ waiting, awaited }: WithOthersProps) {
       />
       {waiting.length + others.length === 0 && <p className={`${classes.quiet} mid`}>Nothing is with a designer.</p>}
       <Rows>
-        <AwaitedRows awaited={others} />
+        <AwaitedRows awaited={others} projectId={projectId} />
         {shown.map((one) => (
           <Row key={`${one.file_name} ${one.since}`}>
-            <Whose name={one.cue?.name ?? one.file_name} who={one.who} since={one.since} />
+            <span className="grow">
+              <span className={`cut-text ${classes.block}`}>{one.cue?.name ?? one.file_name}</span>
+              <span className={`row small ${classes.block}`}>
+                <Person name={one.who} role={roleOf(one.person_id)} />
+                <span className="dim nowrap">{age(one.since)}</span>
+              </span>
+            </span>
             <State kind={one.status}>{one.status === 'unmatched' ? 'File without a cue' : undefined}</State>
           </Row>
         ))}

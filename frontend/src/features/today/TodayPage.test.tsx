@@ -314,13 +314,22 @@ describe('the next step', () => {
   const step = (kind: string, more: object = {}) => ({ kind, count: 1, subject: '', who: '', since: null, ...more })
 
   test('is named first, with what else there is, and what others are to do', async () => {
+    server.on(`GET /v1/projects/${PROJECT}`, {
+      approver: { id: 'approver', name: 'Audio director' },
+      liaisons: [],
+      engagements: [{ designer: { id: 'ada', name: 'Ada' } }],
+    })
     server.on(NEXT, {
       steps: [
         step('sign_contract', { subject: 'Effects', who: 'Ada', contract_id: 'c1', since: '2026-11-20T11:00:00Z' }),
         step('pay_invoice', { subject: '3', who: 'Ada', amount_minor: 69_750, currency: 'USD' }),
+        step('deposit_due', { subject: 'Effects', who: 'Ada', amount_minor: 30_000, currency: 'USD' }),
         step('review', { count: 2 }),
       ],
-      awaited: [{ kind: 'join', who: 'maker@tones.example', count: 1, subject: '', since: '2026-11-20T11:00:00Z' }],
+      awaited: [
+        { kind: 'join', who: 'maker@tones.example', count: 1, subject: '', since: '2026-11-20T11:00:00Z' },
+        { kind: 'invoice', who: 'Ada', person_id: 'ada', count: 1, subject: 'Effects', since: '2026-11-20T11:00:00Z' },
+      ],
     })
     await opened()
     const next = await screen.findByRole('region', { name: 'Sign Effects' })
@@ -329,11 +338,14 @@ describe('the next step', () => {
       `/projects/${PROJECT}/contracts/c1`,
     )
     expect(within(next).getByRole('link', { name: /^Pay invoice 3: \$697\.50/ })).toBeVisible()
+    expect(within(next).getByRole('link', { name: /^Deposit due to Ada: \$300\.00 Effects is signed/ })).toBeVisible()
     expect(screen.queryByText(/^Review 2 cues/)).toBeNull()
-    expect(screen.getByRole('region', { name: 'Waiting on others' })).toHaveTextContent('maker@tones.example to join')
+    const others = screen.getByRole('region', { name: 'Waiting on others' })
+    expect(others).toHaveTextContent('maker@tones.example to join')
+    await waitFor(() => expect(others).toHaveTextContent(/Ada\s*designer\s*to invoice Effects/))
     const tabs = screen.getByRole('navigation', { name: 'Screens' })
-    expect(within(tabs).getByRole('link', { name: /^Contract\s*2/ })).toBeVisible()
-    expect(within(tabs).getByRole('link', { name: /^Today\s*2/ })).toBeVisible()
+    expect(within(tabs).getByRole('link', { name: /^Contract\s*3/ })).toBeVisible()
+    expect(within(tabs).getByRole('link', { name: /^Today\s*3/ })).toBeVisible()
   })
 
   test('of a producer who does not judge is no sound', async () => {

@@ -182,7 +182,7 @@ export function TodayPage(): ReactNode {
                 </Card>
               )}
               <MilestonesCard contracts={money.data?.contracts ?? []} side="team" projectId={projectId} />
-              <WithOthersCard waiting={side.with_others} awaited={next.data?.awaited ?? []} />
+              <WithOthersCard waiting={side.with_others} awaited={next.data?.awaited ?? []} projectId={projectId} />
               <Builds builds={side.builds} />
               <Placeholders
                 count={side.placeholders}
