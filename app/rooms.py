@@ -8,6 +8,7 @@ from app.accounts.me_endpoints import router as me
 from app.accounts.sign_up_endpoints import router as sign_up
 from app.accounts.studio_endpoints import router as studios
 from app.agreements.endpoints import router as contracts
+from app.agreements.signing_endpoints import router as contract_signing
 from app.agreements.template_endpoints import router as contract_templates
 from app.agreements.version_endpoints import router as contract_versions
 from app.amendments.endpoints import router as amendments
@@ -44,6 +45,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     money,
     contract_templates,
     contracts,
+    contract_signing,
     contract_versions,
     amendments,
     deliveries,
@@ -124,6 +126,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "password.reset_asked": ("notifications.mail_link",),
     "address.verification_asked": ("notifications.mail_link",),
     "sign_up.asked": ("notifications.mail_link",),
+    "signing_code.asked": ("notifications.mail_link",),
     "mail.written": ("notifications.send_mail",),
 }
 HANDLERS: dict[str, tuple[Handler, ...]] = {

@@ -84,6 +84,12 @@ def ensure_invitation_allowed(session: Session, actor: Actor) -> None:
         rate_limits.count_attempt(session, rate_limits.INVITATIONS_BY_PERSON, str(actor.person))
 
 
+def ensure_signing_code_allowed(session: Session, actor: Actor) -> None:
+    """Count one code mailed to sign with; raise TooManyAttempts for too many."""
+    with bypass_row_policies(session):  # the counts are the server's own
+        rate_limits.count_attempt(session, rate_limits.SIGNING_CODES_BY_PERSON, str(actor.person))
+
+
 def ensure_mail_allowed(request: Request, whom: str) -> None:
     """Count one mail that anyone can request for an account; raise TooManyAttempts for too many."""
     ensure_within_limits(

@@ -8,30 +8,30 @@ from uuid import UUID
 from fastapi import Depends, Request
 from starlette.concurrency import run_in_threadpool
 
-from app.accounts.policies import allows, client_address
+from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.accounts.schemas import PersonBrief
-from app.agreements import lifecycle, queries, schemas, versions
+from app.agreements import lifecycle, queries, schemas, signing, versions
 from app.agreements.access import party_of, visible_contract
 from app.agreements.documents import TextPdf
 from app.agreements.errors import (
-    AddressNotProven,
-    AlreadyAccepted,
     BadDraft,
     ContractNotFound,
     DraftChanged,
     FrameworkNeeded,
     NoContractNeeded,
+    NotASigner,
     NoticeNeeded,
     NotYourContract,
-    SamePersonOnBothSides,
+    NotYourTurn,
     TemplateNotFound,
-    TextChanged,
+    TooManySigners,
     WrongState,
 )
 from app.agreements.last_contract import last_contract
 from app.agreements.models import Contract
 from app.agreements.rules import ORDERS, ContractKind, ContractState, Party
+from app.agreements.signing_endpoints import SIGNING, signature_sent
 from app.agreements.template_endpoints import clauses_of
 from app.agreements.text import blocks_of
 from app.agreements.version_endpoints import blocks_read, version_read
@@ -43,13 +43,13 @@ from app.projects.errors import EngagementNotFound, ProducerNeeded, ProjectNotFo
 router = Router(prefix="/v1", tags=["contracts"], route_class=Route)
 
 
-def _waits_for(contract: Contract, accepted: Sequence[Party]) -> list[Party]:
+def _waits_for(contract: Contract, to_sign: Sequence[Party]) -> list[Party]:
     if contract.state is ContractState.DRAFT:
         return [Party.STUDIO]
-    return [party for party in Party if party not in accepted] if contract.state is ContractState.SENT else []
+    return list(to_sign) if contract.state is ContractState.SENT else []
 
 
-def _brief(contract: Contract, actor: Actor, accepted: Sequence[Party]) -> dict[str, Any]:
+def _brief(contract: Contract, actor: Actor, to_sign: Sequence[Party]) -> dict[str, Any]:
     same = {
         name: getattr(contract, name)
         for name in schemas.ContractBrief.model_fields
@@ -58,7 +58,7 @@ def _brief(contract: Contract, actor: Actor, accepted: Sequence[Party]) -> dict[
     return same | {
         "designer": PersonBrief.model_validate(contract.designer),
         "my_party": party_of(actor, contract),
-        "waits_for": _waits_for(contract, accepted),
+        "waits_for": _waits_for(contract, to_sign),
     }
 
 
@@ -66,17 +66,19 @@ def _contract(session: DbSession, actor: Actor, contract: Contract) -> schemas.C
     seen = versions.visible_versions(session, actor, contract)
     shown, is_team = seen[0], bool(actor.roles_in(contract.studio_id))
     acceptances = queries.acceptances_of(session, shown.id) if contract.state is not ContractState.DRAFT else []
-    accepted = [each.party for each in acceptances]
+    order = signing.order_of(session, contract)
     party, state = party_of(actor, contract), contract.state
     is_draft, is_sent = state is ContractState.DRAFT, state is ContractState.SENT
     is_running = state is ContractState.AGREED and contract.kind in ORDERS
     asked = queries.newest_event(session, contract.id) if is_draft else None
     change = json.loads(asked.payload) if asked and asked.kind == "change_requested" else None
     return schemas.ContractRead(
-        **_brief(contract, actor, accepted),
+        **_brief(contract, actor, order.parties_left(signing.yeses(acceptances))),
         studio_name=contract.project.studio.name,
         version=version_read(shown, is_team=is_team),
         acceptances=[schemas.AcceptanceRead.model_validate(each) for each in acceptances],
+        signers=[PersonBrief.model_validate(one.person) for one in queries.signers_of(session, contract.id)],
+        signs_first=contract.signs_first,
         change_requested=schemas.ContractChangeRead(
             text=change["text"], clause=change["clause"], by=change["by"], at=asked.at
         )
@@ -87,7 +89,7 @@ def _contract(session: DbSession, actor: Actor, contract: Contract) -> schemas.C
             send=is_draft and party is Party.STUDIO,
             recall=is_sent and party is Party.STUDIO,
             request_change=is_sent and party is Party.DESIGNER,
-            accept=is_sent and party is not None and party not in accepted,
+            accept=signing.may_sign(session, actor, contract, acceptances),
             end=party is not None and state is not ContractState.ENDED and not is_running,
             amend=party is not None and is_running,
         ),
@@ -115,8 +117,8 @@ def list_contracts(
 ) -> list[schemas.ContractBrief]:
     """Return the project's contracts, the oldest first; a designer sees their own, once they were sent."""
     found = lifecycle.contracts_of(session, actor, project_id)
-    accepted = queries.parties_who_accepted(session, [contract.id for contract in found])
-    return [schemas.ContractBrief(**_brief(contract, actor, accepted[contract.id])) for contract in found]
+    to_sign = queries.turns_to_sign(session, found)
+    return [schemas.ContractBrief(**_brief(contract, actor, to_sign[contract.id].parties)) for contract in found]
 
 
 @router.post(
@@ -247,36 +249,30 @@ def request_contract_change(
     return _contract(session, actor, visible_contract(session, actor, contract_id))
 
 
+@router.put(
+    "/contracts/{contract_id}/signers",
+    responses=problems(ContractNotFound, ProducerNeeded, WrongState, NotASigner, TooManySigners),
+)
+def set_contract_signers(
+    contract_id: UUID, body: schemas.SignersSet, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> schemas.ContractRead:
+    """Name the producers who sign a draft for the studio, in order, and which party signs first."""
+    signing.set_signers(session, actor, contract_id, person_ids=body.person_ids, first=body.first)
+    return _contract(session, actor, visible_contract(session, actor, contract_id))
+
+
 @router.post(
     "/contracts/{contract_id}/accept",
-    responses=problems(
-        ContractNotFound,
-        NotYourContract,
-        WrongState,
-        TextChanged,
-        AlreadyAccepted,
-        AddressNotProven,
-        SamePersonOnBothSides,
-    ),
+    responses=problems(ContractNotFound, NotYourContract, WrongState, NotASigner, NotYourTurn, *SIGNING),
 )
 def accept_contract(
     contract_id: UUID,
-    body: schemas.AcceptAdd,
-    request: Request,
-    runtime: CurrentRuntime,
     session: DbSession,
     actor: Actor = allows(Audience.PROJECT),
+    signature: signing.Signature = Depends(signature_sent),
 ) -> schemas.ContractRead:
-    """Say yes to the text that was sent, for the caller's party; with the second yes it is agreed."""
-    lifecycle.accept(
-        session,
-        actor,
-        contract_id,
-        name=body.name,
-        text_sha256=body.text_sha256,
-        address=client_address(request),
-        proof_needed=bool(runtime.settings.smtp_url),
-    )
+    """Sign the text that was sent, for the caller's party; once all have signed, it is agreed."""
+    signing.accept(session, actor, contract_id, signature)
     return _contract(session, actor, visible_contract(session, actor, contract_id))
 
 

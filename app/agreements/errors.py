@@ -43,6 +43,34 @@ class AddressNotProven(Forbidden):
     """Who accepts a contract must first have shown that they read their mail address."""
 
 
+class NotASigner(Forbidden):
+    """Others are named to sign for the studio, or a person is named who cannot."""
+
+
+class NotYourTurn(Conflict):
+    """Another person signs first."""
+
+
+class TooManySigners(Invalid):
+    """A studio names fewer people to sign than this."""
+
+
+class SigningCodeNeeded(Forbidden):
+    """A name counts as a signature only with the code that is mailed to the person's address."""
+
+
+class WrongSigningCode(Forbidden):
+    """The code is not the one that was mailed."""
+
+
+class SigningCodeOver(Conflict):
+    """The code was used, tried too often, or is too old; another one can be mailed."""
+
+
+class NoSigningCode(Conflict):
+    """The server sends no mail, so it asks for no code."""
+
+
 class WrongState(Conflict):
     """The contract is not in the state in which this can be done."""
 

@@ -2,20 +2,18 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
-from app.accounts.rules import PROOF_WORDS, Actor
+from app.accounts.rules import Actor
 from app.agreements import clauses as clause_rules
 from app.agreements import queries, record
 from app.agreements.access import contract_for_producer, contract_to_change, party_of, visible_contract
 from app.agreements.clauses import Clause, Terms, render, terms_in_force
 from app.agreements.documents import TextPdf
 from app.agreements.errors import (
-    AlreadyAccepted,
     BadDraft,
     DraftChanged,
     FrameworkNeeded,
@@ -24,29 +22,26 @@ from app.agreements.errors import (
 )
 from app.agreements.facts import facts_of
 from app.agreements.last_contract import begun_like
-from app.agreements.models import Contract, ContractAcceptance, ContractVersion
-from app.agreements.plan import activate_plan
+from app.agreements.models import Contract, ContractVersion
 from app.agreements.rules import (
     KIND_WORDS,
     ContractKind,
     ContractState,
     Party,
     ReleaseClause,
-    ensure_address_proven,
     ensure_another_person,
     ensure_ends_without_settlement,
     ensure_needs_contract,
-    ensure_same_text,
     ensure_state,
     ensure_under_framework,
 )
+from app.agreements.signing import signing_facts
 from app.agreements.versions import add_version, newest_of, text_now
 from app.kit import clock
 from app.kit.db import Database
 from app.kit.errors import FieldProblem
 from app.kit.events import publish
 from app.kit.storage import Store
-from app.projects.engagements import record_nda
 from app.projects.errors import EngagementNotFound
 from app.projects.queries import engagement_by_id
 from app.projects.rules import EngagementKind
@@ -208,7 +203,8 @@ def send(
     version.sent_at, version.pdf_sha256, version.pdf_bytes = clock.now(), stored.sha256, stored.size_bytes
     contract.state = ContractState.SENT
     session.flush()
-    _note(session, actor, contract, "sent", version=version, note=note)
+    facts = {"note": note, **signing_facts(session, contract)}
+    record.append_by(session, actor, contract, "sent", version, **facts)
     publish(session, "contract.sent", studio_id=contract.studio_id, contract_id=contract.id, version=version.number)
     return version
 
@@ -226,7 +222,7 @@ def recall(session: Session, actor: Actor, contract_id: UUID, *, reason: str) ->
         contract.state, {ContractState.SENT}, "only a sent contract that is not signed by both can be recalled"
     )
     contract.state = ContractState.DRAFT
-    _note(session, actor, contract, "taken_back", reason=reason)
+    record.append_by(session, actor, contract, "taken_back", reason=reason)
 
 
 def request_change(
@@ -239,89 +235,8 @@ def request_change(
     contract = queries.lock_contract(session, contract.id)
     ensure_state(contract.state, {ContractState.SENT}, "a change can be requested while it needs your signature")
     contract.state = ContractState.DRAFT
-    _note(session, actor, contract, "change_requested", text=text, clause=clause_key or "")
+    record.append_by(session, actor, contract, "change_requested", text=text, clause=clause_key or "")
     publish(session, "contract.change_requested", studio_id=contract.studio_id, contract_id=contract.id, text=text)
-
-
-def accept(
-    session: Session,
-    actor: Actor,
-    contract_id: UUID,
-    *,
-    name: str,
-    text_sha256: str,
-    address: str,
-    proof_needed: bool,
-) -> ContractAcceptance:
-    """Record a party's yes to the text that was sent; with the second one the contract is agreed.
-
-    Raises TextChanged unless `text_sha256` is the hash of the current text, SamePersonOnBothSides where the other
-    yes is the same person's, and AddressNotProven where a proof is needed. Where none is needed, the record says so.
-    """
-    contract = visible_contract(session, actor, contract_id)
-    party = party_of(actor, contract)
-    if party is None:
-        raise NotYourContract("only a producer of the studio and the contract's designer can sign it")
-    contract = queries.lock_contract(session, contract.id)
-    ensure_state(contract.state, {ContractState.SENT}, "a contract can be signed once it was sent")
-    version = newest_of(session, contract)
-    ensure_same_text(text_sha256, version.text_sha256)
-    given = queries.acceptances_of(session, version.id)
-    if any(each.party is party for each in given):
-        raise AlreadyAccepted(f"the {party} has signed this text already; the other party has not")
-    person = session.get_one(Person, actor.person)
-    ensure_another_person(person.id, person.email, [(each.person_id, each.email) for each in given])
-    if proof_needed:
-        ensure_address_proven(person.email_proof, person.email)
-    acceptance = ContractAcceptance(
-        studio_id=contract.studio_id,
-        project_id=contract.project_id,
-        contract_id=contract.id,
-        version_id=version.id,
-        party=party,
-        person_id=person.id,
-        name=name,
-        email=person.email,
-        email_proof=person.email_proof,
-        address=address,
-    )
-    session.add(acceptance)
-    session.flush()
-    _note(
-        session,
-        actor,
-        contract,
-        "accepted_by",
-        version=version,
-        party=party,
-        name=name,
-        email=person.email,
-        email_proof=PROOF_WORDS[person.email_proof],
-        address=address,
-    )
-    if given:
-        _agree(session, actor, contract, version)
-    else:
-        publish(
-            session, "contract.signed_once", studio_id=contract.studio_id, contract_id=contract.id, party=party.value
-        )
-    return acceptance
-
-
-def _agree(session: Session, actor: Actor, contract: Contract, version: ContractVersion) -> None:
-    contract.state, contract.agreed_at = ContractState.AGREED, clock.now()
-    session.flush()
-    _note(session, actor, contract, "agreed", version=version)
-    if contract.kind is ContractKind.NDA:
-        record_nda(session, contract.engagement_id, document_sha256=version.pdf_sha256 or "", at=contract.agreed_at)
-    activate_plan(session, contract, person_id=actor.person)
-    publish(
-        session,
-        "contract.agreed",
-        studio_id=contract.studio_id,
-        contract_id=contract.id,
-        person_id=actor.person,
-    )
 
 
 def end(session: Session, actor: Actor, contract_id: UUID, *, reason: str) -> None:
@@ -337,7 +252,7 @@ def end(session: Session, actor: Actor, contract_id: UUID, *, reason: str) -> No
     ensure_state(contract.state, running, "there is nothing left to end; its text and record stay readable")
     ensure_ends_without_settlement(contract.kind, contract.state)
     mark_ended(session, contract, reason=reason)
-    _note(session, actor, contract, "ended", reason=reason)
+    record.append_by(session, actor, contract, "ended", reason=reason)
 
 
 def mark_ended(session: Session, contract: Contract, *, reason: str) -> None:
@@ -361,18 +276,3 @@ def _ensure_whole(draft: Draft) -> None:
     if problems := _problems(draft):
         first = problems[0]
         raise BadDraft(f"nothing was saved; {first['where']}: {first['message']}", errors=problems)
-
-
-def _note(
-    session: Session, actor: Actor, contract: Contract, kind: str, version: ContractVersion | None = None, **facts: Any
-) -> None:
-    """Write into the contract's record who did it, and to which text."""
-    person = session.get_one(Person, actor.person)
-    payload: dict[str, Any] = {"by_email": person.email, **facts}
-    if version is not None:
-        payload |= {
-            "version": version.number,
-            "text_sha256": version.text_sha256,
-            "pdf_sha256": version.pdf_sha256 or "",
-        }
-    record.append(session, contract.id, kind, payload, by=person.id)

@@ -46,6 +46,7 @@ class Contract(Base):
     holdback_bp: Mapped[int] = mapped_column(default=0)
     created_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    signs_first: Mapped[Party | None]  # None: in any order
     agreed_at: Mapped[datetime | None]
     ended_at: Mapped[datetime | None]
     end_reason: Mapped[str | None]
@@ -84,11 +85,43 @@ class ContractVersion(Base):
     author: Mapped[Person] = relationship(lazy="raise")
 
 
+class ContractSigner(Base):
+    """A producer who is to sign a contract for the studio; without any, one of its producers does."""
+
+    __tablename__ = "contracts_signers"
+    __table_args__ = (UniqueConstraint("contract_id", "position"), UniqueConstraint("contract_id", "person_id"))
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"))
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    position: Mapped[int]  # they sign in this order
+    person: Mapped[Person] = relationship(lazy="raise")
+
+
+class SigningCode(Base):
+    """A code mailed to a person, to be typed when they sign one text; kept as a slow hash only."""
+
+    __tablename__ = "contracts_signing_codes"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    text_sha256: Mapped[str]
+    code_hash: Mapped[str | None]  # None: not sent yet
+    tries: Mapped[int] = mapped_column(default=0)
+    expires_at: Mapped[datetime]
+    used_at: Mapped[datetime | None]
+
+
 class ContractAcceptance(Base):
-    """One party's yes to one version: who gave it, under which name, when and from where."""
+    """One person's yes to one version: under which name, when, from where, and what shows that it was them."""
 
     __tablename__ = "contracts_acceptances"
-    __table_args__ = (UniqueConstraint("version_id", "party"),)
+    __table_args__ = (UniqueConstraint("version_id", "person_id"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
@@ -101,6 +134,8 @@ class ContractAcceptance(Base):
     email: Mapped[str]
     email_proof: Mapped[AddressProof | None]  # that they read the mail of that address; None: it was not shown
     address: Mapped[str]  # on the network
+    agent: Mapped[str] = mapped_column(default="")  # the browser and its system, as it names them
+    code_entered_at: Mapped[datetime | None]  # the code that was mailed to that address; None: none was asked for
     accepted_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 

@@ -6,12 +6,21 @@ A price is between two parties. Reviewers, implementers and other designers see 
 from collections.abc import Collection, Iterator, Sequence
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, exists, func, or_, select
+from sqlalchemy import ColumnElement, delete, exists, func, or_, select
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.rules import Actor, Role
-from app.agreements.models import Contract, ContractAcceptance, ContractEvent, ContractTemplate, ContractVersion
-from app.agreements.rules import ContractKind, ContractState, Party
+from app.agreements.models import (
+    Contract,
+    ContractAcceptance,
+    ContractEvent,
+    ContractSigner,
+    ContractTemplate,
+    ContractVersion,
+    SigningCode,
+)
+from app.agreements.rules import ContractKind, ContractState
+from app.agreements.signing_rules import SigningOrder, Turn, Yes
 from app.projects.models import Liaison, Project
 
 WHOLE = (joinedload(Contract.project).joinedload(Project.studio), joinedload(Contract.designer))
@@ -154,25 +163,70 @@ def template_by_name(session: Session, studio_id: UUID, name: str) -> ContractTe
     )
 
 
-def parties_who_accepted(session: Session, contract_ids: Collection[UUID]) -> dict[UUID, list[Party]]:
-    """Return by contract which parties said yes to its newest text."""
+def turns_to_sign(session: Session, contracts: Collection[Contract]) -> dict[UUID, Turn]:
+    """Return by contract whose turn it is to sign its newest text, as if each had been sent."""
+    ids = [contract.id for contract in contracts]
     newest = (
         select(ContractVersion.contract_id, func.max(ContractVersion.number).label("number"))
-        .where(ContractVersion.contract_id.in_(contract_ids))
+        .where(ContractVersion.contract_id.in_(ids))
         .group_by(ContractVersion.contract_id)
         .subquery()
     )
-    rows = session.execute(
-        select(ContractAcceptance.contract_id, ContractAcceptance.party)
+    given: dict[UUID, list[Yes]] = {contract_id: [] for contract_id in ids}
+    for contract_id, party, person_id in session.execute(
+        select(ContractAcceptance.contract_id, ContractAcceptance.party, ContractAcceptance.person_id)
         .join(ContractVersion, ContractVersion.id == ContractAcceptance.version_id)
         .join(
             newest, (newest.c.contract_id == ContractVersion.contract_id) & (newest.c.number == ContractVersion.number)
         )
+    ):
+        given[contract_id].append(Yes(party, person_id))
+    signers: dict[UUID, list[UUID]] = {contract_id: [] for contract_id in ids}
+    for contract_id, person_id in session.execute(
+        select(ContractSigner.contract_id, ContractSigner.person_id)
+        .where(ContractSigner.contract_id.in_(ids))
+        .order_by(ContractSigner.position)
+    ):
+        signers[contract_id].append(person_id)
+    return {
+        contract.id: SigningOrder(signers[contract.id], contract.signs_first).turn(given[contract.id])
+        for contract in contracts
+    }
+
+
+def signers_of(session: Session, contract_id: UUID) -> Sequence[ContractSigner]:
+    """Return who is named to sign a contract for the studio, in order, with the people."""
+    return session.scalars(
+        select(ContractSigner)
+        .where(ContractSigner.contract_id == contract_id)
+        .options(joinedload(ContractSigner.person))
+        .order_by(ContractSigner.position)
+    ).all()
+
+
+def drop_signers(session: Session, contract_id: UUID) -> None:
+    """Delete who is named to sign a contract for the studio."""
+    session.execute(delete(ContractSigner).where(ContractSigner.contract_id == contract_id))
+
+
+def drop_signing_codes(session: Session, contract_id: UUID, person_id: UUID) -> None:
+    """Delete a person's codes for the texts of a contract, so that only the next one counts."""
+    session.execute(
+        delete(SigningCode).where(SigningCode.contract_id == contract_id, SigningCode.person_id == person_id)
     )
-    found: dict[UUID, list[Party]] = {contract_id: [] for contract_id in contract_ids}
-    for contract_id, party in rows:
-        found[contract_id].append(party)
-    return found
+
+
+def signing_code_locked(session: Session, contract_id: UUID, person_id: UUID, text_sha256: str) -> SigningCode | None:
+    """Return a person's code for a text, locked until this transaction ends."""
+    return session.scalar(
+        select(SigningCode)
+        .where(
+            SigningCode.contract_id == contract_id,
+            SigningCode.person_id == person_id,
+            SigningCode.text_sha256 == text_sha256,
+        )
+        .with_for_update()
+    )
 
 
 def newest_event(session: Session, contract_id: UUID) -> ContractEvent | None:

@@ -8,10 +8,12 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
+from app.accounts.models import Person
+from app.accounts.rules import Actor
 from app.agreements import queries
 from app.agreements.authorship import author_of
 from app.agreements.documents import sha256_of
-from app.agreements.models import Contract, ContractEvent
+from app.agreements.models import Contract, ContractEvent, ContractVersion
 from app.kit import clock
 from app.kit.record import Entry, canonical, faults, link
 from app.kit.storage import Store
@@ -69,6 +71,21 @@ def append(
     contract.record_length, contract.record_sha256 = entry.seq, entry.sha256
     session.flush()
     return event
+
+
+def append_by(
+    session: Session, actor: Actor, contract: Contract, kind: str, version: ContractVersion | None = None, **facts: Any
+) -> None:
+    """Write into a contract's record what its caller did, and to which text."""
+    person = session.get_one(Person, actor.person)
+    payload: dict[str, Any] = {"by_email": person.email, **facts}
+    if version is not None:
+        payload |= {
+            "version": version.number,
+            "text_sha256": version.text_sha256,
+            "pdf_sha256": version.pdf_sha256 or "",
+        }
+    append(session, contract.id, kind, payload, by=person.id)
 
 
 def entry_of(event: ContractEvent) -> Entry:

@@ -203,7 +203,7 @@ class VersionRead(VersionBrief):
 
 
 class AcceptanceRead(Schema):
-    """A party's yes."""
+    """One person's yes, for a party."""
 
     party: Party
     name: str
@@ -211,6 +211,8 @@ class AcceptanceRead(Schema):
     email_proof: AddressProof | None = Field(
         description="How it was shown that they read the mail of that address; null: it was not."
     )
+    agent: str = Field(description="Browser and system, as the browser names them; empty if unknown.")
+    code_entered_at: datetime | None = Field(description="When the code mailed to that address was typed; null: never.")
     accepted_at: datetime
 
 
@@ -272,6 +274,10 @@ class ContractRead(ContractBrief):
     studio_name: str
     version: VersionRead
     acceptances: list[AcceptanceRead]
+    signers: list[PersonBrief] = Field(
+        description="Who signs for the studio, in this order; empty: any one of its producers."
+    )
+    signs_first: Party | None = Field(description="Which party signs first; null: either.")
     change_requested: "ContractChangeRead | None" = Field(
         description="The changes that the designer requests, until it is sent again."
     )
@@ -311,6 +317,30 @@ class AcceptAdd(Schema):
 
     name: Line
     text_sha256: Sha256
+    code: str | None = Field(
+        None, max_length=20, description="The digits mailed to the caller; needed where the server sends mail."
+    )
+
+
+class SigningCodeAdd(Schema):
+    """Which text a code is for."""
+
+    text_sha256: Sha256
+
+
+class SigningCodeRead(Schema):
+    """Where a code is mailed, and how often it can be tried."""
+
+    email: str
+    expires_at: datetime
+    tries: int
+
+
+class SignersSet(Schema):
+    """Who signs for the studio, in this order, and which party signs first."""
+
+    person_ids: list[UUID] = Field(max_length=20)
+    first: Party | None = None
 
 
 class EndAdd(Schema):

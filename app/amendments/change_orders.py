@@ -15,6 +15,7 @@ from app.agreements.models import Contract
 from app.agreements.queries import newest_version
 from app.agreements.rules import ORDERS, ContractKind, ContractState, Party
 from app.agreements.schemas import BlockRead
+from app.agreements.signing import Signature
 from app.agreements.text import blocks_of
 from app.amendments import queries, schemas
 from app.amendments.agreed_changes import CHANGES, apply
@@ -138,11 +139,7 @@ def accept(
     actor: Actor,
     contract_id: UUID,
     number: int,
-    *,
-    name: str,
-    text_sha256: str,
-    address: str,
-    proof_needed: bool,
+    signature: Signature,
 ) -> None:
     """Say yes to a change order for the caller's party; with the second yes it is in force.
 
@@ -167,10 +164,7 @@ def accept(
         kind="change_accepted",
         facts={"change_order": number},
         text_sha256=order.text_sha256,
-        seen_sha256=text_sha256,
-        name=name,
-        address=address,
-        proof_needed=proof_needed,
+        signature=signature,
     )
     if are_both:
         apply(session, reviewer, order, review, person_id=actor.person)

@@ -16,6 +16,7 @@ from app.agreements.models import Contract
 from app.agreements.plan_queries import terms_of
 from app.agreements.queries import lock_contract
 from app.agreements.rules import ORDERS, ContractState, Party
+from app.agreements.signing import Signature
 from app.agreements.terms import MoneyTerms, PriceMode
 from app.amendments import queries, schemas
 from app.amendments.change_orders import lapse_open
@@ -87,11 +88,7 @@ def agree_to_statement(
     session: Session,
     actor: Actor,
     contract_id: UUID,
-    *,
-    name: str,
-    text_sha256: str,
-    address: str,
-    proof_needed: bool,
+    signature: Signature,
 ) -> None:
     """Say yes to the statement for the caller's party; with the second yes the contract is settled and ends."""
     contract, party = locked_for_party(session, actor, contract_id)
@@ -106,10 +103,7 @@ def agree_to_statement(
         kind="statement_accepted",
         facts={"notice": notice.number},
         text_sha256=sha256_of(text),
-        seen_sha256=text_sha256,
-        name=name,
-        address=address,
-        proof_needed=proof_needed,
+        signature=signature,
     )
     if are_both:
         _settle(session, contract, notice, text, read, by=actor.person)

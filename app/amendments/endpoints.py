@@ -3,20 +3,17 @@
 from typing import Annotated, Any
 from uuid import UUID
 
-from fastapi import Path, Request, Response
+from fastapi import Depends, Path, Response
 
-from app.accounts.policies import allows, client_address
+from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.agreements.documents import PDF
 from app.agreements.errors import (
-    AddressNotProven,
-    AlreadyAccepted,
     ContractNotFound,
     NotYourContract,
-    SamePersonOnBothSides,
-    TextChanged,
 )
-from app.agreements.schemas import AcceptAdd
+from app.agreements.signing import Signature
+from app.agreements.signing_endpoints import SIGNING, signature_sent
 from app.agreements.template_endpoints import attachment
 from app.amendments import change_orders, ending, schemas
 from app.amendments.errors import (
@@ -32,14 +29,13 @@ from app.amendments.errors import (
     NotOwnChangeOrder,
     OwnChangeOrder,
 )
-from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
+from app.kit.http import DbSession, Route, Router, problems
 from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
 
 router = Router(prefix="/v1", tags=["amendments"], route_class=Route)
 PDF_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {PDF: {}}, "description": "The text as PDF"}}
 OrderNumber = Annotated[int, Path(ge=1, le=2**31 - 1)]
 ORDER_REFUSALS = (ContractNotFound, NotYourContract, ChangeOrderNotFound, ChangeOrderClosed)
-SIGNING = (TextChanged, AlreadyAccepted, AddressNotProven, SamePersonOnBothSides)
 
 
 @router.get("/contracts/{contract_id}/ending", responses=problems(ContractNotFound))
@@ -78,22 +74,12 @@ def withdraw_notice(
 )
 def agree_to_statement(
     contract_id: UUID,
-    body: AcceptAdd,
-    request: Request,
-    runtime: CurrentRuntime,
     session: DbSession,
     actor: Actor = allows(Audience.PROJECT),
+    signature: Signature = Depends(signature_sent),
 ) -> schemas.EndingRead:
     """Say yes to the statement for the caller's party; with the second yes the contract is settled and ends."""
-    ending.agree_to_statement(
-        session,
-        actor,
-        contract_id,
-        name=body.name,
-        text_sha256=body.text_sha256,
-        address=client_address(request),
-        proof_needed=bool(runtime.settings.smtp_url),
-    )
+    ending.agree_to_statement(session, actor, contract_id, signature)
     return ending.ending(session, actor, contract_id)
 
 
@@ -146,23 +132,12 @@ def preview_change_order(
 def accept_change_order(
     contract_id: UUID,
     change_order_number: OrderNumber,
-    body: AcceptAdd,
-    request: Request,
-    runtime: CurrentRuntime,
     session: DbSession,
     actor: Actor = allows(Audience.PROJECT),
+    signature: Signature = Depends(signature_sent),
 ) -> schemas.ChangeOrdersRead:
     """Say yes to a change order for the caller's party; with the second yes it is in force."""
-    change_orders.accept(
-        session,
-        actor,
-        contract_id,
-        change_order_number,
-        name=body.name,
-        text_sha256=body.text_sha256,
-        address=client_address(request),
-        proof_needed=bool(runtime.settings.smtp_url),
-    )
+    change_orders.accept(session, actor, contract_id, change_order_number, signature)
     return change_orders.change_orders(session, actor, contract_id)
 
 

@@ -97,4 +97,6 @@ class AmendmentAcceptance(Base):
     email: Mapped[str]
     email_proof: Mapped[AddressProof | None]  # that they read the mail of that address; None: it was not shown
     address: Mapped[str]  # on the network
+    agent: Mapped[str] = mapped_column(default="")  # the browser and its system, as it names them
+    code_entered_at: Mapped[datetime | None]  # the code that was mailed to that address; None: none was asked for
     accepted_at: Mapped[datetime] = mapped_column(default=clock.now)

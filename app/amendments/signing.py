@@ -6,13 +6,14 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
-from app.accounts.rules import PROOF_WORDS, Actor
+from app.accounts.rules import Actor
 from app.agreements import record
 from app.agreements.access import party_of, visible_contract
 from app.agreements.errors import AlreadyAccepted, NotYourContract
 from app.agreements.models import Contract
 from app.agreements.queries import lock_contract
-from app.agreements.rules import Party, ensure_address_proven, ensure_another_person, ensure_same_text
+from app.agreements.rules import Party, ensure_another_person, ensure_same_text
+from app.agreements.signing import Signature, facts_of_signature, proof_of
 from app.amendments import queries
 from app.amendments.models import AmendmentAcceptance
 
@@ -35,23 +36,18 @@ def sign(
     kind: str,
     facts: dict[str, Any],
     text_sha256: str,
-    seen_sha256: str,
-    name: str,
-    address: str,
-    proof_needed: bool,
+    signature: Signature,
 ) -> bool:
     """Record a yes to a text under the contract's lock; return whether both parties have given theirs.
 
     Raises TextChanged, AlreadyAccepted, SamePersonOnBothSides and AddressNotProven, as signing a contract does.
     """
-    ensure_same_text(seen_sha256, text_sha256)
+    ensure_same_text(signature.text_sha256, text_sha256)
     given = queries.acceptances_of(session, contract.id, text_sha256)
     if any(each.party is party for each in given):
         raise AlreadyAccepted(f"the {party} has signed this text already; the other party has not")
     person = session.get_one(Person, actor.person)
     ensure_another_person(person.id, person.email, [(each.person_id, each.email) for each in given])
-    if proof_needed:
-        ensure_address_proven(person.email_proof, person.email)
     acceptance = AmendmentAcceptance(
         studio_id=contract.studio_id,
         project_id=contract.project_id,
@@ -59,10 +55,12 @@ def sign(
         text_sha256=text_sha256,
         party=party,
         person_id=person.id,
-        name=name,
+        name=signature.name,
         email=person.email,
         email_proof=person.email_proof,
-        address=address,
+        address=signature.address,
+        agent=signature.agent,
+        code_entered_at=proof_of(session, person, signature),
     )
     session.add(acceptance)
     session.flush()
@@ -73,11 +71,7 @@ def sign(
         {
             **facts,
             "text_sha256_of_amendment": text_sha256,
-            "party": party.value,
-            "name": name,
-            "email": person.email,
-            "email_proof": PROOF_WORDS[person.email_proof],
-            "address": address,
+            **facts_of_signature(person, party, signature),
         },
         by=person.id,
     )

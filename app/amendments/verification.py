@@ -9,10 +9,12 @@ from sqlalchemy.orm import Session
 
 from app.agreements import record
 from app.agreements.documents import sha256_of
-from app.agreements.models import Contract
+from app.agreements.models import Contract, ContractAcceptance
 from app.agreements.queries import events_of, versions_of
 from app.agreements.rules import ContractState
+from app.agreements.signing_rules import BY_CODE
 from app.amendments import queries
+from app.amendments.models import AmendmentAcceptance
 from app.amendments.rules import ChangeOrderState
 from app.kit.storage import Store
 from app.money import queries as money_queries
@@ -88,16 +90,15 @@ def _sent(session: Session, contract: Contract, said: Sequence[Said]) -> Iterato
 def _acceptances(session: Session, contract: Contract, said: Sequence[Said]) -> Iterator[str]:
     numbers = {version.id: str(version.number) for version in versions_of(session, contract.id)}
     given = {
-        (f"version {numbers.get(one.version_id, '?')}", one.party.value, one.name, one.email, one.address)
+        (f"version {numbers.get(one.version_id, '?')}", *_signed_with(one))
         for one in queries.contract_acceptances_of(session, contract.id)
-    } | {
-        (one.text_sha256, one.party.value, one.name, one.email, one.address)
-        for one in queries.all_acceptances_of(session, contract.id)
-    }
+    } | {(one.text_sha256, *_signed_with(one)) for one in queries.all_acceptances_of(session, contract.id)}
     recorded = {
         (
             f"version {payload['version']}" if kind == "accepted_by" else payload["text_sha256_of_amendment"],
             *(payload[name] for name in ("party", "name", "email", "address")),
+            payload.get("agent", ""),  # entries of before have neither browser nor code
+            payload.get("code") == BY_CODE,
         )
         for kind, payload in said
         if kind in ("accepted_by", "change_accepted", "statement_accepted")
@@ -106,6 +107,10 @@ def _acceptances(session: Session, contract: Contract, said: Sequence[Said]) -> 
         yield f"the acceptance of {what} by the {party} is missing or was altered"
     for what, party, *_ in sorted(given - recorded):
         yield f"the acceptance of {what} by the {party} is in no entry"
+
+
+def _signed_with(one: ContractAcceptance | AmendmentAcceptance) -> tuple[str, str, str, str, str, bool]:
+    return one.party.value, one.name, one.email, one.address, one.agent, one.code_entered_at is not None
 
 
 def _ledger(session: Session, contract: Contract, said: Sequence[Said]) -> Iterator[str]:

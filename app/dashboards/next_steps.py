@@ -12,6 +12,7 @@ from app.agreements import queries as agreements
 from app.agreements.access import party_of
 from app.agreements.models import Contract
 from app.agreements.rules import ContractKind, ContractState, Party
+from app.agreements.signing_rules import Turn
 from app.dashboards import progress_queries, queries
 from app.dashboards.progress import counted
 from app.dashboards.rules import CAME_BACK, STEP_ORDER, UNFINISHED, AwaitedKind, CueStatus, NextStepKind
@@ -146,14 +147,14 @@ class _Steps:
     def _contracts(self) -> None:
         session, actor = self._session, self._access.actor
         found = agreements.contracts_in(session, actor, self._project.id)
-        accepted = agreements.parties_who_accepted(session, [one.id for one in found])
+        turns = agreements.turns_to_sign(session, found)
         for contract in found:
             party = party_of(actor, contract)
             if party is None:
                 continue
             match contract.state:
                 case ContractState.SENT:
-                    self._signature(contract, party, accepted[contract.id])
+                    self._signature(contract, party, turns[contract.id])
                 case ContractState.DRAFT if party is Party.STUDIO:
                     self._draft(contract)
                 case ContractState.AGREED | ContractState.ENDED if contract.kind in (
@@ -162,10 +163,11 @@ class _Steps:
                 ):
                     self._money(contract, party)
 
-    def _signature(self, contract: Contract, party: Party, accepted: list[Party]) -> None:
+    def _signature(self, contract: Contract, party: Party, turn: Turn) -> None:
         event = agreements.newest_event(self._session, contract.id)
         since = event.at if event else contract.created_at
-        if party not in accepted:
+        is_mine = turn.is_of(party, self._access.actor.person)
+        if is_mine:
             self.steps.append(
                 NextStep(
                     kind=NextStepKind.SIGN_CONTRACT,
@@ -175,7 +177,7 @@ class _Steps:
                     contract_id=contract.id,
                 )
             )
-        if len(accepted) < len(Party) - (party not in accepted):
+        if not is_mine or any(other is not party for other in turn.parties):
             self.awaited.append(
                 Awaited(
                     kind=AwaitedKind.SIGNATURE,

@@ -3,10 +3,13 @@
 from datetime import date
 from uuid import UUID
 
+from sqlalchemy.orm import Session
+
 from app.accounts.models import Person
 from app.agreements.facts import in_words
 from app.agreements.models import Contract
 from app.agreements.rules import ContractState, Party
+from app.agreements.signing import people_to_sign
 from app.kit.money import money
 from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
@@ -28,7 +31,7 @@ def notify_contract(runtime: Runtime, payload: Payload) -> None:
         title = contract.title
         recipients, subject, line = {
             "contract.sent": (
-                {designer},
+                _first_to_sign(session, contract) or {designer},
                 "a contract needs your signature",
                 f"{title} needs your signature: read it, then sign it or request a change.",
             ),
@@ -71,19 +74,24 @@ def notify_contract(runtime: Runtime, payload: Payload) -> None:
             notifier.notify(recipient, f"contract:{payload['event']}", subject, line, page=f"contracts/{contract.id}")
 
 
+def _first_to_sign(session: Session, contract: Contract) -> set[str]:
+    """Return the addresses of those who sign first, where an order was set; else of the designer, who reads first."""
+    if contract.state is not ContractState.SENT or contract.signs_first is not Party.STUDIO:
+        return set()
+    return {queries.address_of(session, person_id) for person_id in people_to_sign(session, contract)}
+
+
 @job("notifications.notify_signature")
 def notify_signature(runtime: Runtime, payload: Payload) -> None:
-    """Notify the other party that a contract needs its signature too."""
+    """Notify those whose turn it is now that a contract needs their signature."""
     with runtime.database.writing() as session:
         contract = session.get_one(Contract, UUID(payload["contract_id"]))
         if contract.state is not ContractState.SENT:
             return  # signed by both, or recalled meanwhile
         project = session.get_one(Project, contract.project_id)
-        recipients = {queries.address_of(session, contract.designer_id)}
-        if payload["party"] == Party.DESIGNER.value:
-            recipients = queries.producer_addresses(session, project.studio_id)
+        recipients = {queries.address_of(session, person_id) for person_id in people_to_sign(session, contract)}
         notifier = Notifier(runtime, session, project, payload["event_id"])
-        line = f"{contract.title} is signed by the other side and needs your signature."
+        line = f"{contract.title} is signed by the {payload['party']} and needs your signature."
         for recipient in recipients:
             notifier.notify(
                 recipient, "contract:signed", "a contract needs your signature", line, page=f"contracts/{contract.id}"

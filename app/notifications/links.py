@@ -14,6 +14,8 @@ from sqlalchemy.orm import Session
 
 from app.accounts import addresses
 from app.accounts.models import EmailVerification, MailedLink, PasswordReset, SignUp, StudioInvitation
+from app.agreements import signing_codes
+from app.agreements.models import SigningCode
 from app.kit import clock
 from app.kit.queue import Payload
 from app.notifications import queries, service
@@ -66,6 +68,13 @@ KINDS: Mapping[str, LinkMail] = {
         SignUp,
         "sign-up",
     ),
+    "signing_code.asked": LinkMail(
+        "Your code to sign {subject_name}",
+        "Someone who is signed in as you is about to sign {subject_name}. Type this code there to sign. It works once, "
+        "within ten minutes. If it was not you, do not give the code to anyone, and change your password: nothing was signed.",
+        SigningCode,
+        "",
+    ),
 }
 KNOWN_ADDRESS = (
     "Your account on Soundlist",
@@ -104,16 +113,18 @@ def write(session: Session, payload: Payload, *, base_url: str) -> None:
 
 
 def make(session: Session, mail: Mail, *, base_url: str, is_sent_by_mail_only: bool) -> str | None:
-    """Return a mail's link: a new one where it is secret, so that every earlier link is revoked.
+    """Return a mail's link, or its code: a new one where it is secret, so that every earlier link is revoked.
 
     None where it opens nothing any more.
     """
     if mail.secret_of is None or mail.secret_of_id is None:
         return mail.link
     kind = KINDS[mail.secret_of]
-    opened: MailedLink | None = session.get(kind.table, mail.secret_of_id, with_for_update=True)
+    opened: MailedLink | SigningCode | None = session.get(kind.table, mail.secret_of_id, with_for_update=True)
     if opened is None or is_over(opened):
         return None
+    if isinstance(opened, SigningCode):
+        return signing_codes.renew(opened) if is_sent_by_mail_only else None  # in no outbox, only in the mail
     return f"{base_url}/{kind.page}/{addresses.renew_secret(opened, is_sent_by_mail_only=is_sent_by_mail_only)}"
 
 

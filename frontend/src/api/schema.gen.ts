@@ -893,6 +893,174 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/brief": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Brief
+         * @description Return the questions of the brief with their answers, and how complete they are.
+         */
+        get: operations["read_brief"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        /**
+         * Change Brief
+         * @description Save answers; two people collide only where both changed the same one.
+         */
+        patch: operations["change_brief"];
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/brief/versions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Brief Versions
+         * @description Return the published versions of the brief, newest first.
+         */
+        get: operations["list_brief_versions"];
+        put?: never;
+        /**
+         * Publish Brief Version
+         * @description Keep the answers as a version that never changes.
+         */
+        post: operations["publish_brief_version"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/brief/versions/{version}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Brief Version
+         * @description Return one published version with its answers.
+         */
+        get: operations["read_brief_version"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/brief/versions/{version}/read": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Record Brief Read
+         * @description Record that the calling designer opened a version, which the team sees.
+         */
+        put: operations["record_brief_read"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/brief/reads": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Brief Reads
+         * @description Return which version each engaged designer opened last.
+         */
+        get: operations["list_brief_reads"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/brief/compare": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Compare Brief Versions
+         * @description Return the answers that differ between two versions; version 0 is the empty brief.
+         */
+        get: operations["compare_brief_versions"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/brief/follow-ups": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Ask Follow Up
+         * @description Ask the team about a question of the brief.
+         */
+        post: operations["ask_follow_up"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/brief-follow-ups/{follow_up_id}/answer": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Answer Follow Up
+         * @description Answer a designer's follow-up, once.
+         */
+        post: operations["answer_follow_up"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/sound-list": {
         parameters: {
             query?: never;
@@ -1969,6 +2137,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/contracts/{contract_id}/signers": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Set Contract Signers
+         * @description Name the producers who sign a draft for the studio, in order, and which party signs first.
+         */
+        put: operations["set_contract_signers"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/contracts/{contract_id}/accept": {
         parameters: {
             query?: never;
@@ -1980,7 +2168,7 @@ export interface paths {
         put?: never;
         /**
          * Accept Contract
-         * @description Say yes to the text that was sent, for the caller's party; with the second yes it is agreed.
+         * @description Sign the text that was sent, for the caller's party; once all have signed, it is agreed.
          */
         post: operations["accept_contract"];
         delete?: never;
@@ -2003,6 +2191,26 @@ export interface paths {
          * @description End a contract that orders no work, or give up a draft.
          */
         post: operations["end_contract"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/signing-codes": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Request Signing Code
+         * @description Mail the caller a code to sign a text of a contract with: the contract's own, a change order's, a statement's.
+         */
+        post: operations["request_signing_code"];
         delete?: never;
         options?: never;
         head?: never;
@@ -4558,6 +4766,11 @@ export interface components {
             name: string;
             /** Text Sha256 */
             text_sha256: string;
+            /**
+             * Code
+             * @description The digits mailed to the caller; needed where the server sends mail.
+             */
+            code?: string | null;
         };
         /**
          * AcceptRead
@@ -4580,7 +4793,7 @@ export interface components {
         };
         /**
          * AcceptanceRead
-         * @description A party's yes.
+         * @description One person's yes, for a party.
          */
         AcceptanceRead: {
             party: components["schemas"]["Party"];
@@ -4590,6 +4803,16 @@ export interface components {
             email: string;
             /** @description How it was shown that they read the mail of that address; null: it was not. */
             email_proof: components["schemas"]["AddressProof"] | null;
+            /**
+             * Agent
+             * @description Browser and system, as the browser names them; empty if unknown.
+             */
+            agent: string;
+            /**
+             * Code Entered At
+             * @description When the code mailed to that address was typed; null: never.
+             */
+            code_entered_at: string | null;
             /**
              * Accepted At
              * Format: date-time
@@ -4708,6 +4931,12 @@ export interface components {
              */
             joins: boolean;
         };
+        /**
+         * AnswerKind
+         * @description What an answer is made of.
+         * @enum {string}
+         */
+        AnswerKind: "choice" | "choices" | "text" | "number" | "lines" | "per_category" | "per_scene" | "names";
         /**
          * ApproverAdd
          * @description The new approver, and why.
@@ -5086,6 +5315,273 @@ export interface components {
             spans: components["schemas"]["SpanRead"][];
             /** Rows */
             rows: components["schemas"]["SpanRead"][][][];
+        };
+        /**
+         * BriefAnswerRead
+         * @description The answer to a question.
+         */
+        BriefAnswerRead: {
+            /**
+             * Value
+             * @description What it is depends on the question's kind; null where it is not known yet.
+             */
+            value: unknown;
+            /**
+             * Is Unknown
+             * @description The answer is "I don't know yet": the question stays open.
+             */
+            is_unknown: boolean;
+            /** Note */
+            note: string;
+            /**
+             * Words
+             * @description The answer as a text.
+             */
+            words: string;
+            /**
+             * Revision
+             * @description The revision of the brief that changed it last.
+             */
+            revision: number;
+            answered_by: components["schemas"]["PersonBrief"];
+            /**
+             * Answered At
+             * Format: date-time
+             */
+            answered_at: string;
+        };
+        /**
+         * BriefAnswerWrite
+         * @description One answer. Without a value, and not unknown: the answer is removed.
+         */
+        BriefAnswerWrite: {
+            /** Value */
+            value?: unknown;
+            /**
+             * Is Unknown
+             * @default false
+             */
+            is_unknown: boolean;
+            /**
+             * Note
+             * @default
+             */
+            note: string;
+        };
+        /**
+         * BriefChange
+         * @description Answers that change; those left out stay.
+         */
+        BriefChange: {
+            /**
+             * Revision
+             * @description The revision that was read.
+             */
+            revision: number;
+            /** Answers */
+            answers: {
+                [key: string]: components["schemas"]["BriefAnswerWrite"];
+            };
+        };
+        /**
+         * BriefChoice
+         * @description One answer that can be picked.
+         */
+        BriefChoice: {
+            /** Key */
+            key: string;
+            /** Label */
+            label: string;
+        };
+        /**
+         * BriefComparison
+         * @description The answers that differ between two versions; `to_version` null is the brief as it stands.
+         */
+        BriefComparison: {
+            /** From Version */
+            from_version: number;
+            /** To Version */
+            to_version: number | null;
+            /** Differences */
+            differences: components["schemas"]["BriefDifference"][];
+        };
+        /**
+         * BriefDifference
+         * @description A question whose answer differs.
+         */
+        BriefDifference: {
+            /** Question */
+            question: string;
+            /** Number */
+            number: number;
+            /** Text */
+            text: string;
+            /** Before */
+            before: string;
+            /** After */
+            after: string;
+        };
+        /**
+         * BriefDocument
+         * @description The brief of a project as it stands.
+         */
+        BriefDocument: {
+            /** Topics */
+            topics: components["schemas"]["BriefTopicRead"][];
+            /** Answered */
+            answered: number;
+            /** Total */
+            total: number;
+            /**
+             * Open
+             * @description Keys of the questions without an answer, in their order.
+             */
+            open: string[];
+            /** Open Required */
+            open_required: string[];
+            /**
+             * Revision
+             * @description 0 while nothing is answered. Send it back with a change.
+             */
+            revision: number;
+            /** Changed At */
+            changed_at: string | null;
+            /**
+             * Newest Version
+             * @description 0 while none is published.
+             */
+            newest_version: number;
+            /**
+             * Differs
+             * @description Whether the answers differ from those of the newest version.
+             */
+            differs: boolean;
+            /** May Answer */
+            may_answer: boolean;
+            /** May Ask */
+            may_ask: boolean;
+            /** Follow Ups */
+            follow_ups: components["schemas"]["FollowUpRead"][];
+        };
+        /**
+         * BriefQuestionRead
+         * @description One question of the brief with its answer.
+         */
+        BriefQuestionRead: {
+            /** Key */
+            key: string;
+            /** Number */
+            number: number;
+            /** Text */
+            text: string;
+            /** Why */
+            why: string;
+            /** Example */
+            example: string;
+            kind: components["schemas"]["AnswerKind"];
+            /** Choices */
+            choices: components["schemas"]["BriefChoice"][];
+            /** Unit */
+            unit: string;
+            /**
+             * Required
+             * @description Needed before a contract is signed.
+             */
+            required: boolean;
+            /**
+             * Writes
+             * @description The table of the delivery spec that the answer writes; empty for none.
+             */
+            writes: string;
+            /**
+             * Applies
+             * @description Whether it is asked, given the other answers.
+             */
+            applies: boolean;
+            answer: components["schemas"]["BriefAnswerRead"] | null;
+        };
+        /**
+         * BriefTopicRead
+         * @description Questions that are answered together.
+         */
+        BriefTopicRead: {
+            /** Key */
+            key: string;
+            /** Title */
+            title: string;
+            /** Lead */
+            lead: string;
+            /** Answered */
+            answered: number;
+            /** Total */
+            total: number;
+            /** Questions */
+            questions: components["schemas"]["BriefQuestionRead"][];
+        };
+        /**
+         * BriefVersionAdd
+         * @description A version of the brief to publish.
+         */
+        BriefVersionAdd: {
+            /**
+             * Note
+             * @default
+             */
+            note: string;
+            /**
+             * Revision
+             * @description The revision that is published.
+             */
+            revision: number;
+        };
+        /**
+         * BriefVersionRead
+         * @description A published version.
+         */
+        BriefVersionRead: {
+            /** Topics */
+            topics: components["schemas"]["BriefTopicRead"][];
+            /** Answered */
+            answered: number;
+            /** Total */
+            total: number;
+            /**
+             * Open
+             * @description Keys of the questions without an answer, in their order.
+             */
+            open: string[];
+            /** Open Required */
+            open_required: string[];
+            /** Number */
+            number: number;
+            /** Note */
+            note: string;
+            publisher: components["schemas"]["PersonBrief"];
+            /**
+             * Published At
+             * Format: date-time
+             */
+            published_at: string;
+        };
+        /**
+         * BriefVersionSummary
+         * @description A published version, without its answers.
+         */
+        BriefVersionSummary: {
+            /** Number */
+            number: number;
+            /** Note */
+            note: string;
+            publisher: components["schemas"]["PersonBrief"];
+            /**
+             * Published At
+             * Format: date-time
+             */
+            published_at: string;
+            /** Answered */
+            answered: number;
+            /** Total */
+            total: number;
         };
         /**
          * BuildAdd
@@ -6019,6 +6515,13 @@ export interface components {
             version: components["schemas"]["VersionRead"];
             /** Acceptances */
             acceptances: components["schemas"]["AcceptanceRead"][];
+            /**
+             * Signers
+             * @description Who signs for the studio, in this order; empty: any one of its producers.
+             */
+            signers: components["schemas"]["PersonBrief"][];
+            /** @description Which party signs first; null: either. */
+            signs_first: components["schemas"]["Party"] | null;
             /** @description The changes that the designer requests, until it is sent again. */
             change_requested: components["schemas"]["ContractChangeRead"] | null;
             may: components["schemas"]["MayRead"];
@@ -7476,6 +7979,51 @@ export interface components {
             used_at: string;
         };
         /**
+         * FollowUpAdd
+         * @description What a designer asks about a question of the brief.
+         */
+        FollowUpAdd: {
+            /** Question */
+            question: string;
+            /** Text */
+            text: string;
+        };
+        /**
+         * FollowUpAnswer
+         * @description The team's answer.
+         */
+        FollowUpAnswer: {
+            /** Text */
+            text: string;
+        };
+        /**
+         * FollowUpRead
+         * @description What a designer asks about a question of the brief, and the team's answer.
+         */
+        FollowUpRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Question */
+            question: string;
+            /** Text */
+            text: string;
+            /** @description Null where a designer looks at another designer's follow-up. */
+            asked_by: components["schemas"]["PersonBrief"] | null;
+            /**
+             * Asked At
+             * Format: date-time
+             */
+            asked_at: string;
+            /** Answer */
+            answer: string | null;
+            answered_by: components["schemas"]["PersonBrief"] | null;
+            /** Answered At */
+            answered_at: string | null;
+        };
+        /**
          * ForecastRead
          * @description The day that a steady habit makes of a milestone's date.
          */
@@ -8173,6 +8721,25 @@ export interface components {
          */
         LastContractRead: {
             contract: components["schemas"]["LastContract"] | null;
+        };
+        /**
+         * LastReadRead
+         * @description Which version a designer opened last.
+         */
+        LastReadRead: {
+            designer: components["schemas"]["PersonBrief"];
+            /**
+             * Version
+             * @description Null: none yet.
+             */
+            version: number | null;
+            /** Read At */
+            read_at: string | null;
+            /**
+             * Behind
+             * @description How many versions are newer.
+             */
+            behind: number;
         };
         /**
          * LedgerLineRead
@@ -9355,6 +9922,13 @@ export interface components {
         Page_BatchSummary_: {
             /** Items */
             items: components["schemas"]["BatchSummary"][];
+            /** Next */
+            next?: string | null;
+        };
+        /** Page[BriefVersionSummary] */
+        Page_BriefVersionSummary_: {
+            /** Items */
+            items: components["schemas"]["BriefVersionSummary"][];
             /** Next */
             next?: string | null;
         };
@@ -11110,6 +11684,38 @@ export interface components {
              * Format: date-time
              */
             accepted_at: string;
+        };
+        /**
+         * SignersSet
+         * @description Who signs for the studio, in this order, and which party signs first.
+         */
+        SignersSet: {
+            /** Person Ids */
+            person_ids: string[];
+            first?: components["schemas"]["Party"] | null;
+        };
+        /**
+         * SigningCodeAdd
+         * @description Which text a code is for.
+         */
+        SigningCodeAdd: {
+            /** Text Sha256 */
+            text_sha256: string;
+        };
+        /**
+         * SigningCodeRead
+         * @description Where a code is mailed, and how often it can be tried.
+         */
+        SigningCodeRead: {
+            /** Email */
+            email: string;
+            /**
+             * Expires At
+             * Format: date-time
+             */
+            expires_at: string;
+            /** Tries */
+            tries: number;
         };
         /**
          * SoundBrief
@@ -15220,6 +15826,509 @@ export interface operations {
             };
         };
     };
+    read_brief: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BriefDocument"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    change_brief: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["BriefChange"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BriefDocument"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `answer-changed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `answer-invalid`, `question-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_brief_versions: {
+        parameters: {
+            query?: {
+                cursor?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_BriefVersionSummary_"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-cursor` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    publish_brief_version: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["BriefVersionAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BriefVersionSummary"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `nothing-to-publish`, `answer-changed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_brief_version: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+                version: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BriefVersionRead"];
+                };
+            };
+            /** @description `project-not-found`, `brief-version-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    record_brief_read: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+                version: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `designer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found`, `brief-version-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_brief_reads: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["LastReadRead"][];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    compare_brief_versions: {
+        parameters: {
+            query?: {
+                from?: number;
+                /** @description Left out: the brief as it stands. */
+                to?: number | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BriefComparison"];
+                };
+            };
+            /** @description `project-not-found`, `brief-version-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    ask_follow_up: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["FollowUpAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FollowUpRead"];
+                };
+            };
+            /** @description `designer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `question-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    answer_follow_up: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                follow_up_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["FollowUpAnswer"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FollowUpRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `follow-up-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `follow-up-answered` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
     get_sound_list: {
         parameters: {
             query?: {
@@ -18359,6 +19468,68 @@ export interface operations {
             };
         };
     };
+    set_contract_signers: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["SignersSet"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ContractRead"];
+                };
+            };
+            /** @description `producer-needed`, `not-a-signer` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `wrong-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-signers` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     accept_contract: {
         parameters: {
             query?: never;
@@ -18383,7 +19554,7 @@ export interface operations {
                     "application/json": components["schemas"]["ContractRead"];
                 };
             };
-            /** @description `not-your-contract`, `address-not-proven`, `same-person-on-both-sides` */
+            /** @description `not-your-contract`, `not-a-signer`, `address-not-proven`, `same-person-on-both-sides`, `signing-code-needed`, `wrong-signing-code` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -18401,7 +19572,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `wrong-state`, `text-changed`, `already-accepted` */
+            /** @description `wrong-state`, `not-your-turn`, `already-accepted`, `signing-code-over`, `text-changed` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -18479,6 +19650,77 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    request_signing_code: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["SigningCodeAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SigningCodeRead"];
+                };
+            };
+            /** @description `not-your-contract`, `address-not-proven` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `no-signing-code` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `too-many-attempts` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };
@@ -18921,7 +20163,7 @@ export interface operations {
                     "application/json": components["schemas"]["EndingRead"];
                 };
             };
-            /** @description `not-your-contract`, `address-not-proven`, `same-person-on-both-sides` */
+            /** @description `not-your-contract`, `address-not-proven`, `same-person-on-both-sides`, `signing-code-needed`, `wrong-signing-code` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -18939,7 +20181,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `already-ended`, `no-notice`, `text-changed`, `already-accepted` */
+            /** @description `already-ended`, `no-notice`, `already-accepted`, `signing-code-over`, `text-changed` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -19206,7 +20448,7 @@ export interface operations {
                     "application/json": components["schemas"]["ChangeOrdersRead"];
                 };
             };
-            /** @description `not-your-contract`, `address-not-proven`, `same-person-on-both-sides` */
+            /** @description `not-your-contract`, `address-not-proven`, `same-person-on-both-sides`, `signing-code-needed`, `wrong-signing-code` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -19224,7 +20466,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `change-order-closed`, `not-in-force`, `change-order-stale`, `text-changed`, `already-accepted` */
+            /** @description `change-order-closed`, `not-in-force`, `change-order-stale`, `already-accepted`, `signing-code-over`, `text-changed` */
             409: {
                 headers: {
                     [name: string]: unknown;

@@ -1,7 +1,7 @@
 import { TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
-import { type FormEvent, useState } from 'react'
+import { useState } from 'react'
 
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
@@ -17,6 +17,7 @@ import classes from './Contracts.module.css'
 import { DifferenceView } from './DifferenceView'
 import { ProposeChange } from './ProposeChange'
 import { Refusal } from './Refusal'
+import { SignForm } from './SignForm'
 import { Text } from './Text'
 import { Warning } from './Warning'
 import { sentence } from './words'
@@ -130,31 +131,19 @@ function Order({ order, all }: { order: ChangeOrder; all: ChangeOrders }) {
 
 function Sign({ order, contractId }: { order: ChangeOrder; contractId: string }) {
   const sign = useChangeOrder(contractId)
-  const [name, setName] = useState('')
-  const submit = (event: FormEvent) => {
-    event.preventDefault()
-    if (sign.isPending || name.trim() === '') return
-    const isLast = order.signed.length === 1
-    sign.mutate(
-      { does: 'accept', number: order.number, name: name.trim(), textSha256: order.text_sha256 },
-      { onSuccess: () => showToast(isLast ? `Change order ${order.number} is in force.` : 'Signed.') },
-    )
-  }
+  const isLast = order.signed.length === 1
+  const textSha256 = order.text_sha256
   return (
-    <form onSubmit={submit} className={classes.inner} aria-label={`Sign change order ${order.number}`}>
-      <TextInput
-        label="Your full name"
-        description="Recorded with your email, the time and your IP address."
-        autoComplete="name"
-        value={name}
-        maxLength={120}
-        onChange={({ currentTarget }) => setName(currentTarget.value)}
-      />
-      <Refusal error={sign.error} />
-      <Button type="submit" variant="primary" icon="tick" disabled={name.trim() === ''} aria-busy={sign.isPending}>
-        {`Sign change order ${order.number}`}
-      </Button>
-    </form>
+    <SignForm
+      contractId={contractId}
+      textSha256={textSha256}
+      label={`Sign change order ${order.number}`}
+      button={`Sign change order ${order.number}`}
+      onSign={async (signed) => {
+        await sign.mutateAsync({ does: 'accept', number: order.number, textSha256, ...signed })
+        showToast(isLast ? `Change order ${order.number} is in force.` : 'Signed.')
+      }}
+    />
   )
 }
 

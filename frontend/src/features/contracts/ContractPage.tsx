@@ -15,6 +15,8 @@ import { State } from '@/ui/State'
 import { type Contract, contractQuery, useDeed, useKeepAsTemplate, versionsQuery } from './api'
 import classes from './Contracts.module.css'
 import { Refusal } from './Refusal'
+import { Signers } from './Signers'
+import { SignForm } from './SignForm'
 import { Text } from './Text'
 import { KIND_WORDS, PROOF_WORDS, progress } from './words'
 
@@ -65,6 +67,7 @@ export function ContractPage() {
               Milestones, invoices and ledger
             </ButtonLink>
           )}
+          <Signers contract={contract} />
           <Said contract={contract} />
           <Versions contract={contract} projectId={projectId} />
           {contract.my_party === 'studio' && <KeepAsTemplate contract={contract} />}
@@ -141,30 +144,17 @@ const isOrder = ({ kind }: Contract): boolean => kind === 'single' || kind === '
 
 function Accept({ contract }: { contract: Contract }) {
   const accept = useDeed(contract.id)
-  const [name, setName] = useState('')
-  const say = (event: FormEvent) => {
-    event.preventDefault()
-    if (accept.isPending || name.trim() === '') return
-    accept.mutate({ does: 'accept', name: name.trim(), textSha256: contract.version.text_sha256 })
-  }
+  const textSha256 = contract.version.text_sha256
   return (
-    <form onSubmit={say} className={classes.inner} aria-label="Accept">
-      <p>
-        Your name, email, the time and your IP address are recorded with the text. The contract takes effect once both
-        sides have signed.
-      </p>
-      <TextInput
-        label="Your full name"
-        autoComplete="name"
-        value={name}
-        maxLength={120}
-        onChange={({ currentTarget }) => setName(currentTarget.value)}
-      />
-      <Refusal error={accept.error} />
-      <Button type="submit" variant="primary" icon="tick" disabled={name.trim() === ''} aria-busy={accept.isPending}>
-        {`Sign version ${contract.version.number}`}
-      </Button>
-    </form>
+    <SignForm
+      contractId={contract.id}
+      textSha256={textSha256}
+      label="Accept"
+      button={`Sign version ${contract.version.number}`}
+      onSign={(signed) => accept.mutateAsync({ does: 'accept', textSha256, ...signed })}
+    >
+      <p>The contract takes effect once everyone who is to sign it has signed.</p>
+    </SignForm>
   )
 }
 
@@ -246,11 +236,13 @@ function Said({ contract }: { contract: Contract }) {
     <Card aria-labelledby="said">
       <CardHead id="said" title="Signed by" />
       <Rows aria-label="Signed by">
-        {contract.acceptances.map(({ party, name, email, email_proof, accepted_at }) => (
-          <Row key={party} className={classes.row}>
+        {contract.acceptances.map(({ party, name, email, email_proof, code_entered_at, accepted_at }) => (
+          <Row key={email} className={classes.row}>
             <div className="grow">
               <p>{name}</p>
-              <p className="small mid">{`for the ${party}, ${email}, ${PROOF_WORDS[email_proof ?? 'none']}`}</p>
+              <p className="small mid">
+                {`for the ${party}, ${email}, ${code_entered_at ? 'confirmed by a mailed code' : PROOF_WORDS[email_proof ?? 'none']}`}
+              </p>
             </div>
             <span className="small dim">{`${day(accepted_at)}, ${clock(accepted_at)}`}</span>
           </Row>

@@ -16,6 +16,7 @@ import { State, type StateKind } from '@/ui/State'
 import { type Ending, endingQuery, type StatedCue, useEnding } from './api'
 import classes from './Contracts.module.css'
 import { Refusal } from './Refusal'
+import { SignForm } from './SignForm'
 import { Warning } from './Warning'
 
 /** What a contract comes to if it ends early: a forecast, then a statement that both see, then what was settled. */
@@ -300,33 +301,21 @@ function Signing({ ending }: { ending: Ending }) {
 
 function Agree({ ending }: { ending: Ending }) {
   const agree = useEnding(ending.contract_id)
-  const [name, setName] = useState('')
-  const submit = (event: FormEvent) => {
-    event.preventDefault()
-    if (agree.isPending || name.trim() === '' || ending.statement_sha256 === null) return
-    agree.mutate(
-      { does: 'agree', name: name.trim(), textSha256: ending.statement_sha256 },
-      { onSuccess: ({ state }) => state === 'settled' && showToast('Settled. The contract has ended.') },
-    )
-  }
+  const textSha256 = ending.statement_sha256
+  if (textSha256 === null) return null
   return (
-    <form onSubmit={submit} className={classes.inner} aria-label="Agree to the statement">
-      <p>
-        Your name, email, the time and your IP address are recorded with the statement. With the second yes the contract
-        ends at once.
-      </p>
-      <TextInput
-        label="Your full name"
-        autoComplete="name"
-        value={name}
-        maxLength={120}
-        onChange={({ currentTarget }) => setName(currentTarget.value)}
-      />
-      <Refusal error={agree.error} />
-      <Button type="submit" variant="primary" icon="tick" disabled={name.trim() === ''} aria-busy={agree.isPending}>
-        Agree to the statement
-      </Button>
-    </form>
+    <SignForm
+      contractId={ending.contract_id}
+      textSha256={textSha256}
+      label="Agree to the statement"
+      button="Agree to the statement"
+      onSign={async (signed) => {
+        const { state } = await agree.mutateAsync({ does: 'agree', textSha256, ...signed })
+        if (state === 'settled') showToast('Settled. The contract has ended.')
+      }}
+    >
+      <p>With the second yes the contract ends at once.</p>
+    </SignForm>
   )
 }
 

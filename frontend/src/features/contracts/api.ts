@@ -153,13 +153,47 @@ export function useAskForNda(projectId: string) {
   })
 }
 
+/** A name under a text, and the code that was mailed for it where the server mails one. */
+interface Signature {
+  name: string
+  textSha256: string
+  code: string | null
+}
+
+const signatureOf = ({ name, textSha256, code }: Signature) => ({
+  name,
+  text_sha256: textSha256,
+  ...(code === null ? {} : { code }),
+})
+
+/** Have a code mailed to the person who is about to sign a text. */
+export function useSigningCode(contractId: string) {
+  return useMutation({
+    mutationFn: (textSha256: string) =>
+      answered(
+        api.POST('/v1/contracts/{contract_id}/signing-codes', {
+          ...of(contractId),
+          body: { text_sha256: textSha256 },
+        }),
+      ),
+  })
+}
+
+/** The studio's people, of whom its producers can be named to sign. */
+export const studioPeopleQuery = (studioId: string) =>
+  queryOptions({
+    queryKey: ['studio-people', studioId],
+    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/people', ofStudio(studioId))),
+  })
+
 /** What a party does with a contract; each answers the contract as it is then. */
 export type Deed =
   | { does: 'save'; body: Schemas['DraftSave'] }
   | { does: 'send'; note: string }
   | { does: 'take back'; reason: string }
   | { does: 'ask for a change'; text: string; clause: string | null }
-  | { does: 'accept'; name: string; textSha256: string }
+  | ({ does: 'accept' } & Signature)
+  | { does: 'sign order'; body: Schemas['SignersSet'] }
   | { does: 'end'; reason: string }
 
 function done(contractId: string, deed: Deed): Promise<Contract> {
@@ -176,9 +210,11 @@ function done(contractId: string, deed: Deed): Promise<Contract> {
       return answered(api.POST('/v1/contracts/{contract_id}/ask-change', { ...it, body }))
     }
     case 'accept': {
-      const body = { name: deed.name, text_sha256: deed.textSha256 }
+      const body = signatureOf(deed)
       return answered(api.POST('/v1/contracts/{contract_id}/accept', { ...it, body }))
     }
+    case 'sign order':
+      return answered(api.PUT('/v1/contracts/{contract_id}/signers', { ...it, body: deed.body }))
     case 'end':
       return answered(api.POST('/v1/contracts/{contract_id}/end', { ...it, body: { reason: deed.reason } }))
   }
@@ -206,7 +242,7 @@ export function useDeed(contractId: string) {
 export type EndingDeed =
   | { does: 'give notice'; reason: string; endsOn: string | null }
   | { does: 'withdraw' }
-  | { does: 'agree'; name: string; textSha256: string }
+  | ({ does: 'agree' } & Signature)
 
 function doneToEnd(contractId: string, deed: EndingDeed): Promise<Ending> {
   const it = of(contractId)
@@ -218,7 +254,7 @@ function doneToEnd(contractId: string, deed: EndingDeed): Promise<Ending> {
     case 'withdraw':
       return answered(api.POST('/v1/contracts/{contract_id}/ending/withdraw', it))
     case 'agree': {
-      const body = { name: deed.name, text_sha256: deed.textSha256 }
+      const body = signatureOf(deed)
       return answered(api.POST('/v1/contracts/{contract_id}/ending/agree', { ...it, body }))
     }
   }
@@ -242,7 +278,7 @@ export function useEnding(contractId: string) {
 /** What a party does with a change order; each answers all of them as they are then. */
 export type ChangeDeed =
   | { does: 'propose'; reason: string; beginsAtOnce: boolean; changes: Change[] }
-  | { does: 'accept'; number: number; name: string; textSha256: string }
+  | ({ does: 'accept'; number: number } & Signature)
   | { does: 'refuse' | 'withdraw'; number: number; reason: string }
 
 function doneToChange(contractId: string, deed: ChangeDeed): Promise<ChangeOrders> {
@@ -254,7 +290,7 @@ function doneToChange(contractId: string, deed: ChangeDeed): Promise<ChangeOrder
   const path = '/v1/contracts/{contract_id}/change-orders/{change_order_number}'
   switch (deed.does) {
     case 'accept': {
-      const body = { name: deed.name, text_sha256: deed.textSha256 }
+      const body = signatureOf(deed)
       return answered(api.POST(`${path}/accept`, { ...it, body }))
     }
     case 'refuse':

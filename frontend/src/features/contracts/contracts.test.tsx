@@ -53,6 +53,8 @@ const CONTRACT = {
   studio_name: 'Shield Wing studio',
   version: VERSION,
   acceptances: [],
+  signers: [],
+  signs_first: null,
   change_requested: null,
   may: { ...MAY, request_change: true, accept: true, end: true },
 }
@@ -97,6 +99,49 @@ describe('a designer', () => {
     const sent = asked.find(({ path }) => path.endsWith('/accept'))
     expect(sent?.body).toEqual({ name: 'N. Designer', text_sha256: 'a'.repeat(64) })
     expect(screen.getByText('Waiting for the studio to sign')).toBeVisible()
+  })
+
+  test('signs with the code that is mailed, and has another one mailed', async () => {
+    const needed = refusal(403, 'signing-code-needed', 'a code is mailed to you; nothing was signed')
+    const mailed = { email: 'n@sound.example', expires_at: '2026-11-20T10:10:00Z', tries: 5 }
+    const { asked, answers } = serve(
+      given({ 'POST /v1/contracts/c1/accept': needed, 'POST /v1/contracts/c1/signing-codes': mailed }),
+    )
+    openApp(PAGE)
+    await userEvent.type(await screen.findByLabelText('Your full name'), 'N. Designer{Enter}')
+    const code = await screen.findByLabelText('Code')
+    await waitFor(() => expect(code).toHaveFocus())
+    expect(code).toHaveAccessibleDescription(/^Mailed to n@sound.example/)
+    expect(screen.queryByText(/nothing was signed/)).not.toBeInTheDocument()
+    answers['POST /v1/contracts/c1/accept'] = refusal(403, 'wrong-signing-code', 'it can be tried 4 more times')
+    await userEvent.type(code, '111111{Enter}')
+    expect(await screen.findByText('It can be tried 4 more times.')).toBeVisible()
+    await userEvent.click(screen.getByRole('button', { name: 'Mail another code' }))
+    await waitFor(() => expect(code).toHaveValue(''))
+    const signed = { ...accepted('designer', 'N. Designer'), code_entered_at: '2026-11-20T10:05:00Z' }
+    answers['POST /v1/contracts/c1/accept'] = { ...CONTRACT, waits_for: ['studio'], may: MAY, acceptances: [signed] }
+    await userEvent.type(code, '482913{Enter}')
+    expect(await screen.findByText('for the designer, n@sound.example, confirmed by a mailed code')).toBeVisible()
+    expect(asked.filter(({ path }) => path.endsWith('/signing-codes')).map(({ body }) => body)).toEqual([
+      { text_sha256: 'a'.repeat(64) },
+      { text_sha256: 'a'.repeat(64) },
+    ])
+    expect(asked.filter(({ path }) => path.endsWith('/accept')).at(-1)?.body).toEqual({
+      name: 'N. Designer',
+      text_sha256: 'a'.repeat(64),
+      code: '482913',
+    })
+  })
+
+  test('sees who signs for the studio, and which side is first', async () => {
+    serve(
+      given({
+        'GET /v1/contracts/c1': { ...CONTRACT, signers: [{ id: 'x1', name: 'Producer' }], signs_first: 'studio' },
+      }),
+    )
+    openApp(PAGE)
+    expect(await screen.findByText('1. Producer, for the studio')).toBeVisible()
+    expect(screen.getByText('The studio signs first.')).toBeVisible()
   })
 
   test('is told when the text moved on meanwhile, and keeps the name typed', async () => {
@@ -248,6 +293,38 @@ const ENTRY = {
 }
 
 describe('a producer', () => {
+  test('names who signs a draft, in which order', async () => {
+    const producer = (id: string, name: string) => ({ person: { id, name }, roles: ['producer'] })
+    const reviewer = { person: { id: 'x4', name: 'Composer' }, roles: ['reviewer'] }
+    const draft = { ...CONTRACT, state: 'draft', my_party: 'studio', may: { ...MAY, change: true, send: true } }
+    const first = { ...draft, signers: [{ id: 'x1', name: 'Producer' }] }
+    const { asked, answers } = serve(
+      given({
+        'GET /v1/contracts/c1': draft,
+        'GET /v1/projects/p1': { ...PROJECT, studio: { id: 's1', name: 'Shield Wing studio' } },
+        'GET /v1/studios/s1/people': [producer('x1', 'Producer'), producer('x2', 'Executive producer'), reviewer],
+        'PUT /v1/contracts/c1/signers': first,
+      }),
+    )
+    openApp(PAGE)
+    await userEvent.click(await screen.findByRole('combobox', { name: 'First signer of the studio' }))
+    expect((await screen.findAllByRole('option')).map(({ textContent }) => textContent)).toEqual([
+      'Producer',
+      'Executive producer',
+    ])
+    await userEvent.click(screen.getByRole('option', { name: 'Producer' }))
+    await userEvent.click(await screen.findByRole('combobox', { name: 'Second signer of the studio' }))
+    answers['PUT /v1/contracts/c1/signers'] = { ...first, signs_first: 'studio' }
+    await userEvent.click(await screen.findByRole('option', { name: 'Executive producer' }))
+    const bodies = () => asked.filter(({ path }) => path.endsWith('/signers')).map(({ body }) => body)
+    await waitFor(() =>
+      expect(bodies()).toEqual([
+        { person_ids: ['x1'], first: null },
+        { person_ids: ['x1', 'x2'], first: null },
+      ]),
+    )
+  })
+
   const draft = {
     ...CONTRACT,
     state: 'draft',

@@ -107,6 +107,7 @@ const QUIET = new Set([
   'text_sha256',
   'text_sha256_of_amendment',
   'pdf_sha256',
+  'consent',
 ])
 
 /** The author of an entry: name, role at that time, and on whose behalf. */

@@ -1,0 +1,78 @@
+"""What is sent to sign a text, and the codes that are mailed for it."""
+
+from uuid import UUID
+
+from fastapi import Request
+from starlette.concurrency import run_in_threadpool
+
+from app.accounts.errors import TooManyAttempts
+from app.accounts.policies import allows, client_address
+from app.accounts.request_limits import RateLimitedRoute, ensure_signing_code_allowed
+from app.accounts.rules import Actor, Audience, device_of
+from app.agreements import schemas, signing_codes
+from app.agreements.errors import (
+    AddressNotProven,
+    AlreadyAccepted,
+    ContractNotFound,
+    NoSigningCode,
+    NotYourContract,
+    SamePersonOnBothSides,
+    SigningCodeNeeded,
+    SigningCodeOver,
+    TextChanged,
+    WrongSigningCode,
+)
+from app.agreements.signing import Signature
+from app.agreements.signing_rules import AGENT_LENGTH, CODE_TRIES
+from app.kit.http import CurrentRuntime, DbSession, Router, problems, runtime_of
+
+router = Router(prefix="/v1", tags=["contracts"], route_class=RateLimitedRoute)
+SIGNING = (
+    AddressNotProven,
+    AlreadyAccepted,
+    SamePersonOnBothSides,
+    SigningCodeNeeded,
+    SigningCodeOver,
+    TextChanged,
+    WrongSigningCode,
+)
+
+
+async def signature_sent(request: Request, contract_id: UUID, body: schemas.AcceptAdd) -> Signature:
+    """Return what the caller signs with; the code is tried before the request's transaction, so each try counts."""
+    return await run_in_threadpool(_signature, request, contract_id, body)
+
+
+def _signature(request: Request, contract_id: UUID, body: schemas.AcceptAdd) -> Signature:
+    runtime, agent = runtime_of(request), request.headers.get("user-agent", "")
+    check = None
+    if runtime.settings.smtp_url:
+        actor = request.state.lazy_authentication()
+        check = signing_codes.check(runtime.database, actor, contract_id, body.text_sha256, body.code)
+    return Signature(
+        name=body.name,
+        text_sha256=body.text_sha256,
+        address=client_address(request),
+        agent=device_of(agent)[:AGENT_LENGTH] if agent else "",
+        code=check,
+    )
+
+
+@router.post(
+    "/contracts/{contract_id}/signing-codes",
+    status_code=201,
+    responses=problems(ContractNotFound, NotYourContract, AddressNotProven, NoSigningCode, TooManyAttempts),
+)
+def request_signing_code(
+    contract_id: UUID,
+    body: schemas.SigningCodeAdd,
+    runtime: CurrentRuntime,
+    session: DbSession,
+    actor: Actor = allows(Audience.PROJECT),
+) -> schemas.SigningCodeRead:
+    """Mail the caller a code to sign a text of a contract with: the contract's own, a change order's, a statement's."""
+    ensure_signing_code_allowed(session, actor)
+    code, email = signing_codes.request_code(
+        session, actor, contract_id, body.text_sha256, is_mail_on=bool(runtime.settings.smtp_url)
+    )
+    return schemas.SigningCodeRead(email=email, expires_at=code.expires_at, tries=CODE_TRIES)

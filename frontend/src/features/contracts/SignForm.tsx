@@ -1,0 +1,110 @@
+import { TextInput } from '@mantine/core'
+import { type FormEvent, type ReactNode, useId, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { DraftNote, useDraft } from '@/app/drafts'
+import { Button } from '@/ui/Button'
+import { clock } from '@/ui/format'
+
+import { useSigningCode } from './api'
+import classes from './Contracts.module.css'
+import { Refusal } from './Refusal'
+
+const CONSENT = 'I have read this text, I agree to be bound by it, and the name that I type is my signature.'
+const isCodeNeeded = (error: unknown) => error instanceof ApiProblem && error.code === 'signing-code-needed'
+
+/** What a person signs with: their name and, where the server sends mail, the code that it mailed to them. */
+export interface Signed {
+  name: string
+  code: string | null
+}
+
+/** Sign a text by typing one's name; where the server sends mail, a code is mailed first and typed here. */
+export function SignForm({
+  contractId,
+  textSha256,
+  label,
+  button,
+  children,
+  onSign,
+}: {
+  contractId: string
+  textSha256: string
+  label: string
+  button: string
+  children?: ReactNode
+  onSign: (signed: Signed) => Promise<unknown>
+}) {
+  const [name, setName, draft] = useDraft(`signature:${contractId}:${textSha256}`, '')
+  const [code, setCode] = useState('')
+  const [error, setError] = useState<unknown>(null)
+  const [isSigning, setSigning] = useState(false)
+  const mailed = useSigningCode(contractId)
+  const codeId = useId()
+  const askForCode = () =>
+    mailed.mutate(textSha256, {
+      onSuccess: () => {
+        setCode('')
+        setError(null)
+        requestAnimationFrame(() => document.getElementById(codeId)?.focus())
+      },
+    })
+  const sign = async (event: FormEvent) => {
+    event.preventDefault()
+    if (isSigning || mailed.isPending || name.trim() === '') return
+    setSigning(true)
+    setError(null)
+    try {
+      await onSign({ name: name.trim(), code: code.trim() === '' ? null : code.trim() })
+      draft.discard()
+    } catch (refused) {
+      if (isCodeNeeded(refused) && !mailed.data) askForCode()
+      else setError(refused)
+    } finally {
+      setSigning(false)
+    }
+  }
+  return (
+    <form onSubmit={(event) => void sign(event)} className={classes.inner} aria-label={label}>
+      {children}
+      <p className="small mid">{`${CONSENT} Recorded with it: your email, the time, your IP address and your browser.`}</p>
+      <TextInput
+        label="Your full name"
+        autoComplete="name"
+        value={name}
+        maxLength={120}
+        onChange={({ currentTarget }) => setName(currentTarget.value)}
+      />
+      <DraftNote draft={draft} />
+      {mailed.data && (
+        <>
+          <TextInput
+            id={codeId}
+            label="Code"
+            description={`Mailed to ${mailed.data.email}; it works until ${clock(mailed.data.expires_at)} or later, if the mail takes long.`}
+            autoComplete="one-time-code"
+            inputMode="numeric"
+            value={code}
+            maxLength={20}
+            onChange={({ currentTarget }) => setCode(currentTarget.value)}
+          />
+          <div>
+            <Button variant="quiet" aria-busy={mailed.isPending} onClick={askForCode}>
+              Mail another code
+            </Button>
+          </div>
+        </>
+      )}
+      <Refusal error={error ?? mailed.error} />
+      <Button
+        type="submit"
+        variant="primary"
+        icon="tick"
+        disabled={name.trim() === ''}
+        aria-busy={isSigning || mailed.isPending}
+      >
+        {button}
+      </Button>
+    </form>
+  )
+}
