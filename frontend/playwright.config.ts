@@ -22,6 +22,7 @@ export default defineConfig({
         'tray.spec.ts',
         'live.spec.ts',
         'walk.spec.ts',
+        'judging.spec.ts',
       ],
     },
     { name: 'parts', testMatch: 'parts.spec.ts' },

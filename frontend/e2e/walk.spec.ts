@@ -1,11 +1,12 @@
 import { mkdir, writeFile } from 'node:fs/promises'
 import { dirname, join } from 'node:path'
 
-import { expect, type Locator, type Page, test as base } from '@playwright/test'
+import { expect, type Page } from '@playwright/test'
 
 import { ask } from './api'
 import { visit } from './atWork'
 import { test } from './fixtures'
+import { Hand } from './hand'
 import { wav } from './sounds'
 
 const PASSWORD = 'quiet reactor hum'
@@ -15,41 +16,6 @@ const CUES = 60
 const MOST = {
   producer: { clicks: 12, fields: 12, requests: 200 },
   designer: { clicks: 5, fields: 4, requests: 100 },
-}
-
-/** One person's browser, which counts what they do in it. */
-class Hand {
-  clicks = 0
-  fields = 0
-  keys = 0
-  requests = 0
-
-  constructor(readonly page: Page) {
-    page.on('request', (request) => {
-      if (new URL(request.url()).pathname.startsWith('/v1/')) this.requests += 1
-    })
-  }
-
-  async click(what: Locator): Promise<void> {
-    this.clicks += 1
-    await what.click()
-  }
-
-  async type(field: Locator, text: string): Promise<void> {
-    this.fields += 1
-    await field.fill(text)
-  }
-
-  async press(key: string): Promise<void> {
-    this.keys += 1
-    await this.page.keyboard.press(key)
-  }
-
-  report(name: string): void {
-    const description = `${this.clicks} clicks, ${this.fields} fields, ${this.keys} keys, ${this.requests} requests`
-    base.info().annotations.push({ type: name, description })
-    console.log(`${name}: ${description}`)
-  }
 }
 
 const nameOf = (index: number): string =>

@@ -285,20 +285,19 @@ function Composer({ review, hand, writing, onWrite, onWriting, comment }: SidePa
   const send = () => {
     if (writing === null || text.trim() === '' || comment.isPending) return
     const isPoint = writing.startS > 0 || writing.endS !== undefined
-    comment.mutate(
-      {
-        takeId: hand.id,
-        text: text.trim(),
-        startS: isPoint ? writing.startS : undefined,
-        endS: writing.endS,
+    const said = {
+      takeId: hand.id,
+      text: text.trim(),
+      startS: isPoint ? writing.startS : undefined,
+      endS: writing.endS,
+    }
+    // The next cue may be open by the time it is sent.
+    comment.mutateAsync(said).then(
+      () => {
+        keepDraft(draftKey, null)
+        onWriting((now) => (now === writing ? null : now))
       },
-      {
-        onSuccess: () => {
-          keepDraft(draftKey, null)
-          onWriting((now) => (now === writing ? null : now))
-        },
-        onError: () => field.current?.focus(),
-      },
+      () => field.current?.focus(),
     )
     field.current?.blur() // the next key is a single-key shortcut again
   }
