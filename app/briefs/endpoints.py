@@ -8,7 +8,7 @@ from fastapi import Path, Query
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.accounts.schemas import PersonBrief
-from app.briefs import follow_ups, queries, service
+from app.briefs import follow_ups, queries, service, spec_answers
 from app.briefs.documents import document_of, version_brief, version_read
 from app.briefs.errors import (
     AnswerChanged,
@@ -16,6 +16,7 @@ from app.briefs.errors import (
     BriefVersionNotFound,
     FollowUpAnswered,
     FollowUpNotFound,
+    NothingProposed,
     NothingToPublish,
     QuestionUnknown,
 )
@@ -32,9 +33,12 @@ from app.briefs.schemas import (
     FollowUpAnswer,
     FollowUpRead,
     LastReadRead,
+    SpecApplied,
+    SpecProposal,
+    SpecProposalApply,
 )
 from app.kit.http import LARGEST_NUMBER, BadCursor, DbSession, Page, Route, Router, cursor_of, number_cursor, problems
-from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
+from app.projects.errors import BadSpec, DesignerNeeded, ProjectNotFound, SpecChanged, TeamNeeded
 from app.projects.service import project_access
 
 router = Router(prefix="/v1", tags=["briefs"], route_class=Route)
@@ -149,6 +153,30 @@ def compare_brief_versions(
         for question in differences(before, after)
     ]
     return BriefComparison(from_version=first, to_version=last, differences=differing)
+
+
+@router.get("/projects/{project_id}/brief/spec", responses=problems(ProjectNotFound))
+def propose_spec(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> SpecProposal:
+    """Return the delivery spec as the answers ask for it, and each difference to the one in force."""
+    return spec_answers.proposed_spec(session, actor, project_id)
+
+
+@router.post(
+    "/projects/{project_id}/brief/spec",
+    responses=problems(ProjectNotFound, TeamNeeded, AnswerChanged, NothingProposed, SpecChanged, BadSpec),
+)
+def apply_spec_proposal(
+    project_id: UUID, body: SpecProposalApply, session: DbSession, actor: Actor = allows(Audience.TEAM)
+) -> SpecApplied:
+    """Save what the answers ask for as a version of the delivery spec; affected takes are checked again."""
+    spec = spec_answers.apply_proposal(
+        session,
+        actor,
+        project_id,
+        based_on_version=body.based_on_version,
+        brief_revision=body.brief_revision,
+    )
+    return SpecApplied(version=spec.version)
 
 
 @router.post(

@@ -1,6 +1,7 @@
 """The brief, read from the database; callers have checked access."""
 
 from collections.abc import Mapping, Sequence
+from datetime import datetime
 from typing import Any
 from uuid import UUID
 
@@ -67,6 +68,15 @@ def follow_up_by_id(session: Session, follow_up_id: UUID) -> FollowUp | None:
         .options(joinedload(FollowUp.asker), joinedload(FollowUp.answerer))
         .execution_options(populate_existing=True)
     )
+
+
+def open_follow_ups(session: Session, project_id: UUID) -> tuple[int, datetime | None]:
+    """Return how many follow-ups have no answer, and since when the first one waits."""
+    waiting = select(func.count(), func.min(FollowUp.asked_at)).where(
+        FollowUp.project_id == project_id, FollowUp.answered_at.is_(None)
+    )
+    count, since = session.execute(waiting).one()
+    return count, since
 
 
 def follow_ups_of(session: Session, project_id: UUID) -> Sequence[FollowUp]:

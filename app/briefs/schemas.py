@@ -167,6 +167,40 @@ class LastReadRead(Schema):
     behind: int = Field(description="How many versions are newer.")
 
 
+class SpecChangeRead(Schema):
+    """One key of the delivery spec that an answer changes."""
+
+    place: str = Field(description="Dotted, as in `engine.adds`.")
+    before: Any = Field(description="Null: the key is absent.")
+    after: Any = Field(description="Null: the key goes.")
+    question: str
+    number: int
+    lines: list[str] = Field(description="The change as TOML.")
+
+
+class SpecProposal(Schema):
+    """The delivery spec as the answers ask for it, beside the one in force."""
+
+    based_on_version: int
+    brief_revision: int
+    toml: str
+    changes: list[SpecChangeRead]
+    errors: list[str] = Field(description="Why it cannot be saved; empty where it can.")
+
+
+class SpecProposalApply(Schema):
+    """What the proposal was made from: it is refused where either has changed."""
+
+    based_on_version: int = Field(ge=1, le=LARGEST_NUMBER)
+    brief_revision: Number
+
+
+class SpecApplied(Schema):
+    """The version of the delivery spec that came of it."""
+
+    version: int
+
+
 class FollowUpAdd(Schema):
     """What a designer asks about a question of the brief."""
 

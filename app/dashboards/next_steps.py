@@ -13,6 +13,7 @@ from app.agreements.access import party_of
 from app.agreements.models import Contract
 from app.agreements.rules import ContractKind, ContractState, Party
 from app.agreements.signing_rules import Turn
+from app.briefs import queries as briefs
 from app.dashboards import progress_queries, queries
 from app.dashboards.progress import counted
 from app.dashboards.rules import CAME_BACK, STEP_ORDER, UNFINISHED, AwaitedKind, CueStatus, NextStepKind
@@ -65,6 +66,7 @@ class _Steps:
             self._counted(
                 NextStepKind.ANSWER_QUESTIONS, queries.questions_open_since(session, project.id, asked_by=None)
             )
+            self._counted(NextStepKind.ANSWER_FOLLOW_UPS, briefs.open_follow_ups(session, project.id))
         queue = queue_queries.waiting_cues(
             session, queue_queries.in_project(project.id), after=None, limit=COUNTED_CUES
         )
@@ -115,6 +117,8 @@ class _Steps:
         session, project, access = self._session, self._project, self._access
         if not has_cues:
             self.steps.append(NextStep(kind=NextStepKind.ADD_CUES, since=project.created_at))
+            if briefs.brief_of(session, project.id) is None:
+                self.steps.append(NextStep(kind=NextStepKind.WRITE_BRIEF, since=project.created_at))
         engaged = [one for one in engagements_of(session, [project.id]) if one.ended_at is None]
         invited = [one for one in invitations(session, project.id) if one.accepted_at is None]
         pending = [one for one in invited if one.expires_at > clock.now()]

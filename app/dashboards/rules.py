@@ -35,6 +35,7 @@ class NextStepKind(StrEnum):
     """What a person is the one to do, in the order in which it is shown."""
 
     ADD_CUES = "add_cues"
+    WRITE_BRIEF = "write_brief"
     INVITE_DESIGNER = "invite_designer"
     SEND_NDA = "send_nda"
     SIGN_CONTRACT = "sign_contract"
@@ -45,6 +46,7 @@ class NextStepKind(StrEnum):
     FIX = "fix"
     MATCH = "match"
     ANSWER_QUESTIONS = "answer_questions"
+    ANSWER_FOLLOW_UPS = "answer_follow_ups"
     AGREE_DAYS = "agree_days"
     AGREE_ROUND = "agree_round"
     SEND_CHANGES = "send_changes"

@@ -1021,6 +1021,30 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/brief/spec": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Propose Spec
+         * @description Return the delivery spec as the answers ask for it, and each difference to the one in force.
+         */
+        get: operations["propose_spec"];
+        put?: never;
+        /**
+         * Apply Spec Proposal
+         * @description Save what the answers ask for as a version of the delivery spec; affected takes are checked again.
+         */
+        post: operations["apply_spec_proposal"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/brief/follow-ups": {
         parameters: {
             query?: never;
@@ -1055,6 +1079,66 @@ export interface paths {
          * @description Answer a designer's follow-up, once.
          */
         post: operations["answer_follow_up"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/clarity": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Check Clarity
+         * @description Return the cues whose words leave something open, with a question for each fact; it blocks nothing.
+         */
+        get: operations["check_clarity"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/cues/{cue_id}/clarity/{fact}/answer": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Answer Fact
+         * @description Write an answer into the cue's description.
+         */
+        post: operations["answer_fact"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/cues/{cue_id}/clarity/{fact}/dismissed": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Dismiss Fact
+         * @description Ask for a fact of a cue no more, or again.
+         */
+        put: operations["dismiss_fact"];
+        post?: never;
         delete?: never;
         options?: never;
         head?: never;
@@ -6176,6 +6260,14 @@ export interface components {
             lines: string[];
         };
         /**
+         * ClarityRead
+         * @description What the clarity check says of a list.
+         */
+        ClarityRead: {
+            /** Unclear */
+            unclear: components["schemas"]["UnclearCue"][];
+        };
+        /**
          * ClauseRow
          * @description One clause: Markdown with variables in braces; what does not stand is kept, and not in the text.
          */
@@ -7714,6 +7806,45 @@ export interface components {
              * Format: date-time
              */
             proposed_at: string;
+        };
+        /**
+         * Fact
+         * @description What a designer may have to know.
+         * @enum {string}
+         */
+        Fact: "source" | "material" | "size" | "surface" | "place" | "distance" | "intensity" | "mood" | "loop" | "length";
+        /**
+         * FactAnswer
+         * @description An answer, which is written into the cue's description.
+         */
+        FactAnswer: {
+            /** Text */
+            text: string;
+        };
+        /**
+         * FactDismissal
+         * @description Whether a fact is asked for no more.
+         */
+        FactDismissal: {
+            /** Dismissed */
+            dismissed: boolean;
+        };
+        /**
+         * FactQuestion
+         * @description A fact that a cue's words leave open.
+         */
+        FactQuestion: {
+            fact: components["schemas"]["Fact"];
+            /**
+             * Question
+             * @description In words: How big?
+             */
+            question: string;
+            /**
+             * Answers
+             * @description Likely answers to choose from; any other is as good.
+             */
+            answers: string[];
         };
         /**
          * FeedbackAdd
@@ -9706,7 +9837,7 @@ export interface components {
          * @description What a person is the one to do, in the order in which it is shown.
          * @enum {string}
          */
-        NextStepKind: "add_cues" | "invite_designer" | "send_nda" | "sign_contract" | "change_contract" | "pay_invoice" | "invoice_deposit" | "deposit_due" | "fix" | "match" | "answer_questions" | "agree_days" | "agree_round" | "send_changes" | "review" | "send_contract" | "invoice_due" | "name_approver" | "make";
+        NextStepKind: "add_cues" | "write_brief" | "invite_designer" | "send_nda" | "sign_contract" | "change_contract" | "pay_invoice" | "invoice_deposit" | "deposit_due" | "fix" | "match" | "answer_questions" | "answer_follow_ups" | "agree_days" | "agree_round" | "send_changes" | "review" | "send_contract" | "invoice_due" | "name_approver" | "make";
         /**
          * NextSteps
          * @description What the caller is to do in a project, the first thing first, and for whom they wait.
@@ -11821,6 +11952,14 @@ export interface components {
             emphatic: boolean;
         };
         /**
+         * SpecApplied
+         * @description The version of the delivery spec that came of it.
+         */
+        SpecApplied: {
+            /** Version */
+            version: number;
+        };
+        /**
          * SpecBrief
          * @description One version of the spec, without its text.
          */
@@ -11852,6 +11991,36 @@ export interface components {
             note: string;
             /** Based On Version */
             based_on_version: number;
+        };
+        /**
+         * SpecChangeRead
+         * @description One key of the delivery spec that an answer changes.
+         */
+        SpecChangeRead: {
+            /**
+             * Place
+             * @description Dotted, as in `engine.adds`.
+             */
+            place: string;
+            /**
+             * Before
+             * @description Null: the key is absent.
+             */
+            before: unknown;
+            /**
+             * After
+             * @description Null: the key goes.
+             */
+            after: unknown;
+            /** Question */
+            question: string;
+            /** Number */
+            number: number;
+            /**
+             * Lines
+             * @description The change as TOML.
+             */
+            lines: string[];
         };
         /**
          * SpecDraftCheck
@@ -11898,6 +12067,35 @@ export interface components {
             note: string;
             /** Based On Version */
             based_on_version: number;
+        };
+        /**
+         * SpecProposal
+         * @description The delivery spec as the answers ask for it, beside the one in force.
+         */
+        SpecProposal: {
+            /** Based On Version */
+            based_on_version: number;
+            /** Brief Revision */
+            brief_revision: number;
+            /** Toml */
+            toml: string;
+            /** Changes */
+            changes: components["schemas"]["SpecChangeRead"][];
+            /**
+             * Errors
+             * @description Why it cannot be saved; empty where it can.
+             */
+            errors: string[];
+        };
+        /**
+         * SpecProposalApply
+         * @description What the proposal was made from: it is refused where either has changed.
+         */
+        SpecProposalApply: {
+            /** Based On Version */
+            based_on_version: number;
+            /** Brief Revision */
+            brief_revision: number;
         };
         /**
          * SpecRead
@@ -12850,6 +13048,19 @@ export interface components {
             last_used_at: string | null;
             /** Revoked At */
             revoked_at: string | null;
+        };
+        /**
+         * UnclearCue
+         * @description A cue that a designer could not make from its words, with what they leave open.
+         */
+        UnclearCue: {
+            /**
+             * Cue Id
+             * Format: uuid
+             */
+            cue_id: string;
+            /** Questions */
+            questions: components["schemas"]["FactQuestion"][];
         };
         /**
          * UploadRead
@@ -16214,6 +16425,108 @@ export interface operations {
             };
         };
     };
+    propose_spec: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SpecProposal"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    apply_spec_proposal: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["SpecProposalApply"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SpecApplied"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `answer-changed`, `nothing-proposed`, `spec-changed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-spec` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     ask_follow_up: {
         parameters: {
             query?: never;
@@ -16311,6 +16624,159 @@ export interface operations {
             };
             /** @description `follow-up-answered` */
             409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    check_clarity: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ClarityRead"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    answer_fact: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                cue_id: string;
+                fact: components["schemas"]["Fact"];
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["FactAnswer"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `cue-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `cue-is-cut` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `rows-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    dismiss_fact: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                cue_id: string;
+                fact: components["schemas"]["Fact"];
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["FactDismissal"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `cue-not-found` */
+            404: {
                 headers: {
                     [name: string]: unknown;
                 };

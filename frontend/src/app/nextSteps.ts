@@ -70,6 +70,13 @@ export function wordsOf(step: NextStep, projectId: string): Words {
         act: 'Import or paste',
         path: `${project}/sound-list/import`,
       }
+    case 'write_brief':
+      return {
+        head: 'Write the brief',
+        why: 'What a designer will ask, in plain questions. You can skip it: a project works without one.',
+        act: 'Write the brief',
+        path: `${project}/brief`,
+      }
     case 'invite_designer':
       return {
         head: 'Invite a sound designer',
@@ -150,6 +157,13 @@ export function wordsOf(step: NextStep, projectId: string): Words {
         why: 'The answer is added to the cue.',
         act: 'Answer',
         path: `${project}/today`,
+      }
+    case 'answer_follow_ups':
+      return {
+        head: count === 1 ? 'Answer a question about the brief' : `Answer ${plural(count, 'question')} about the brief`,
+        why: 'A designer asked for more than the answer says.',
+        act: 'Answer',
+        path: `${project}/brief`,
       }
     case 'send_changes':
       return { head: `Send ${plural(count, 'change')}`, why: '', act: 'Send', path: `${project}/today` }

@@ -4,6 +4,7 @@ import { createRouter } from '@tanstack/react-router'
 import { queryClient } from '@/api/queryClient'
 import { accountGuestRoutes, accountRoutes } from '@/features/accounts/routes'
 import { createSession } from '@/features/accounts/session'
+import { briefRoutes } from '@/features/brief/routes'
 import { checkRoutes } from '@/features/checks/routes'
 import { contractRoutes } from '@/features/contracts/routes'
 import { deskRoutes } from '@/features/desk/routes'
@@ -28,6 +29,7 @@ const pages = [
   shellRoute.addChildren([
     ...todayRoutes,
     ...projectRoutes,
+    ...briefRoutes,
     ...moneyRoutes,
     ...gameFilesRoutes,
     ...reviewRoutes,

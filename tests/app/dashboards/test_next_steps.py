@@ -49,6 +49,9 @@ def test_a_new_project_asks_for_cues_then_a_designer_then_an_approver(world: Wor
     def kinds() -> list[str]:
         return [one["kind"] for one in asked(world.producer, project_id)["steps"]]
 
+    assert kinds() == ["add_cues", "write_brief", "name_approver"]
+    body = {"revision": 0, "answers": {"genre": {"is_unknown": True}}}
+    assert world.producer.patch(f"/v1/projects/{project_id}/brief", json=body).status_code == 200
     assert kinds() == ["add_cues", "name_approver"]
     world.producer.post(f"/v1/projects/{project_id}/cues", json={"cues": [{"name": "airlock"}]})
     assert kinds() == ["invite_designer", "name_approver"]
@@ -59,6 +62,17 @@ def test_a_new_project_asks_for_cues_then_a_designer_then_an_approver(world: Wor
     assert [(one["kind"], one["who"]) for one in found] == [("join", "maker@example.test")]
     world.producer.post(f"/v1/projects/{project_id}/approver-invitations", json={"email": "director@example.test"})
     assert kinds() == ["name_approver"]  # until the invited one joins
+
+
+def test_a_follow_up_on_the_brief_is_answered_by_the_team(world: World) -> None:
+    add_cues(world, {"name": "airlock"})
+    asked = {"question": "naming", "text": "Which separator?"}
+    follow_up = world.designer.post(f"/v1/projects/{world.project_id}/brief/follow-ups", json=asked).json()
+    assert ("answer_follow_ups", 1) in steps(world)
+    assert ("answer_follow_ups", 1) in steps(world, "approver")
+    assert "answer_follow_ups" not in dict(steps(world, "reviewer"))
+    world.approver.post(f"/v1/brief-follow-ups/{follow_up['id']}/answer", json={"text": "An underscore."})
+    assert "answer_follow_ups" not in dict(steps(world))
 
 
 def test_an_nda_is_somebodys_next_step_until_it_is_signed(world: World, contracts: Contracts) -> None:

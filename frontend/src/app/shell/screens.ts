@@ -88,10 +88,12 @@ export function placesOf({ side, project, isParty }: ShellData): Place[] {
   const money: Place[] = isParty
     ? [{ label: 'Money, invoices and payments', path: `${at}/money`, also: ['invoice', 'pay', 'ledger', 'deposit'] }]
     : []
-  if (side === 'designer') return money
+  if (side === 'designer')
+    return [{ label: 'Brief', path: `${at}/brief`, also: ['questions', 'platforms', 'scenes'] }, ...money]
   return [
     { label: 'Invite a designer or an approver', path: `${at}/people`, also: ['people', 'team', 'hire', 'members'] },
     { label: 'Import or paste cues', path: `${at}/sound-list/import`, also: ['sheet', 'csv', 'excel', 'add'] },
+    { label: 'Brief', path: `${at}/brief`, also: ['questions', 'platforms', 'scenes', 'kickoff'] },
     { label: 'Delivery spec', path: `${at}/spec`, also: ['limits', 'loudness', 'naming', 'toml'] },
     { label: 'Game files and packs', path: `${at}/game-files`, also: ['pack', 'download', 'export', 'targets'] },
     ...money,

@@ -79,6 +79,9 @@ export function ProjectHead({ project, members = 0 }: ProjectHeadProps) {
           ))}
           {mine.is_team && others > 0 && <li className="wide-only">{`+ ${plural(others, 'other')} team members`}</li>}
         </ul>
+        <Link className="link" to={`/projects/${projectId}/brief` as LinkProps['to']}>
+          Brief
+        </Link>
         {mine.is_team && (
           <Link className="link" to="/projects/$projectId/people" params={{ projectId }}>
             People

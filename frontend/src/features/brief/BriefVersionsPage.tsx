@@ -1,0 +1,110 @@
+import { useQuery } from '@tanstack/react-query'
+import { Link, useNavigate, useParams, useSearch } from '@tanstack/react-router'
+
+import { useTitle } from '@/app/title'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { shortDay } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { Select } from '@/ui/Select'
+
+import { comparisonQuery, useBriefVersions } from './api'
+import classes from './Brief.module.css'
+import { refused } from './words'
+
+const NOW = 'now'
+
+/** Published versions of the brief, and what differs between two of them. */
+export function BriefVersionsPage() {
+  useTitle('Versions of the brief')
+  const { projectId } = useParams({ from: '/shell/projects/$projectId/brief/versions' })
+  const { from, to } = useSearch({ from: '/shell/projects/$projectId/brief/versions' })
+  const navigate = useNavigate()
+  const { data, error, hasNextPage, fetchNextPage } = useBriefVersions(projectId)
+  const versions = data?.pages.flatMap(({ items }) => items)
+  const newest = versions?.[0]?.number
+  const first = from ?? newest ?? 0
+  const compared = useQuery({ ...comparisonQuery(projectId, first, to), enabled: versions !== undefined && first > 0 })
+  const choose = (search: { from?: number; to?: number }) =>
+    void navigate({ to: '/projects/$projectId/brief/versions', params: { projectId }, search, replace: true })
+  const numberOf = (value: string) => (value === NOW ? undefined : Number(value))
+  return (
+    <div className="page stack" aria-busy={!versions && error === null}>
+      <div>
+        <h1>Versions of the brief</h1>
+        <Link className="link" to="/projects/$projectId/brief" params={{ projectId }} search={{}}>
+          Back to the brief
+        </Link>
+      </div>
+      {error && <ProblemNote detail={refused(error.message)} />}
+      {versions?.length === 0 && (
+        <EmptyState head="No version is published yet">
+          A version keeps the answers as they are, so that both sides can name what they agreed on. Publish one on the
+          page of the brief.
+        </EmptyState>
+      )}
+      {versions && versions.length > 0 && (
+        <>
+          <Card aria-labelledby="differences">
+            <CardHead id="differences" title="What differs" count={compared.data?.differences.length} />
+            <div className={`row wrap ${classes.pick}`}>
+              <Select
+                label="From"
+                value={String(first)}
+                onChange={({ currentTarget }) => choose({ from: numberOf(currentTarget.value), to })}
+              >
+                {versions.map(({ number }) => (
+                  <option key={number} value={number}>{`Version ${number}`}</option>
+                ))}
+              </Select>
+              <Select
+                label="To"
+                value={to === undefined ? NOW : String(to)}
+                onChange={({ currentTarget }) => choose({ from: first, to: numberOf(currentTarget.value) })}
+              >
+                <option value={NOW}>The brief as it is now</option>
+                {versions.map(({ number }) => (
+                  <option key={number} value={number}>{`Version ${number}`}</option>
+                ))}
+              </Select>
+            </div>
+            {compared.error && <ProblemNote detail={refused(compared.error.message)} />}
+            {compared.data?.differences.length === 0 && <p className={classes.pick}>No answer differs.</p>}
+            {compared.data?.differences.map(({ question, number, text, before, after }) => (
+              <div key={question} className={classes.difference}>
+                <h3>{`${number}. ${text}`}</h3>
+                <div className={classes.sides}>
+                  <p>
+                    <span className="small dim">Before</span>
+                    <br />
+                    <span className="struck">{before || 'Open'}</span>
+                  </p>
+                  <p>
+                    <span className="small dim">After</span>
+                    <br />
+                    {after || 'Open'}
+                  </p>
+                </div>
+              </div>
+            ))}
+          </Card>
+          <Card aria-labelledby="versions">
+            <CardHead id="versions" title="Versions" />
+            <ul className={classes.versions}>
+              {versions.map(({ number, note, publisher, published_at: at, answered, total }) => (
+                <li key={number} className="row wrap">
+                  <span className="strong">{`Version ${number}`}</span>
+                  <span className="mid">{`${shortDay(at)}, ${publisher.name}`}</span>
+                  <span className="mid">{`${answered} of ${total} answered`}</span>
+                  {note !== '' && <span>{note}</span>}
+                </li>
+              ))}
+            </ul>
+            {hasNextPage && <Button onClick={() => void fetchNextPage()}>Older versions</Button>}
+          </Card>
+        </>
+      )}
+    </div>
+  )
+}

@@ -1,0 +1,197 @@
+import { TextInput } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+import { Link, type LinkProps } from '@tanstack/react-router'
+
+import { useDraft } from '@/app/drafts'
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { CardHead } from '@/ui/Card'
+import { plural } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { type Brief, proposalQuery, readsQuery, useApplyProposal, usePublishBrief } from './api'
+import classes from './Brief.module.css'
+import type { Saving } from './useAnswers'
+import { questionsOf, refused } from './words'
+
+interface SideCardsProps {
+  projectId: string
+  brief: Brief
+  saving: Saving
+}
+
+export function SideCards({ projectId, brief, saving }: SideCardsProps) {
+  return (
+    <>
+      <SpecCard projectId={projectId} mayApply={brief.may_answer} saving={saving} />
+      {brief.may_answer && <PublishCard projectId={projectId} brief={brief} saving={saving} />}
+      <OpenCard projectId={projectId} brief={brief} />
+    </>
+  )
+}
+
+/** What the answers ask of the delivery spec, each line with its question; saved in one act. */
+function SpecCard({ projectId, mayApply, saving }: { projectId: string; mayApply: boolean; saving: Saving }) {
+  const { data: proposal } = useQuery(proposalQuery(projectId))
+  const apply = useApplyProposal(projectId)
+  if (!proposal) return null
+  const { changes, errors, based_on_version: basedOn, brief_revision: revision } = proposal
+  const send = () =>
+    apply.mutate(
+      { based_on_version: basedOn, brief_revision: revision },
+      {
+        onSuccess: ({ version }) => showToast(`Version ${version} of the spec saved. Affected versions are rechecked.`),
+      },
+    )
+  return (
+    <section aria-label="Delivery spec">
+      <CardHead
+        title="Delivery spec"
+        note={`version ${basedOn}`}
+        end={
+          <Link className="link" to={`/projects/${projectId}/spec/versions` as LinkProps['to']}>
+            View
+          </Link>
+        }
+      />
+      {changes.length === 0 ? (
+        <p className={classes.sideBody}>The spec has what the answers ask for.</p>
+      ) : (
+        <>
+          <ul aria-label="Changes that the answers ask for">
+            {changes.map(({ place, before, after, number, lines }) => (
+              <li key={place} className={classes.change}>
+                <span className="row between small mid">
+                  <span className="mono">{place}</span>
+                  <span>{`question ${number}`}</span>
+                </span>
+                {before !== null && <span className={`mono struck ${classes.toml}`}>{written(before)}</span>}
+                <span className={`mono ${classes.toml}`}>
+                  {after === null ? 'removed' : lines.filter((line) => line !== '').join('\n')}
+                </span>
+              </li>
+            ))}
+          </ul>
+          <div className={classes.sideBody}>
+            {errors.map((error) => (
+              <ProblemNote key={error} detail={refused(error)} fix="Change the answer, or the spec itself." />
+            ))}
+            {mayApply && (
+              <>
+                <div>
+                  <Button disabled={saving !== 'saved' || errors.length > 0} aria-busy={apply.isPending} onClick={send}>
+                    {`Save as version ${basedOn + 1} of the spec`}
+                  </Button>
+                </div>
+                <p className="small mid">Comments in the TOML are lost. Earlier versions stay.</p>
+              </>
+            )}
+            {apply.error && <ProblemNote detail={refused(apply.error.message)} />}
+          </div>
+        </>
+      )}
+    </section>
+  )
+}
+
+const written = (value: unknown): string => (typeof value === 'string' ? value : JSON.stringify(value))
+
+/** Freezes the answers as a version that both sides can name. */
+function PublishCard({ projectId, brief, saving }: SideCardsProps) {
+  const publish = usePublishBrief(projectId)
+  const [note, setNote, draft] = useDraft(`brief-version:${projectId}`, '')
+  const next = brief.newest_version + 1
+  const send = () =>
+    publish.mutate(
+      { revision: brief.revision, note },
+      {
+        onSuccess: ({ number }) => {
+          draft.discard()
+          showToast(`Version ${number} of the brief published.`)
+        },
+      },
+    )
+  return (
+    <section aria-label="Publish">
+      <CardHead title={brief.newest_version === 0 ? 'No version yet' : `Version ${brief.newest_version}`} />
+      <div className={classes.sideBody}>
+        {brief.differs ? (
+          <>
+            <TextInput
+              label="Note (optional)"
+              value={note}
+              maxLength={5000}
+              onChange={({ currentTarget }) => setNote(currentTarget.value)}
+            />
+            <div>
+              <Button disabled={saving !== 'saved'} aria-busy={publish.isPending} onClick={send}>
+                {`Publish version ${next}`}
+              </Button>
+            </div>
+            <p className="small mid">A published version never changes. Designers see which answers differ.</p>
+          </>
+        ) : (
+          <p className="small mid">
+            {brief.newest_version === 0
+              ? 'Answer a question, then publish a version that designers can rely on.'
+              : 'The answers are those of this version.'}
+          </p>
+        )}
+        {publish.error && <ProblemNote detail={refused(publish.error.message)} />}
+      </div>
+    </section>
+  )
+}
+
+/** What nobody has answered yet, for both sides to see. */
+function OpenCard({ projectId, brief }: { projectId: string; brief: Brief }) {
+  const open = questionsOf(brief).filter(({ key }) => brief.open.includes(key))
+  const topicOf = (key: string) => brief.topics.find(({ questions }) => questions.some((one) => one.key === key))?.key
+  return (
+    <section aria-label="Open for both sides">
+      <CardHead title="Open for both sides" count={open.length} />
+      {open.length === 0 ? (
+        <p className={classes.sideBody}>Every question is answered.</p>
+      ) : (
+        <ul className={classes.open}>
+          {open.map(({ key, number, text, required }) => (
+            <li key={key}>
+              <Link to="/projects/$projectId/brief" params={{ projectId }} search={{ topic: topicOf(key) }}>
+                <span className="dim">{number}</span>
+                <span className="grow">{text}</span>
+                {required && <span className="small mid nowrap">needed</span>}
+              </Link>
+            </li>
+          ))}
+        </ul>
+      )}
+    </section>
+  )
+}
+
+/** Which version each designer opened last. */
+export function ReadBy({ projectId, newest }: { projectId: string; newest: number }) {
+  const { data: reads } = useQuery(readsQuery(projectId))
+  if (!reads || reads.length === 0) return null
+  return (
+    <section className={classes.readBy} aria-label="Read by">
+      <h2>Read by</h2>
+      <ul>
+        {reads.map(({ designer, version, behind }) => (
+          <li key={designer.id} className="row between small">
+            <span className="cut-text">{designer.name}</span>
+            <span className="mid nowrap">
+              {version === null
+                ? newest === 0
+                  ? 'no version yet'
+                  : 'not yet'
+                : behind === 0
+                  ? `version ${version}`
+                  : `version ${version}, ${plural(behind, 'version')} behind`}
+            </span>
+          </li>
+        ))}
+      </ul>
+    </section>
+  )
+}

@@ -1,0 +1,158 @@
+import { queryOptions, useInfiniteQuery, useMutation, useQueryClient } from '@tanstack/react-query'
+
+import { answered, api, everyPage } from '@/api'
+import type { components } from '@/api/schema.gen'
+
+type Schemas = components['schemas']
+export type Brief = Schemas['BriefDocument']
+export type Topic = Schemas['BriefTopicRead']
+export type Question = Schemas['BriefQuestionRead']
+export type FollowUp = Schemas['FollowUpRead']
+
+/** An answer as it is sent. */
+export interface AnswerWrite {
+  value: unknown
+  is_unknown: boolean
+  note: string
+}
+
+const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
+
+export const briefQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: ['brief', projectId],
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/brief', inProject(projectId))),
+  })
+
+export const readsQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: ['brief-reads', projectId],
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/brief/reads', inProject(projectId))),
+  })
+
+export const useBriefVersions = (projectId: string) =>
+  useInfiniteQuery({
+    queryKey: ['brief-versions', projectId],
+    queryFn: ({ pageParam: cursor }) =>
+      answered(
+        api.GET('/v1/projects/{project_id}/brief/versions', {
+          params: { path: { project_id: projectId }, query: { cursor } },
+        }),
+      ),
+    initialPageParam: undefined as string | undefined,
+    getNextPageParam: ({ next }) => next ?? undefined,
+  })
+
+export const comparisonQuery = (projectId: string, from: number, to: number | undefined) =>
+  queryOptions({
+    queryKey: ['brief-comparison', projectId, from, to ?? 'now'],
+    queryFn: () =>
+      answered(
+        api.GET('/v1/projects/{project_id}/brief/compare', {
+          params: { path: { project_id: projectId }, query: { from, to } },
+        }),
+      ),
+  })
+
+/** Names and categories of the list, for the rows of the form and the example of a file's name. */
+export const listedCuesQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: ['sound-list', projectId, 'of the brief'],
+    queryFn: async () => {
+      const pages = await everyPage((cursor) =>
+        answered(
+          api.GET('/v1/projects/{project_id}/sound-list', {
+            params: { path: { project_id: projectId }, query: { cursor, limit: 500 } },
+          }),
+        ),
+      )
+      return pages.flatMap(({ cues }) => cues)
+    },
+  })
+
+export function useSaveAnswers(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: { revision: number; answers: Record<string, AnswerWrite> }) =>
+      answered(api.PATCH('/v1/projects/{project_id}/brief', { ...inProject(projectId), body })),
+    onSuccess: (brief) => {
+      client.setQueryData(briefQuery(projectId).queryKey, brief)
+      return Promise.all([
+        client.invalidateQueries({ queryKey: proposalQuery(projectId).queryKey }),
+        client.invalidateQueries({ queryKey: ['next-steps', projectId] }),
+      ])
+    },
+  })
+}
+
+export function usePublishBrief(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: { revision: number; note: string }) =>
+      answered(api.POST('/v1/projects/{project_id}/brief/versions', { ...inProject(projectId), body })),
+    onSuccess: () =>
+      Promise.all(
+        [
+          ['brief', projectId],
+          ['brief-versions', projectId],
+          ['brief-reads', projectId],
+        ].map((queryKey) => client.invalidateQueries({ queryKey })),
+      ),
+  })
+}
+
+export const proposalQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: ['brief', projectId, 'spec'],
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/brief/spec', inProject(projectId))),
+  })
+
+export function useApplyProposal(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: { based_on_version: number; brief_revision: number }) =>
+      answered(api.POST('/v1/projects/{project_id}/brief/spec', { ...inProject(projectId), body })),
+    onSuccess: () =>
+      Promise.all(
+        [
+          ['brief', projectId, 'spec'],
+          ['spec', projectId],
+          ['spec-versions', projectId],
+          ['project', projectId],
+        ].map((queryKey) => client.invalidateQueries({ queryKey })),
+      ),
+  })
+}
+
+export const useRecordRead = (projectId: string) =>
+  useMutation({
+    mutationFn: (version: number) =>
+      answered(
+        api.PUT('/v1/projects/{project_id}/brief/versions/{version}/read', {
+          params: { path: { project_id: projectId, version } },
+        }),
+      ),
+  })
+
+export function useAskFollowUp(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: { question: string; text: string }) =>
+      answered(api.POST('/v1/projects/{project_id}/brief/follow-ups', { ...inProject(projectId), body })),
+    onSuccess: () => client.invalidateQueries({ queryKey: ['brief', projectId] }),
+  })
+}
+
+export function useAnswerFollowUp(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: ({ id, text }: { id: string; text: string }) =>
+      answered(
+        api.POST('/v1/brief-follow-ups/{follow_up_id}/answer', {
+          params: { path: { follow_up_id: id } },
+          body: { text },
+        }),
+      ),
+    onSuccess: () => client.invalidateQueries({ queryKey: ['brief', projectId] }),
+  })
+}

@@ -1,0 +1,16 @@
+import type { Brief, Question } from './api'
+
+/** A sentence of the server: a capital first, an end. */
+export function refused(text: string): string {
+  const begun = text.charAt(0).toUpperCase() + text.slice(1)
+  return /[.?!]$/.test(begun) ? begun : `${begun}.`
+}
+
+export const questionsOf = (brief: Brief): Question[] =>
+  brief.topics.flatMap(({ questions }) => questions).filter(({ applies }) => applies)
+
+/** "5 open, 4 needed to sign" */
+export function openWords({ open, open_required: needed }: Brief): string {
+  if (open.length === 0) return 'all answered'
+  return needed.length === 0 ? `${open.length} open` : `${open.length} open, ${needed.length} needed to sign`
+}
