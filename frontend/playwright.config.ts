@@ -23,6 +23,7 @@ export default defineConfig({
         'live.spec.ts',
         'walk.spec.ts',
         'judging.spec.ts',
+        'leaving.spec.ts',
       ],
     },
     { name: 'parts', testMatch: 'parts.spec.ts' },
