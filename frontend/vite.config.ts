@@ -4,12 +4,13 @@ import react from '@vitejs/plugin-react'
 import { defineConfig } from 'vitest/config'
 
 import { chunkNames } from './scripts/chunks.ts'
+import { early } from './scripts/early.ts'
 import { precompress } from './scripts/precompress.ts'
 
 const server = process.env.SOUNDLIST_SERVER ?? 'http://127.0.0.1:8000'
 
 export default defineConfig({
-  plugins: [react(), precompress()],
+  plugins: [react(), early(), precompress()],
   resolve: { alias: { '@': fileURLToPath(new URL('./src', import.meta.url)) } },
   server: {
     host: '127.0.0.1',

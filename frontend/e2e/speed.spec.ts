@@ -63,6 +63,10 @@ async function load(page: Page, url: string, isShown: () => Promise<void>): Prom
     const one = byId.get(requestId)
     if (one) Object.assign(one, { bytes: encodedDataLength, endedAtS: timestamp })
   })
+  devtools.on('Network.loadingFailed', ({ requestId, timestamp }) => {
+    const one = byId.get(requestId) // the page needs it no more
+    if (one) one.endedAtS = timestamp
+  })
   await page.addInitScript(() => {
     const seen = { shift: 0, paintedS: 0 }
     Object.assign(globalThis, { seen })
@@ -107,6 +111,9 @@ for (const { name, part, path, shows } of [
       expect(page.getByText(shows).first()).toBeAttached({ timeout: 30_000 }),
     )
     report(name, loaded)
+    const base = loaded.requests.find(({ path: at }) => at.startsWith('/assets/base-') && at.endsWith('.js'))
+    const data = loaded.requests.find(({ path: at }) => at.startsWith('/v1/'))
+    expect.soft(data?.startedAtS, 'data asked for while the script is on its way').toBeLessThan(base?.endedAtS ?? 0)
     expect.soft(bytesOf(loaded, 'script'), 'compressed script').toBeLessThan(200_000)
     expect.soft(bytesOf(loaded, 'style'), 'compressed styles').toBeLessThan(30_000)
     expect.soft(loaded.shift, 'layout shift').toBeLessThanOrEqual(0.05)

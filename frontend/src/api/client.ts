@@ -1,6 +1,7 @@
 import createClient, { type Middleware } from 'openapi-fetch'
 
 import { serverReturns } from './connection'
+import { earlyAnswer } from './early'
 import { ApiProblem, lineLost, problemOf } from './problem'
 import type { paths } from './schema.gen'
 import { signedInAgain, signInsSoFar } from './signIn'
@@ -36,7 +37,7 @@ const isAway = ({ status }: Response) => status === 502 || status === 503 || sta
 
 async function fetchOnce(request: Request): Promise<Response | null> {
   try {
-    const response = await globalThis.fetch(request)
+    const response = await (earlyAnswer(request) ?? globalThis.fetch(request))
     return isAway(response) && !(await isBusy(response)) ? null : response
   } catch (error) {
     if (error instanceof DOMException && error.name === 'AbortError') throw error

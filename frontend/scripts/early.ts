@@ -1,0 +1,142 @@
+import { createHash } from 'node:crypto'
+import { readFile, writeFile } from 'node:fs/promises'
+import { join, resolve } from 'node:path'
+
+import type { Plugin } from 'vite'
+
+interface Page {
+  /** Addresses of the page, as a regular expression; its group is the project. */
+  at: string
+  /** Modules that draw it. */
+  modules: readonly string[]
+  /** What it asks the server for first. */
+  asks: readonly string[]
+}
+
+const SIGNED_IN = ['/v1/session', '/v1/me']
+const OF_PROJECT = '^/projects/([0-9a-f-]{36})'
+
+const PAGES: readonly Page[] = [
+  { at: '^/sign-in$', modules: ['accounts/SignInPage'], asks: ['/v1/session'] },
+  {
+    at: `${OF_PROJECT}/review$`,
+    modules: ['review/ReviewPage', 'review/ReviewStart'],
+    asks: [...SIGNED_IN, '/v1/review-queue?project_id={project}'],
+  },
+  {
+    at: `${OF_PROJECT}/review/`,
+    modules: ['review/ReviewPage'],
+    asks: [...SIGNED_IN, '/v1/review-queue?project_id={project}'],
+  },
+  {
+    at: `${OF_PROJECT}/today$`,
+    modules: ['today/TodayPage'],
+    asks: [...SIGNED_IN, '/v1/projects/{project}/today', '/v1/projects/{project}/next-steps'],
+  },
+  { at: `${OF_PROJECT}/desk$`, modules: ['desk/DeskPage'], asks: [...SIGNED_IN, '/v1/projects/{project}/desk'] },
+]
+
+interface EarlyPage {
+  at: string
+  asks: readonly string[]
+  files: readonly string[]
+}
+
+/**
+ * Load the files of the page at this address and ask for its data, while the script that every page needs is on its way.
+ * It runs alone in the page, before anything else: it can use nothing from outside itself.
+ */
+export function startPage(pages: readonly EarlyPage[]): void {
+  const { pathname, origin } = globalThis.location
+  const page = pages.find(({ at }) => new RegExp(at).test(pathname))
+  if (page === undefined) return
+  const project = new RegExp(page.at).exec(pathname)?.[1] ?? ''
+  const answers = new Map<string, Promise<Response>>()
+  const ask = (path: string) => {
+    const answer = fetch(path, { credentials: 'same-origin' })
+    answers.set(origin + path, answer)
+    answer.catch(() => undefined) // the page says so, and asks again
+    return answer
+  }
+  const askForCue = async (queue: Promise<Response>) => {
+    const { items } = (await (await queue).clone().json()) as {
+      items: { cue: { id: string }; takes: { draft_change: unknown }[] }[]
+    }
+    const first = items.find(({ takes }) => takes.some(({ draft_change: draft }) => draft === null))
+    if (first) void ask(`/v1/cues/${first.cue.id}/review`)
+  }
+  for (const path of page.asks) {
+    const answer = ask(path.replace('{project}', project))
+    if (path.startsWith('/v1/review-queue') && pathname.endsWith('/review')) askForCue(answer).catch(() => undefined)
+  }
+  for (const file of page.files) {
+    const link = document.createElement('link')
+    link.rel = file.endsWith('.css') ? 'preload' : 'modulepreload'
+    if (file.endsWith('.css')) link.as = 'style'
+    link.crossOrigin = ''
+    link.href = file
+    document.head.append(link)
+  }
+  Object.assign(globalThis, { soundlistEarly: { answers, atMs: performance.now() } })
+}
+
+interface Chunk {
+  type: 'chunk' | 'asset'
+  fileName: string
+  imports?: readonly string[]
+  moduleIds?: readonly string[]
+  viteMetadata?: { importedCss?: ReadonlySet<string> }
+}
+
+/** Files of the chunks with these modules, and of what they import. */
+function filesOf(modules: readonly string[], bundle: Record<string, Chunk>): string[] {
+  const files = new Set<string>()
+  const visit = (name: string) => {
+    const chunk = bundle[name]
+    if (chunk?.type !== 'chunk' || files.has(name)) return
+    files.add(name)
+    for (const css of chunk.viteMetadata?.importedCss ?? []) files.add(css)
+    chunk.imports?.forEach(visit)
+  }
+  for (const module of modules) {
+    const chunk = Object.values(bundle).find(({ moduleIds }) =>
+      moduleIds?.some((id) => id.endsWith(`/src/features/${module}.tsx`)),
+    )
+    if (chunk === undefined) throw new Error(`no chunk has ${module}`)
+    visit(chunk.fileName)
+  }
+  return [...files].map((file) => `/${file}`)
+}
+
+/** Put what starts a page early into the script that runs before the first paint. */
+export function early(): Plugin {
+  let folder = ''
+  let script: { name: string; content: string } | null = null
+  return {
+    name: 'early',
+    apply: 'build',
+    configResolved: ({ root, build }) => {
+      folder = resolve(root, build.outDir)
+    },
+    transformIndexHtml: {
+      order: 'post',
+      handler: async (html, { bundle, path }) => {
+        if (bundle === undefined || path !== '/index.html') return html
+        const here = new Set([...html.matchAll(/(?:href|src)="([^"]+)"/g)].map(([, file]) => file))
+        const pages = PAGES.map(({ at, asks, modules }) => ({
+          at,
+          asks,
+          files: filesOf(modules, bundle as unknown as Record<string, Chunk>).filter((file) => !here.has(file)),
+        }))
+        const scheme = await readFile(new URL('../public/scheme.js', import.meta.url), 'utf8')
+        const content = `${scheme};(${startPage.toString()})(${JSON.stringify(pages)})\n`
+        const hash = createHash('sha256').update(content).digest('base64url').slice(0, 8)
+        script = { name: `assets/early-${hash}.js`, content }
+        return html.replace('<script src="/scheme.js">', `<script src="/${script.name}">`)
+      },
+    },
+    writeBundle: async () => {
+      if (script) await writeFile(join(folder, script.name), script.content)
+    },
+  }
+}

@@ -1,0 +1,60 @@
+import { afterEach, beforeEach, expect, test, vi } from 'vitest'
+
+import { earlyAnswer } from '@/api/early'
+
+import { startPage } from '../../scripts/early'
+
+const PROJECT = '0190a1b2-0000-7000-8000-000000000001'
+const QUEUE = `/v1/review-queue?project_id=${PROJECT}`
+const PAGES = [
+  {
+    at: '^/projects/([0-9a-f-]{36})/review$',
+    asks: ['/v1/me', '/v1/review-queue?project_id={project}'],
+    files: ['/assets/ReviewPage.js', '/assets/ReviewPage.css'],
+  },
+]
+const item = (id: string, draft: object | null) => ({ cue: { id }, takes: [{ draft_change: draft }] })
+
+let asked: string[]
+const links = () =>
+  [...document.head.querySelectorAll('link')].map(({ rel, href }) => `${rel} ${new URL(href).pathname}`)
+const taken = (path: string, method = 'GET') => earlyAnswer(new Request(location.origin + path, { method }))
+
+beforeEach(() => {
+  asked = []
+  vi.stubGlobal('fetch', (path: string) => {
+    asked.push(path)
+    return Promise.resolve(Response.json({ items: [item('noted', {}), item('first', null), item('second', null)] }))
+  })
+})
+
+afterEach(() => {
+  document.head.replaceChildren()
+  history.replaceState(null, '', '/')
+})
+
+test('a page known by its address has its files and its answers on their way, and what Review opens of the queue', async () => {
+  history.replaceState(null, '', `/projects/${PROJECT}/review`)
+  startPage(PAGES)
+  await vi.waitFor(() => expect(asked).toEqual(['/v1/me', QUEUE, '/v1/cues/first/review']))
+  expect(links()).toEqual(['modulepreload /assets/ReviewPage.js', 'preload /assets/ReviewPage.css'])
+  expect(await (await taken(QUEUE))?.json()).toHaveProperty('items')
+})
+
+test('an answer is taken once, by a request that only reads, while it is fresh', () => {
+  history.replaceState(null, '', `/projects/${PROJECT}/review`)
+  startPage(PAGES)
+  expect(taken('/v1/me', 'POST')).toBeUndefined()
+  expect(taken('/v1/session')).toBeUndefined()
+  expect(taken('/v1/me')).toBeDefined()
+  expect(taken('/v1/me')).toBeUndefined()
+  vi.spyOn(performance, 'now').mockReturnValue(performance.now() + 11_000)
+  expect(taken(QUEUE)).toBeUndefined()
+})
+
+test('of other pages nothing is asked early', () => {
+  history.replaceState(null, '', `/projects/${PROJECT}/people`)
+  startPage(PAGES)
+  expect(asked).toEqual([])
+  expect(links()).toEqual([])
+})
