@@ -2,12 +2,20 @@
 
 const MINUS = '−'
 
+/** One for each count of decimals: making one takes longer than using it a hundred times, and lists have thousands of figures. */
+const FORMATS = new Map<number, Intl.NumberFormat>()
+
+function formatOf(decimals: number): Intl.NumberFormat {
+  const made = FORMATS.get(decimals)
+  if (made) return made
+  const format = new Intl.NumberFormat('en-GB', { minimumFractionDigits: decimals, maximumFractionDigits: decimals })
+  FORMATS.set(decimals, format)
+  return format
+}
+
 /** A number with a true minus and a fixed count of decimals; never "−0.0". */
 export function figure(value: number, decimals = 0): string {
-  const text = Math.abs(value).toLocaleString('en-GB', {
-    minimumFractionDigits: decimals,
-    maximumFractionDigits: decimals,
-  })
+  const text = formatOf(decimals).format(Math.abs(value))
   return value < 0 && /[1-9]/.test(text) ? MINUS + text : text
 }
 
