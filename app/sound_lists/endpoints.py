@@ -19,6 +19,7 @@ from app.projects.schemas import ResolvedSpec
 from app.projects.service import ensure_speaks_in, invitation_by_secret, project_access
 from app.projects.specs import read_spec
 from app.sound_lists import export, queries, questions, revisions, service
+from app.sound_lists.clarity_endpoints import router as clarity_router
 from app.sound_lists.errors import (
     ColumnUnknown,
     CueChanged,
@@ -55,6 +56,7 @@ from app.sound_lists.schemas import (
 from app.sound_lists.sheets import Sheet, parse_bytes, parse_text
 
 router = Router(prefix="/v1", tags=["sound-lists"], route_class=Route)
+router.include_router(clarity_router)
 REVISIONS_AT_ONCE = QUESTIONS_AT_ONCE = 50
 SentSheet: TypeAlias = tuple[ImportAsk, Sheet]
 PageLength = Annotated[int, Query(ge=1, le=MAX_PAGE, description="How many cues to answer at most.")]

@@ -11,6 +11,10 @@ class QuestionNotFound(NotFound):
     """No question of that id within the caller's sight."""
 
 
+class KitNotFound(NotFound):
+    """No kit of that key."""
+
+
 class RevisionNotFound(NotFound):
     """The list has no revision of that number."""
 
@@ -21,6 +25,10 @@ class CueChanged(Conflict):
 
 class CueIsCut(Conflict):
     """A cut cue is kept as it was."""
+
+
+class AdditionInUse(Conflict):
+    """The list, or a cue that was added, has changed since the addition."""
 
 
 class QuestionAnswered(Conflict):

@@ -64,6 +64,7 @@ class Cue(Base):
     placeholder: Mapped[bool] = mapped_column(default=False)  # the game plays a placeholder file until the sound comes
     palette: Mapped[bool] = mapped_column(default=False)
     extra: Mapped[dict[str, Any]] = mapped_column(default=dict)  # imported columns that we have no name for
+    dismissed_facts: Mapped[list[str]] = mapped_column(default=list)  # what the clarity check asks no more
     edition: Mapped[int] = mapped_column(default=1)  # counts edits, so that two editors notice each other
     cut_reason: Mapped[str | None]
     cut_at: Mapped[datetime | None]

@@ -32,6 +32,12 @@ def cues_of(session: Session, project_id: UUID) -> Sequence[Cue]:
     ).all()
 
 
+def words_of_cues(session: Session, project_id: UUID) -> Sequence[Row[str, str, str, str, str, str]]:
+    """Return category, name, file name, description, use and trigger of the cues that are not cut."""
+    words = select(Cue.category, Cue.name, Cue.file_name, Cue.description, Cue.use, Cue.trigger)
+    return session.execute(words.where(Cue.project_id == project_id, Cue.state != CueState.CUT)).all()
+
+
 def cue_page(session: Session, project_id: UUID, *, after: tuple[int, int] | None, limit: int) -> Sequence[Cue]:
     """Return the cues that follow a position and number in list order."""
     query = select(Cue).where(Cue.project_id == project_id)
@@ -52,6 +58,17 @@ def stems_by_cue(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, list
 def _stems() -> Select[UUID, int, str]:
     owned = select(Stem.cue_id, Stem.variation, Stem.stem).where(in_array(Stem.cue_id, "cue_ids"))
     return owned.order_by(Stem.variation)
+
+
+def requests(
+    session: Session, project_id: UUID
+) -> Sequence[Row[UUID, str, str, str, str, bool, float | None, list[str]]]:
+    """Return what the clarity check reads of each cue that is not cut, in list order."""
+    return session.execute(
+        select(Cue.id, Cue.name, Cue.category, Cue.description, Cue.use, Cue.loop, Cue.duration_s, Cue.dismissed_facts)
+        .where(Cue.project_id == project_id, Cue.state != CueState.CUT)
+        .order_by(Cue.position, Cue.number)
+    ).all()
 
 
 def cue_by_id(session: Session, cue_id: UUID) -> Cue | None:
@@ -134,6 +151,17 @@ def numbers_taken(session: Session, project_id: UUID) -> dict[int, UUID]:
 def revision_number(session: Session, project_id: UUID) -> int:
     """Return the number of the newest revision, 0 before the first."""
     return session.scalar(select(func.max(Revision.number)).where(Revision.project_id == project_id)) or 0
+
+
+def newest_revision(session: Session, project_id: UUID) -> Revision | None:
+    """Return the newest revision; None for a list that nobody has touched."""
+    query = select(Revision).where(Revision.project_id == project_id)
+    return session.scalar(query.order_by(Revision.number.desc()).limit(1))
+
+
+def changes_of(session: Session, revision_id: UUID) -> Sequence[CueChange]:
+    """Return what one revision changed."""
+    return session.scalars(select(CueChange).where(CueChange.revision_id == revision_id)).all()
 
 
 def revisions_of(session: Session, project_id: UUID, *, before: int | None, limit: int) -> Sequence[Revision]:

@@ -10,6 +10,7 @@ from app.accounts.schemas import PersonBrief
 from app.kit.http import Schema, Whole
 from app.projects.rules import EngagementKind
 from app.projects.schemas import ResolvedSpec
+from app.sound_lists.clarity_rules import Fact
 from app.sound_lists.rules import CueState, Reverb
 
 OpenState = Literal["concept", "prototype", "locked"]
@@ -317,3 +318,36 @@ class InvitationPreview(Schema):
     cues: list[PreviewCue]
     accepted: bool
     spec: ResolvedSpec | None
+
+
+class FactQuestion(Schema):
+    """A fact that a cue's words leave open."""
+
+    fact: Fact
+    question: str = Field(description="In words: How big?")
+    answers: list[str] = Field(description="Likely answers to choose from; any other is as good.")
+
+
+class UnclearCue(Schema):
+    """A cue that a designer could not make from its words, with what they leave open."""
+
+    cue_id: UUID
+    questions: list[FactQuestion]
+
+
+class ClarityRead(Schema):
+    """What the clarity check says of a list."""
+
+    unclear: list[UnclearCue]
+
+
+class FactAnswer(Schema):
+    """An answer, which is written into the cue's description."""
+
+    text: str = Field(min_length=1, max_length=200)
+
+
+class FactDismissal(Schema):
+    """Whether a fact is asked for no more."""
+
+    dismissed: bool

@@ -1429,6 +1429,86 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/sound-list/coverage": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Coverage
+         * @description Return the scenes, categories and priority sounds that the brief names and the list lacks.
+         */
+        get: operations["read_coverage"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/kits": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Kits
+         * @description Return the kinds of game that a list can be started from.
+         */
+        get: operations["list_kits"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/kits/{kit_key}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Kit
+         * @description Return the cues of a kit under the names that the project's spec asks for; nothing is added.
+         */
+        get: operations["read_kit"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/cues/undo-addition": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Undo Cue Addition
+         * @description Remove the cues that the newest revision added, while no work on them has begun.
+         */
+        post: operations["undo_cue_addition"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/contracts/{contract_id}/milestones": {
         parameters: {
             query?: never;
@@ -2350,7 +2430,7 @@ export interface paths {
         };
         /**
          * Download Contract Pdf
-         * @description Return the PDF of a version that was sent: the bytes that both saw.
+         * @description Return the PDF of a version that was sent: sealed once all have signed it, or else as both saw it.
          */
         get: operations["download_contract_pdf"];
         put?: never;
@@ -2415,6 +2495,48 @@ export interface paths {
         get: operations["download_contract_record"];
         put?: never;
         post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/head.json": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Download Contract Head
+         * @description Return the head of the record, signed: what a party keeps, and `soundlist verify --head` reads.
+         */
+        get: operations["download_contract_head"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/verify": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Verify Pdf
+         * @description Say of a PDF whether it is a contract that was signed and sealed here, and whether it is untouched.
+         *
+         *     An untouched one says what it binds. A file that was changed, or is not from here, says nothing of any contract.
+         */
+        post: operations["verify_pdf"];
         delete?: never;
         options?: never;
         head?: never;
@@ -4985,6 +5107,14 @@ export interface components {
             amount_minor: number;
         };
         /**
+         * AdditionUndo
+         * @description The cues whose addition is undone: all that the newest revision added.
+         */
+        AdditionUndo: {
+            /** Cue Ids */
+            cue_ids: string[];
+        };
+        /**
          * AddressProof
          * @description How the address of an account was verified.
          * @enum {string}
@@ -5399,6 +5529,48 @@ export interface components {
             spans: components["schemas"]["SpanRead"][];
             /** Rows */
             rows: components["schemas"]["SpanRead"][][][];
+        };
+        /**
+         * BoundRead
+         * @description What a sealed file binds, and whom.
+         */
+        BoundRead: {
+            /** Title */
+            title: string;
+            kind: components["schemas"]["ContractKind"];
+            /** Version */
+            version: number;
+            /** Text Sha256 */
+            text_sha256: string;
+            /** Studio Name */
+            studio_name: string;
+            /** Designer Name */
+            designer_name: string;
+            /** Agreed At */
+            agreed_at: string | null;
+            /**
+             * Sealed At
+             * Format: date-time
+             */
+            sealed_at: string;
+            /** Is Timestamped */
+            is_timestamped: boolean;
+            /** Signatures */
+            signatures: components["schemas"]["BoundSignatureRead"][];
+        };
+        /**
+         * BoundSignatureRead
+         * @description A signature under a sealed text.
+         */
+        BoundSignatureRead: {
+            party: components["schemas"]["Party"];
+            /** Name */
+            name: string;
+            /**
+             * Signed At
+             * Format: date-time
+             */
+            signed_at: string;
         };
         /**
          * BriefAnswerRead
@@ -6646,6 +6818,23 @@ export interface components {
             label: string;
             /** Name */
             name: string;
+        };
+        /**
+         * CoverageRead
+         * @description What the brief names and the list lacks.
+         */
+        CoverageRead: {
+            /** Scenes Without Ambience */
+            scenes_without_ambience: string[];
+            /**
+             * Silent Scenes
+             * @description Scenes with neither ambience nor music in the brief.
+             */
+            silent_scenes: string[];
+            /** Categories Without Cue */
+            categories_without_cue: string[];
+            /** Priority Without Cue */
+            priority_without_cue: string[];
         };
         /**
          * CueAdd
@@ -8797,6 +8986,74 @@ export interface components {
          * @enum {string}
          */
         KeptKind: "masters" | "dry_stems" | "archives" | "game_files" | "drawings" | "fixes" | "reels" | "exports" | "placeholder_files" | "documents";
+        /**
+         * KitRead
+         * @description A kind of game to start a list from.
+         */
+        KitRead: {
+            /** Key */
+            key: string;
+            /** Name */
+            name: string;
+            /** About */
+            about: string;
+            /** Cues */
+            cues: number;
+            /**
+             * Files
+             * @description Variations counted.
+             */
+            files: number;
+            /**
+             * Categories
+             * @description Cues by category.
+             */
+            categories: {
+                [key: string]: number;
+            };
+            usual_cues: components["schemas"]["UsualRange"];
+            usual_hours: components["schemas"]["UsualRange"];
+            usual_memory_mb: components["schemas"]["UsualRange"];
+        };
+        /**
+         * KitRow
+         * @description A cue of a kit as it would be added, under the name that the project's spec asks for.
+         */
+        KitRow: {
+            /** Name */
+            name: string;
+            /** File Name */
+            file_name: string;
+            /** Category */
+            category: string;
+            /** Description */
+            description: string;
+            /** Use */
+            use: string;
+            /** Duration S */
+            duration_s: number;
+            /** Loop */
+            loop: boolean;
+            /** Variations */
+            variations: number;
+            /**
+             * Is Listed
+             * @description The list has a cue with this file name already.
+             */
+            is_listed: boolean;
+        };
+        /**
+         * KitRows
+         * @description The cues of a kit, for one project.
+         */
+        KitRows: {
+            /** Key */
+            key: string;
+            /** Name */
+            name: string;
+            /** Rows */
+            rows: components["schemas"]["KitRow"][];
+        };
         /**
          * LaneRead
          * @description The jobs of one studio and one urgency; lanes take turns.
@@ -13091,6 +13348,16 @@ export interface components {
          * @enum {string}
          */
         Urgency: "urgent" | "normal" | "bulk";
+        /**
+         * UsualRange
+         * @description From and to: a guess, until the studio has a history of its own.
+         */
+        UsualRange: {
+            /** Low */
+            low: number;
+            /** High */
+            high: number;
+        };
         /** ValidationError */
         ValidationError: {
             /** Location */
@@ -13218,6 +13485,21 @@ export interface components {
             takes: components["schemas"]["TakeStateRead"][];
             /** Draft Dropped */
             draft_dropped: boolean;
+        };
+        /**
+         * VerifiedRead
+         * @description What a file is, compared with the seals of this server.
+         */
+        VerifiedRead: {
+            /**
+             * Verdict
+             * @enum {string}
+             */
+            verdict: "untouched" | "changed" | "not_ours";
+            /** File Sha256 */
+            file_sha256: string;
+            /** @description What it binds; null unless it is untouched. */
+            binds: components["schemas"]["BoundRead"] | null;
         };
         /**
          * VersionBrief
@@ -17545,6 +17827,167 @@ export interface operations {
             };
         };
     };
+    read_coverage: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CoverageRead"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_kits: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["KitRead"][];
+                };
+            };
+        };
+    };
+    read_kit: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+                kit_key: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["KitRows"];
+                };
+            };
+            /** @description `project-not-found`, `kit-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    undo_cue_addition: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["AdditionUndo"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `addition-in-use` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
     read_plan: {
         parameters: {
             query?: never;
@@ -20274,7 +20717,9 @@ export interface operations {
     };
     download_contract_pdf: {
         parameters: {
-            query?: never;
+            query?: {
+                as_sent?: boolean;
+            };
             header?: never;
             path: {
                 contract_id: string;
@@ -20441,6 +20886,97 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    download_contract_head: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": unknown;
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    verify_pdf: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/pdf": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VerifiedRead"];
+                };
+            };
+            /** @description `bad-pdf` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-attempts` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `parsing-busy` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };

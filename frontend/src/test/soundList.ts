@@ -122,6 +122,7 @@ export class ListServer {
       }),
       [`GET ${this.at}/sound-list/counts`]: { counts: {}, files_to_review: 3 },
       [`GET ${this.at}/questions`]: { items: [], next: null },
+      [`GET ${this.at}/clarity`]: { unclear: [] },
       [`GET ${this.at}/takes`]: { items: [], next: null },
       [`GET ${this.at}/sound-list/revisions/compare`]: ({ query }: Asked) => ({
         from_revision: Number(query.get('from')),

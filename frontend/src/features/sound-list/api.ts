@@ -277,9 +277,10 @@ export function useRights(projectId: string): Rights {
 }
 
 /** Refetch everything that a change of the list affects, on any page. */
-async function refreshList(client: QueryClient, projectId: string): Promise<void> {
+export async function refreshList(client: QueryClient, projectId: string): Promise<void> {
   const touched = [
     ['sound-list', projectId],
+    ['coverage', projectId],
     keys.progressList(projectId),
     ['cue'],
     ['cue-review'],

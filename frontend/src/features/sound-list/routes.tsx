@@ -17,10 +17,11 @@ export const soundListRoutes = [
   createRoute({
     getParentRoute: () => shellRoute,
     path: '/projects/$projectId/sound-list',
-    validateSearch: ({ state, category, by, q }: Record<string, unknown>): ListSearch => ({
+    validateSearch: ({ state, category, by, unclear, q }: Record<string, unknown>): ListSearch => ({
       state: STATUS_ORDER.find((status) => status === state),
       category: typeof category === 'string' && category !== '' ? category : undefined,
       by: by === 'category' || by === 'state' ? by : undefined,
+      unclear: unclear === true ? true : undefined,
       // "12" in an address is read as a number.
       q: typeof q === 'string' || typeof q === 'number' ? String(q) : undefined,
     }),

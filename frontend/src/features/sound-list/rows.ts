@@ -4,6 +4,7 @@ import type { SetBlock } from '@/ui/SetBlocks'
 import { STATES, type StateKind } from '@/ui/State'
 
 import type { Cue, CueStatus, Question, CueProgress, Take } from './api'
+import type { FactQuestion } from './clarity'
 import { type Stands, standsOf } from './stands'
 import { STATUS_ORDER, STATUS_WORDS } from './words'
 
@@ -17,6 +18,8 @@ export interface CueRow {
   /** Other words than the state's own, as "5 of 8 accepted". */
   stateWords?: string
   stands: Stands
+  /** What its words leave open to a designer. */
+  unclear: readonly FactQuestion[]
   /** An action is needed: the name is bold. */
   needsSomeone: boolean
   peaks: Peaks | null
@@ -29,16 +32,18 @@ export interface Known {
   progressList?: readonly CueProgress[]
   questions?: readonly Question[]
   unmatched?: readonly Take[]
+  unclear?: ReadonlyMap<string, readonly FactQuestion[]>
 }
 
 export const kindOf = (status: CueStatus): StateKind => (status === 'partly_accepted' ? 'accepted' : status)
 
+const NOTHING: readonly FactQuestion[] = []
 const RESTING: readonly CueStatus[] = ['to_make', 'checking', 'accepted', 'cut']
 
 /** Join what the list says with where each cue stands. */
 export function rowsOf(
   cues: readonly Cue[],
-  { progressList, questions, unmatched }: Known,
+  { progressList, questions, unmatched, unclear }: Known,
   now = new Date(),
 ): CueRow[] {
   const progressOf = new Map(progressList?.map((progress) => [progress.cue_id, progress]))
@@ -52,7 +57,9 @@ export function rowsOf(
   return cues.map((cue) => {
     const progress = progressOf.get(cue.id)
     const status = cue.state === 'cut' ? 'cut' : (progress?.status ?? 'to_make')
-    const stands = standsOf(cue, progress, { askedAt: askedAt.get(cue.id), guessedFile: guessed.get(cue.id) }, now)
+    const open = (status === 'to_make' && unclear?.get(cue.id)) || NOTHING
+    const beside = { askedAt: askedAt.get(cue.id), guessedFile: guessed.get(cue.id), unclear: open }
+    const stands = standsOf(cue, progress, beside, now)
     const newest = progress?.newest_take
     return {
       id: cue.id,
@@ -63,6 +70,7 @@ export function rowsOf(
       stateWords:
         status === 'partly_accepted' && progress ? `${progress.accepted} of ${progress.wanted} accepted` : undefined,
       stands,
+      unclear: open,
       needsSomeone: !RESTING.includes(status),
       // A picture is an open object in the schema; its shape is that of a thumb.
       peaks: (newest?.thumb ?? null) as Peaks | null,
@@ -87,16 +95,18 @@ export function blocksOf({ progress, cue }: CueRow): SetBlock[] {
 export interface Filter {
   state?: CueStatus
   category?: string
+  unclear?: boolean
   words: string
 }
 
 /** The rows that match: every typed word must stand somewhere in the row. */
-export function matching(rows: readonly CueRow[], { state, category, words }: Filter): CueRow[] {
+export function matching(rows: readonly CueRow[], { state, category, unclear, words }: Filter): CueRow[] {
   const wanted = words.toLowerCase().split(/\s+/).filter(Boolean)
   return rows.filter(
     (row) =>
       (state === undefined || row.status === state) &&
       (category === undefined || row.cue.category === category) &&
+      (!unclear || row.unclear.length > 0) &&
       wanted.every((word) => row.text.includes(word)),
   )
 }
@@ -108,6 +118,8 @@ export interface ListSearch {
   state?: CueStatus
   category?: string
   by?: Grouping
+  /** Only cues whose words leave something open. */
+  unclear?: true
   /** Words that were typed to filter by. */
   q?: string
 }

@@ -18,6 +18,8 @@ export interface Beside {
   askedAt?: string
   /** A file without a cue that may be this one. */
   guessedFile?: string
+  /** What its words leave open. */
+  unclear?: readonly { question: string }[]
 }
 
 const plain = (before: string): Stands => ({ before, marked: '', tone: 'idle', after: '' })
@@ -51,8 +53,10 @@ export function standsOf(cue: Cue, progress: CueProgress | undefined, beside: Be
     return { before: '', marked: 'Concept', tone: 'warn', after: ': not final, the work may be discarded' }
   }
   if (unsettled) return { before: `${line}. `, marked: 'Concept', tone: 'warn', after: ': may be discarded' }
-  if (line !== '' || beside.guessedFile === undefined) return toned(line, progress)
-  return plain(`${beside.guessedFile} may be for this cue; not matched yet`)
+  if (line !== '') return toned(line, progress)
+  if (beside.guessedFile !== undefined) return plain(`${beside.guessedFile} may be for this cue; not matched yet`)
+  const open = beside.unclear?.map(({ question }) => question).join(' ')
+  return open ? { before: '', marked: 'Unclear', tone: 'warn', after: `: ${open}` } : plain('')
 }
 
 function toned(line: string, progress: CueProgress | undefined): Stands {

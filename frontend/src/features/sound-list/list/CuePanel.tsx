@@ -3,12 +3,14 @@ import { useQuery } from '@tanstack/react-query'
 import { Button } from '@/ui/Button'
 
 import { type Cue, cueQuery, type Rights } from '../api'
+import type { FactQuestion } from '../clarity'
 import { CutCue } from '../cue/CutCue'
 import { EditCue } from '../cue/EditCue'
 import classes from '../cue/Panel.module.css'
 import { AskForm, QuestionLine } from '../cue/Questions'
+import { ClarifyPanel } from './ClarifyPanel'
 
-export type PanelKind = 'edit' | 'ask' | 'cut'
+export type PanelKind = 'edit' | 'ask' | 'cut' | 'clarify'
 
 interface CuePanelProps {
   kind: PanelKind
@@ -16,13 +18,16 @@ interface CuePanelProps {
   projectId: string
   categories: readonly string[]
   rights: Rights
+  /** What its words leave open. */
+  unclear: readonly FactQuestion[]
   onKind: (kind: PanelKind) => void
   onClose: () => void
 }
 
 /** What opens in place below a row: its facts, its questions, or the reason of a cut. */
-export function CuePanel({ kind, cue, projectId, categories, rights, onKind, onClose }: CuePanelProps) {
+export function CuePanel({ kind, cue, projectId, categories, rights, unclear, onKind, onClose }: CuePanelProps) {
   if (kind === 'cut') return <CutCue cue={cue} projectId={projectId} onClose={onClose} />
+  if (kind === 'clarify') return <ClarifyPanel cue={cue} projectId={projectId} questions={unclear} onClose={onClose} />
   if (kind === 'ask') return <AskPanel cue={cue} projectId={projectId} mayAnswer={rights.edits} onClose={onClose} />
   return (
     <EditCue

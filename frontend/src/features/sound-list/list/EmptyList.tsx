@@ -1,6 +1,7 @@
+import { Link, useParams } from '@tanstack/react-router'
 import type { ReactNode } from 'react'
 
-import { Button } from '@/ui/Button'
+import { Button, ButtonLink } from '@/ui/Button'
 import { EmptyState } from '@/ui/EmptyState'
 
 /** What to do with a sound list that has no cue yet. */
@@ -13,6 +14,7 @@ export function EmptyList({
   onAdd: () => void
   onImport: () => void
 }): ReactNode {
+  const { projectId = '' } = useParams({ strict: false })
   return (
     <EmptyState
       head="The sound list is empty"
@@ -25,12 +27,15 @@ export function EmptyList({
             <Button keys="i" onClick={onImport}>
               Paste or import
             </Button>
+            <ButtonLink component={Link} to={`/projects/${projectId}/sound-list/kits`}>
+              Start from a kit
+            </ButtonLink>
           </>
         )
       }
     >
       {mayEdit
-        ? 'Type the first cues (only a name is required), paste rows from a spreadsheet with Ctrl V, or import a CSV or XLSX file.'
+        ? 'Type the first cues (only a name is required), paste rows from a spreadsheet with Ctrl V, import a CSV or XLSX file, or start from the cues of a kind of game.'
         : 'The team has not added any cues yet.'}
     </EmptyState>
   )

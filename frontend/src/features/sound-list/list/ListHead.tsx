@@ -6,6 +6,7 @@ import { Button, ButtonLink } from '@/ui/Button'
 import { plural } from '@/ui/format'
 
 import { compareQuery, type Cue } from '../api'
+import { CoverageNote } from './CoverageNote'
 import classes from './SoundList.module.css'
 
 interface Acts {
@@ -54,6 +55,7 @@ export function ListHead({
           )}
         </div>
       )}
+      <CoverageNote projectId={projectId} />
     </header>
   )
 }

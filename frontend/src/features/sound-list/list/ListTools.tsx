@@ -24,6 +24,7 @@ interface ListToolsProps {
 export function ListTools({ rows, categories, search, words, chips, filter, onSearch, onWords }: ListToolsProps) {
   const counts = new Map<CueStatus, number>()
   for (const { status } of rows) counts.set(status, (counts.get(status) ?? 0) + 1)
+  const unclear = rows.filter((row) => row.unclear.length > 0).length
   return (
     <div className={classes.tools}>
       <div className={classes.chips} role="group" aria-label="Filter by state" ref={chips}>
@@ -45,6 +46,16 @@ export function ListTools({ rows, categories, search, words, chips, filter, onSe
             {STATUS_WORDS[status]}
           </FilterChip>
         ))}
+        {(unclear > 0 || search.unclear) && (
+          <FilterChip
+            kind="question"
+            count={unclear}
+            pressed={search.unclear === true}
+            onPress={() => onSearch({ unclear: search.unclear ? undefined : true })}
+          >
+            Unclear
+          </FilterChip>
+        )}
       </div>
       <div className={classes.ends}>
         <span className={classes.select}>

@@ -18,6 +18,7 @@ import {
   unmatchedQuery,
   useRights,
 } from '../api'
+import { clarityQuery } from '../clarity'
 import { categoriesOf, type CueRow, groupsOf, type ListSearch, matching, rowsOf, sumsOf } from '../rows'
 import { AddCues } from './AddCues'
 import { CuePanel, type PanelKind } from './CuePanel'
@@ -46,6 +47,7 @@ export function SoundListPage(): ReactNode {
   const { data: counts } = useQuery(countsQuery(projectId))
   const { data: questions } = useQuery(openQuestionsQuery(projectId))
   const { data: unmatched } = useQuery(unmatchedQuery(projectId))
+  const { data: unclear } = useQuery(clarityQuery(projectId))
   const [player, playing] = usePlayer()
 
   const [adding, setAdding] = useState<{ name?: string } | null>(null)
@@ -55,15 +57,15 @@ export function SoundListPage(): ReactNode {
 
   const cues = list.data?.cues ?? NO_CUES
   const rows = useMemo(
-    () => rowsOf(cues, { progressList: progress.data, questions, unmatched }),
-    [cues, progress.data, questions, unmatched],
+    () => rowsOf(cues, { progressList: progress.data, questions, unmatched, unclear }),
+    [cues, progress.data, questions, unmatched, unclear],
   )
   const categories = useMemo(() => categoriesOf(rows), [rows])
-  const { state, category, by = 'list', q: words = '' } = search
+  const { state, category, by = 'list', unclear: onlyUnclear, q: words = '' } = search
   const sought = useDeferredValue(words)
   const groups = useMemo(
-    () => groupsOf(matching(rows, { state, category, words: sought }), by),
-    [rows, state, category, sought, by],
+    () => groupsOf(matching(rows, { state, category, unclear: onlyUnclear, words: sought }), by),
+    [rows, state, category, onlyUnclear, sought, by],
   )
   const shown = useMemo(() => groups.flatMap((group) => group.rows), [groups])
   const { selected, selectedId, select, step, picked, pick, unpick } = useCueSelection(projectId, shown)
@@ -115,8 +117,8 @@ export function SoundListPage(): ReactNode {
     )
   }, [selectedId])
   const clear = () => {
-    if (state !== undefined || category !== undefined || words !== '')
-      onSearch({ state: undefined, category: undefined, q: undefined })
+    if (state !== undefined || category !== undefined || onlyUnclear || words !== '')
+      onSearch({ state: undefined, category: undefined, unclear: undefined, q: undefined })
   }
   const escape = () => {
     if (panel) closePanel()
@@ -239,6 +241,7 @@ export function SoundListPage(): ReactNode {
                       projectId={projectId}
                       categories={categories}
                       rights={rights}
+                      unclear={openRow.unclear}
                       onKind={(kind) => setPanel({ id: panel.id, kind })}
                       onClose={closePanel}
                     />

@@ -30,6 +30,13 @@ export function useListKeys(acts: ListActs): void {
   const editing: Hotkey[] = [
     { keys: 'n', label: 'Add a cue', group: LIST, run: addSought },
     { keys: 'e', label: 'Edit', group: LIST, run: () => openPanel('edit'), disabled: !selected || isCut },
+    {
+      keys: 'c',
+      label: 'Answer what is unclear',
+      group: LIST,
+      run: () => openPanel('clarify'),
+      disabled: !selected || selected.unclear.length === 0,
+    },
     { keys: 'i', label: 'Paste or import', group: LIST, run: toImport },
     { keys: 'x', label: 'Select', group: LIST, run: () => selected && pick(selected.id, false), disabled: !selected },
     {

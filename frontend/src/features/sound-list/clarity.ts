@@ -1,0 +1,49 @@
+import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
+
+import { answered, api } from '@/api'
+import type { components } from '@/api/schema.gen'
+
+export type FactQuestion = components['schemas']['FactQuestion']
+type Fact = FactQuestion['fact']
+
+const keyOf = (projectId: string) => ['sound-list', projectId, 'clarity'] as const
+
+/** What a designer could not know from the words of each cue. */
+export const clarityQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: keyOf(projectId),
+    queryFn: async () => {
+      const { unclear } = await answered(
+        api.GET('/v1/projects/{project_id}/clarity', { params: { path: { project_id: projectId } } }),
+      )
+      return new Map(unclear.map(({ cue_id, questions }) => [cue_id, questions]))
+    },
+  })
+
+const pathOf = (cueId: string, fact: Fact) => ({ params: { path: { cue_id: cueId, fact } } })
+
+/** Write an answer into the description of a cue. */
+export function useAnswerFact(projectId: string, cueId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: ({ fact, text }: { fact: Fact; text: string }) =>
+      answered(api.POST('/v1/cues/{cue_id}/clarity/{fact}/answer', { ...pathOf(cueId, fact), body: { text } })),
+    onSuccess: () =>
+      Promise.all(
+        [
+          ['sound-list', projectId],
+          ['cue', cueId],
+        ].map((queryKey) => client.invalidateQueries({ queryKey })),
+      ),
+  })
+}
+
+/** Ask for a fact of a cue no more, or again. */
+export function useDismissFact(projectId: string, cueId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: ({ fact, dismissed }: { fact: Fact; dismissed: boolean }) =>
+      answered(api.PUT('/v1/cues/{cue_id}/clarity/{fact}/dismissed', { ...pathOf(cueId, fact), body: { dismissed } })),
+    onSuccess: () => client.invalidateQueries({ queryKey: keyOf(projectId) }),
+  })
+}

@@ -1,0 +1,253 @@
+import { useQuery } from '@tanstack/react-query'
+import { Link, useNavigate, useParams, useSearch } from '@tanstack/react-router'
+import { useEffect, useRef } from 'react'
+
+import { DraftNote, useDraft } from '@/app/drafts'
+import { useHotkeys } from '@/app/keys'
+import { useTitle } from '@/app/title'
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { figure, length, plural } from '@/ui/format'
+import { KeysLine } from '@/ui/KeysLine'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { type CueAdd, problemIn, useAddCues, useRights } from '../api'
+import { type Kit, kitQuery, type KitRow, kitsQuery, useUndoAddition } from './api'
+import classes from './Kits.module.css'
+
+const GROUP = 'Kit'
+
+/** A list begun from the cues of a kind of game: strike out what is not wanted, add the rest in one act. */
+export function KitsPage() {
+  useTitle('Start from a kit')
+  const { projectId } = useParams({ from: '/shell/projects/$projectId/sound-list/kits' })
+  const { kit: key } = useSearch({ from: '/shell/projects/$projectId/sound-list/kits' })
+  const rights = useRights(projectId)
+  const { data: kits, error } = useQuery(kitsQuery)
+  const kit = kits?.find((one) => one.key === key)
+  if (rights.known && !rights.edits) {
+    return (
+      <div className="page page-narrow">
+        <EmptyState
+          head="Only producers and audio leads add cues"
+          level={1}
+          action={
+            <Link className="link" to="/projects/$projectId/sound-list" params={{ projectId }}>
+              Back to the sound list
+            </Link>
+          }
+        />
+      </div>
+    )
+  }
+  return (
+    <div className="page stack" aria-busy={!kits && error === null}>
+      <div>
+        <h1>{kit ? `${kit.name} kit` : 'Start from a kit'}</h1>
+        <p className="mid">
+          {kit
+            ? 'Strike out what the game does not have. The rest is added at the end of the list.'
+            : 'A kit has the cues that a game of its kind usually needs, described so that a designer can make them.'}{' '}
+          <Link
+            className="link"
+            to={kit ? '/projects/$projectId/sound-list/kits' : '/projects/$projectId/sound-list'}
+            params={{ projectId }}
+            search={{}}
+          >
+            {kit ? 'All kits' : 'Back to the sound list'}
+          </Link>
+        </p>
+      </div>
+      {error && <ProblemNote detail={error.message} />}
+      {kits && !kit && <KitCards kits={kits} projectId={projectId} />}
+      {kit && <ChosenKit key={kit.key} kit={kit} projectId={projectId} />}
+    </div>
+  )
+}
+
+const range = ({ low, high }: { low: number; high: number }) => `${figure(low)}–${figure(high)}`
+
+/** A cue as it is added: a concept until the team has settled it. */
+const cueOf = ({ name, file_name, category, description, use, duration_s, loop, variations }: KitRow): CueAdd => ({
+  name,
+  file_name,
+  category,
+  description,
+  use,
+  duration_s,
+  loop,
+  variations,
+  trigger: '',
+  length_locked: false,
+  state: 'concept',
+  placeholder: false,
+  palette: false,
+})
+
+function Usual({ kit }: { kit: Kit }) {
+  return (
+    <p className="small mid">
+      {`Usually ${range(kit.usual_cues)} cues, ${range(kit.usual_hours)} hours, ${range(kit.usual_memory_mb)} MB. These are guesses.`}
+    </p>
+  )
+}
+
+function KitCards({ kits, projectId }: { kits: readonly Kit[]; projectId: string }) {
+  return (
+    <ul className={classes.kits}>
+      {kits.map((kit) => (
+        <li key={kit.key}>
+          <Card aria-labelledby={`kit-${kit.key}`} className={classes.kit}>
+            <h2 id={`kit-${kit.key}`}>{kit.name}</h2>
+            <p>{kit.about}</p>
+            <p className="mid">{`${plural(kit.cues, 'cue')}, ${plural(kit.files, 'file')}`}</p>
+            <Usual kit={kit} />
+            <div>
+              <Link
+                className="link"
+                to="/projects/$projectId/sound-list/kits"
+                params={{ projectId }}
+                search={{ kit: kit.key }}
+                aria-label={`Look at the ${kit.name} kit`}
+              >
+                Look at its cues
+              </Link>
+            </div>
+          </Card>
+        </li>
+      ))}
+    </ul>
+  )
+}
+
+function ChosenKit({ kit, projectId }: { kit: Kit; projectId: string }) {
+  const { data, error } = useQuery(kitQuery(projectId, kit.key))
+  const [struck, setStruck, draft] = useDraft<string[]>(`kit:${projectId}:${kit.key}`, [])
+  const add = useAddCues(projectId)
+  const undo = useUndoAddition(projectId)
+  const navigate = useNavigate()
+  const table = useRef<HTMLTableElement>(null)
+  const rows = data?.rows ?? []
+  const isWanted = (row: KitRow) => !row.is_listed && !struck.includes(row.file_name)
+  const wanted = rows.filter(isWanted)
+  const strike = (names: readonly string[], isStruck: boolean) =>
+    setStruck((now) => [...now.filter((name) => !names.includes(name)), ...(isStruck ? names : [])])
+  const boxes = () => [...(table.current?.querySelectorAll<HTMLInputElement>('tbody input') ?? [])]
+  const step = (by: 1 | -1) => {
+    const all = boxes()
+    const at = all.findIndex((box) => box === document.activeElement)
+    all[at < 0 ? (by > 0 ? 0 : all.length - 1) : Math.min(all.length - 1, Math.max(0, at + by))]?.focus()
+  }
+  const toggle = () =>
+    boxes()
+      .find((box) => box === document.activeElement)
+      ?.click()
+  const { reset } = add
+  useEffect(() => reset, [reset])
+  const send = async () => {
+    if (add.isPending || wanted.length === 0) return
+    const added = await add.mutateAsync(wanted.map(cueOf)).catch((failure: unknown) => {
+      if (problemIn(failure) === null) throw failure
+      return null
+    })
+    if (added === null) return
+    draft.discard()
+    showToast(`${plural(added.length, 'cue')} added from the ${kit.name} kit.`, () => undo.mutateAsync(added))
+    void navigate({ to: '/projects/$projectId/sound-list', params: { projectId } })
+  }
+  useHotkeys([
+    { keys: 'j', label: 'Next cue', group: GROUP, run: () => step(1), repeats: true },
+    { keys: 'k', label: 'Previous cue', group: GROUP, run: () => step(-1), repeats: true },
+    { keys: 'x', label: 'Strike out or keep', group: GROUP, run: toggle },
+    { keys: 'mod+Enter', label: 'Add the cues', group: GROUP, run: () => void send() },
+  ])
+  const problem = problemIn(add.error)
+  const categories = [...new Set(rows.map(({ category }) => category))]
+  return (
+    <>
+      <Usual kit={kit} />
+      <DraftNote draft={draft} />
+      {error && <ProblemNote detail={error.message} />}
+      <Card aria-labelledby="kit-cues">
+        <CardHead id="kit-cues" title="Cues" count={rows.length} note={`${wanted.length} will be added`} />
+        <table ref={table} className={classes.table}>
+          <thead className="visually-hidden">
+            <tr>
+              <th scope="col">Keep</th>
+              <th scope="col">Cue</th>
+              <th scope="col">Description</th>
+              <th scope="col">Length and number</th>
+            </tr>
+          </thead>
+          {categories.map((category) => {
+            const own = rows.filter((row) => row.category === category)
+            const names = own.filter((row) => !row.is_listed).map(({ file_name: name }) => name)
+            const kept = own.filter(isWanted).length
+            return (
+              <tbody key={category}>
+                <tr className={classes.group}>
+                  <th scope="colgroup" colSpan={4}>
+                    <span className="row between">
+                      <span>{`${category} ${kept} of ${own.length}`}</span>
+                      <button type="button" className="link small" onClick={() => strike(names, kept > 0)}>
+                        {kept > 0 ? `Strike out all ${category}` : `Keep all ${category}`}
+                      </button>
+                    </span>
+                  </th>
+                </tr>
+                {own.map((row) => (
+                  <tr key={row.file_name} className={isWanted(row) ? undefined : classes.gone}>
+                    <td>
+                      <input
+                        type="checkbox"
+                        className={classes.tick}
+                        aria-label={`Keep ${row.name}`}
+                        checked={isWanted(row)}
+                        disabled={row.is_listed}
+                        onChange={({ currentTarget }) => strike([row.file_name], !currentTarget.checked)}
+                      />
+                    </td>
+                    <th scope="row">
+                      <span className={isWanted(row) ? undefined : 'struck'}>{row.name}</span>
+                      <br />
+                      <span className="small mono dim">{row.is_listed ? 'on the list already' : row.file_name}</span>
+                    </th>
+                    <td className={classes.words}>
+                      {row.description} <span className="mid">{row.use}.</span>
+                    </td>
+                    <td className="small mid nowrap">
+                      {`${length(row.duration_s)}${row.loop ? ', loop' : ''}${row.variations > 1 ? ` × ${row.variations}` : ''}`}
+                    </td>
+                  </tr>
+                ))}
+              </tbody>
+            )
+          })}
+        </table>
+      </Card>
+      <div className={classes.foot}>
+        {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+        <span className="wide-only">
+          <KeysLine
+            keys={[
+              { keys: ['j', 'k'], label: 'next cue' },
+              { keys: ['x'], label: 'strike out' },
+            ]}
+          />
+        </span>
+        <Button
+          variant="primary"
+          keys="mod+Enter"
+          className="end"
+          disabled={wanted.length === 0}
+          aria-busy={add.isPending}
+          onClick={() => void send()}
+        >
+          {wanted.length === 0 ? 'Add cues' : `Add ${plural(wanted.length, 'cue')}`}
+        </Button>
+      </div>
+    </>
+  )
+}

@@ -1,0 +1,43 @@
+import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
+
+import { answered, api } from '@/api'
+import type { components } from '@/api/schema.gen'
+
+import { type Cue, refreshList } from '../api'
+
+export type Kit = components['schemas']['KitRead']
+export type KitRow = components['schemas']['KitRow']
+
+/** Kinds of game that a list can be started from: part of the product, so they stay as long as the page is open. */
+export const kitsQuery = queryOptions({
+  queryKey: ['kits'],
+  queryFn: () => answered(api.GET('/v1/kits')),
+  staleTime: Infinity,
+})
+
+export const kitQuery = (projectId: string, key: string) =>
+  queryOptions({
+    queryKey: ['kit', projectId, key],
+    queryFn: () =>
+      answered(
+        api.GET('/v1/projects/{project_id}/kits/{kit_key}', {
+          params: { path: { project_id: projectId, kit_key: key } },
+        }),
+      ),
+  })
+
+/** Removes what was just added, as long as nothing was done with it. */
+export function useUndoAddition(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (cues: readonly Cue[]) =>
+      answered(
+        api.POST('/v1/projects/{project_id}/cues/undo-addition', {
+          params: { path: { project_id: projectId } },
+          body: { cue_ids: cues.map(({ id }) => id) },
+        }),
+      ),
+    onSuccess: () =>
+      Promise.all([refreshList(client, projectId), client.invalidateQueries({ queryKey: ['kit', projectId] })]),
+  })
+}

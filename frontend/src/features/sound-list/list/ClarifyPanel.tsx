@@ -1,0 +1,124 @@
+import { TextInput } from '@mantine/core'
+import { useState } from 'react'
+
+import { useHotkeys } from '@/app/keys'
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { type Cue, problemIn } from '../api'
+import { type FactQuestion, useAnswerFact, useDismissFact } from '../clarity'
+import classes from '../cue/Panel.module.css'
+
+const GROUP = 'Unclear cue'
+
+interface ClarifyPanelProps {
+  cue: Cue
+  projectId: string
+  questions: readonly FactQuestion[]
+  onClose: () => void
+}
+
+/** What a designer could not know from the words of a cue: an answer each, or none. */
+export function ClarifyPanel({ cue, projectId, questions, onClose }: ClarifyPanelProps) {
+  const answer = useAnswerFact(projectId, cue.id)
+  const dismiss = useDismissFact(projectId, cue.id)
+  const busy = answer.isPending || dismiss.isPending
+  const first = questions[0]
+  const say = (one: FactQuestion, text: string) => {
+    if (busy || text.trim() === '') return
+    answer.mutate({ fact: one.fact, text }, { onSuccess: () => (questions.length === 1 ? onClose() : undefined) })
+  }
+  const drop = (one: FactQuestion) => {
+    if (busy) return
+    dismiss.mutate(
+      { fact: one.fact, dismissed: true },
+      {
+        onSuccess: () => {
+          showToast(`“${one.question}” is not asked of ${cue.name} any more.`, () =>
+            dismiss.mutate({ fact: one.fact, dismissed: false }),
+          )
+          if (questions.length === 1) onClose()
+        },
+      },
+    )
+  }
+  useHotkeys([
+    ...(first?.answers ?? []).map((text, at) => ({
+      keys: String(at + 1),
+      label: 'Choose an answer',
+      group: GROUP,
+      unlisted: at > 0,
+      run: () => first && say(first, text),
+    })),
+    { keys: 'd', label: 'Dismiss the question', group: GROUP, run: () => first && drop(first), disabled: !first },
+  ])
+  const problem = problemIn(answer.error) ?? problemIn(dismiss.error)
+  return (
+    <section className={classes.panel} aria-label={`What is unclear about ${cue.name}`}>
+      {first === undefined && <p>Every question is answered.</p>}
+      {questions.map((one) => (
+        <Asked key={one.fact} one={one} isFirst={one === first} busy={busy} onSay={say} onDrop={drop} />
+      ))}
+      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      <div className={classes.acts}>
+        <span className="small dim">Answers are added to the description. Nothing waits for them.</span>
+        <Button className="end" keys="Escape" onClick={onClose}>
+          Close
+        </Button>
+      </div>
+    </section>
+  )
+}
+
+interface AskedProps {
+  one: FactQuestion
+  /** Its answers have the keys. */
+  isFirst: boolean
+  busy: boolean
+  onSay: (one: FactQuestion, text: string) => void
+  onDrop: (one: FactQuestion) => void
+}
+
+function Asked({ one, isFirst, busy, onSay, onDrop }: AskedProps) {
+  const [text, setText] = useState('')
+  return (
+    <form
+      className={classes.question}
+      aria-label={one.question}
+      onSubmit={(event) => {
+        event.preventDefault()
+        onSay(one, text)
+      }}
+    >
+      <span className="strong">{one.question}</span>
+      <span className="row wrap">
+        {one.answers.map((each, at) => (
+          <Button
+            key={each}
+            keys={isFirst ? String(at + 1) : undefined}
+            disabled={busy}
+            onClick={() => onSay(one, each)}
+          >
+            {each}
+          </Button>
+        ))}
+        <TextInput
+          aria-label={`${one.question} In other words`}
+          placeholder="In other words"
+          value={text}
+          maxLength={200}
+          onChange={(event) => setText(event.currentTarget.value)}
+        />
+        {text.trim() !== '' && (
+          <Button type="submit" variant="primary" disabled={busy}>
+            Add
+          </Button>
+        )}
+        <Button variant="quiet" keys={isFirst ? 'd' : undefined} disabled={busy} onClick={() => onDrop(one)}>
+          Not needed
+        </Button>
+      </span>
+    </form>
+  )
+}

@@ -1,0 +1,117 @@
+"""The clarity check asks for what a designer needs and cannot find, and for little else."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from app.sound_lists.clarity_rules import MAX_QUESTIONS, Fact, Kind, lexicon, questions
+from tests.support.server import World
+
+REQUESTS = Path(__file__).parent / "clarity"
+
+
+def requests(file_name: str) -> Iterator[tuple[str, str, bool, bool, set[str]]]:
+    for line in (REQUESTS / file_name).read_text(encoding="utf-8").splitlines():
+        name, said, loop, length, facts = (field.strip() for field in line.split("|"))
+        wanted = set() if facts == "clear" else {fact.strip() for fact in facts.split(",")}
+        yield name, said, loop == "loop", length != "-", wanted
+
+
+def rates(file_name: str) -> tuple[float, float]:
+    """Return which share of the missing facts is asked for, and how many needless questions a cue gets."""
+    wanted = asked = needless = cues = 0
+    for name, said, loop, has_length, facts in requests(file_name):
+        got = {one.fact.value for one in questions(name, "", said, loop, has_length)}
+        cues, wanted, asked = cues + 1, wanted + len(facts), asked + len(facts & got)
+        needless += len(got - facts)
+    return asked / wanted, needless / cues
+
+
+@pytest.mark.parametrize(
+    ("file_name", "least_asked", "most_needless"),
+    [("worked_on.txt", 0.9, 0.15), ("by_others.txt", 0.7, 0.2)],
+)
+def test_most_of_what_is_missing_is_asked_and_little_else(
+    file_name: str, least_asked: float, most_needless: float
+) -> None:
+    asked, needless = rates(file_name)
+    assert asked >= least_asked
+    assert needless <= most_needless
+
+
+def facts_of(name: str, description: str = "", *, category: str = "", loop: bool = False, has_length: bool = False):
+    return [one.fact for one in questions(name, category, description, loop, has_length)]
+
+
+def test_a_splash_is_asked_for_what_the_field_asks() -> None:
+    assert facts_of("splash", "A splash") == [Fact.SOURCE, Fact.SIZE, Fact.PLACE]
+    assert facts_of("splash", "A man of 400 pounds falls into the sea") == []
+
+
+def test_the_category_speaks_where_the_words_do_not() -> None:
+    assert facts_of("level_3", "as before", category="ambience") == [Fact.PLACE, Fact.MOOD, Fact.LOOP]
+    assert facts_of("level_3", "as before", category="ambience", loop=True) == [Fact.PLACE, Fact.MOOD]
+
+
+def test_what_was_answered_is_not_asked_again() -> None:
+    said = "A splash"
+    for one in questions("splash", "", said, False, False):
+        said += f". {one.fact.value.capitalize()}: blorp"
+    assert facts_of("splash", said) == []
+
+
+@pytest.mark.parametrize("kind", lexicon().kinds, ids=lambda kind: min(kind.words))
+def test_each_answer_that_is_offered_answers_its_question(kind: Kind) -> None:
+    assert len({one.fact for one in kind.needs}) == len(kind.needs)
+    for need in kind.needs:
+        assert 2 <= len(need.answers) <= MAX_QUESTIONS
+        for answer in need.answers:
+            said = f"{need.fact.value.capitalize()}: {answer}."
+            assert need.fact not in facts_of(sorted(kind.words)[0], said)
+
+
+def test_no_request_is_asked_more_than_a_reader_takes_in() -> None:
+    assert max(len(facts_of(word)) for kind in lexicon().kinds for word in kind.words) == MAX_QUESTIONS
+
+
+def test_the_list_names_what_is_open_and_an_answer_joins_the_description(world: World) -> None:
+    project = f"/v1/projects/{world.project_id}"
+    splash = {"name": "Splash", "description": "A splash."}
+    cue = world.producer.post(f"{project}/cues", json={"cues": [splash]}).json()[0]
+
+    def open_facts(person: Any) -> list[str]:
+        unclear = person.get(f"{project}/clarity").json()["unclear"]
+        return next(([one["fact"] for one in each["questions"]] for each in unclear if each["cue_id"] == cue["id"]), [])
+
+    assert open_facts(world.designer) == ["source", "size", "place"]
+    path = f"/v1/cues/{cue['id']}/clarity"
+    assert world.producer.post(f"{path}/source/answer", json={"text": " a  tool "}).status_code == 204
+    assert world.producer.put(f"{path}/size/dismissed", json={"dismissed": True}).status_code == 204
+    assert open_facts(world.producer) == ["place"]
+    changed = world.producer.get(f"/v1/cues/{cue['id']}").json()
+    assert (changed["description"], changed["edition"]) == ("A splash. Source: a tool.", 2)
+
+    world.producer.put(f"{path}/size/dismissed", json={"dismissed": False})
+    assert open_facts(world.producer) == ["size", "place"]
+
+
+def test_only_the_team_answers_and_strangers_see_nothing(world: World) -> None:
+    cues = world.producer.post(f"/v1/projects/{world.project_id}/cues", json={"cues": [{"name": "Splash"}]}).json()
+    path = f"/v1/cues/{cues[0]['id']}/clarity"
+    assert world.designer.post(f"{path}/size/answer", json={"text": "small"}).status_code == 403
+    assert world.designer.put(f"{path}/size/dismissed", json={"dismissed": True}).status_code == 403
+    assert world.stranger.get(f"/v1/projects/{world.project_id}/clarity").status_code == 404
+    assert world.stranger.post(f"{path}/size/answer", json={"text": "small"}).status_code == 404
+    assert world.producer.post(f"{path}/colour/answer", json={"text": "red"}).status_code == 422
+
+
+def test_a_cut_cue_is_not_asked_about(world: World) -> None:
+    project = f"/v1/projects/{world.project_id}"
+    cue = world.producer.post(f"{project}/cues", json={"cues": [{"name": "Impact"}]}).json()[0]
+    world.approver.post(f"/v1/cues/{cue['id']}/cut", json={"reason": "the scene is gone"})
+    unclear = world.producer.get(f"{project}/clarity").json()["unclear"]
+    assert cue["id"] not in [one["cue_id"] for one in unclear]
+    refused = world.producer.post(f"/v1/cues/{cue['id']}/clarity/source/answer", json={"text": "a tool"})
+    assert refused.status_code == 409
