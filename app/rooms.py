@@ -30,7 +30,9 @@ from app.projects.endpoints import router as projects
 from app.projects.spec_endpoints import router as specs
 from app.renders.endpoints import router as renders
 from app.reviews.endpoints import router as reviews
+from app.sound_lists.coverage_endpoints import router as coverage
 from app.sound_lists.endpoints import router as sound_lists
+from app.sound_lists.kit_endpoints import router as kits
 
 ROUTERS: tuple[APIRouter, ...] = (
     accounts,
@@ -42,6 +44,8 @@ ROUTERS: tuple[APIRouter, ...] = (
     specs,
     briefs,
     sound_lists,
+    coverage,
+    kits,
     money,
     contract_templates,
     contracts,

@@ -1,12 +1,13 @@
-"""Commands that print what a project says: its brief."""
+"""Commands about what projects begin with: their briefs, and kits for their lists."""
 
 from enum import StrEnum
 from typing import Annotated
 from uuid import UUID
 
 import typer
+from rich.table import Table
 
-from app.cli.groups import cli
+from app.cli.groups import cli, console
 from app.cli.opening import opened, read_settings_or_exit, refusal
 
 
@@ -40,3 +41,23 @@ def brief(
                 typer.echo(documents.markdown_of(found.name, answers, version=version), nl=False)
     finally:
         runtime.close()
+
+
+@cli.command()
+def kits(
+    kit: Annotated[str, typer.Argument(help="A kit, to print its cues as CSV; left out: all kits.")] = "",
+) -> None:
+    """List the kinds of game that a sound list can be started from, or print the cues of one as CSV."""
+    from app.sound_lists.kits import all_kits, csv_of, kit_of
+
+    if not kit:
+        table = Table("kit", "cues", "usual cues", "usual hours", "usual MB", "about")
+        for one in all_kits():
+            ranges = (f"{low}–{high}" for low, high in (one.usual_cues, one.usual_hours, one.usual_memory_mb))
+            table.add_row(one.key, str(len(one.cues)), *ranges, one.about)
+        console.print(table)
+        return
+    found = kit_of(kit)
+    if found is None:
+        raise refusal([f'no kit "{kit}"; there are: {", ".join(one.key for one in all_kits())}'])
+    typer.echo(csv_of(found), nl=False)

@@ -42,6 +42,7 @@ SERVER_COMMANDS = {
     "restore",
     "verify",
     "brief",
+    "kits",
     "demo",
     "token",
     "openapi",

@@ -14,6 +14,7 @@ import { moneyRoutes } from '@/features/money/routes'
 import { operationRoutes } from '@/features/operations/routes'
 import { projectRoutes } from '@/features/projects/routes'
 import { reviewRoutes } from '@/features/review/routes'
+import { kitRoutes } from '@/features/sound-list/kits/routes'
 import { soundListRoutes } from '@/features/sound-list/routes'
 import { takeRoutes } from '@/features/take/routes'
 import { todayRoutes } from '@/features/today/routes'
@@ -34,6 +35,7 @@ const pages = [
     ...gameFilesRoutes,
     ...reviewRoutes,
     ...soundListRoutes,
+    ...kitRoutes,
     ...deskRoutes,
     ...contractRoutes,
     ...takeRoutes,

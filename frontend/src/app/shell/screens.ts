@@ -94,6 +94,7 @@ export function placesOf({ side, project, isParty }: ShellData): Place[] {
     { label: 'Invite a designer or an approver', path: `${at}/people`, also: ['people', 'team', 'hire', 'members'] },
     { label: 'Import or paste cues', path: `${at}/sound-list/import`, also: ['sheet', 'csv', 'excel', 'add'] },
     { label: 'Brief', path: `${at}/brief`, also: ['questions', 'platforms', 'scenes', 'kickoff'] },
+    { label: 'Start from a kit', path: `${at}/sound-list/kits`, also: ['starter', 'template', 'genre'] },
     { label: 'Delivery spec', path: `${at}/spec`, also: ['limits', 'loudness', 'naming', 'toml'] },
     { label: 'Game files and packs', path: `${at}/game-files`, also: ['pack', 'download', 'export', 'targets'] },
     ...money,

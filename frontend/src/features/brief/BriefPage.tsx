@@ -227,7 +227,7 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
             <p className="small mid">Every question can be skipped. A project works without a brief.</p>
           </div>
           <div className={classes.footActs}>
-            <Button icon="back" disabled={at === 0} onClick={() => go(at - 1)}>
+            <Button keys="p" disabled={at === 0} onClick={() => go(at - 1)}>
               Back
             </Button>
             {at === brief.topics.length - 1 ? (

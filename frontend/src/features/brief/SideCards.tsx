@@ -9,7 +9,7 @@ import { CardHead } from '@/ui/Card'
 import { plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 
-import { type Brief, proposalQuery, readsQuery, useApplyProposal, usePublishBrief } from './api'
+import { type Brief, coverageQuery, proposalQuery, readsQuery, useApplyProposal, usePublishBrief } from './api'
 import classes from './Brief.module.css'
 import type { Saving } from './useAnswers'
 import { questionsOf, refused } from './words'
@@ -25,6 +25,7 @@ export function SideCards({ projectId, brief, saving }: SideCardsProps) {
     <>
       <SpecCard projectId={projectId} mayApply={brief.may_answer} saving={saving} />
       {brief.may_answer && <PublishCard projectId={projectId} brief={brief} saving={saving} />}
+      <CoverageCard projectId={projectId} />
       <OpenCard projectId={projectId} brief={brief} />
     </>
   )
@@ -139,6 +140,39 @@ function PublishCard({ projectId, brief, saving }: SideCardsProps) {
         )}
         {publish.error && <ProblemNote detail={refused(publish.error.message)} />}
       </div>
+    </section>
+  )
+}
+
+/** What the answers name and the sound list lacks. */
+function CoverageCard({ projectId }: { projectId: string }) {
+  const { data } = useQuery(coverageQuery(projectId))
+  if (!data) return null
+  const missing = [
+    { said: 'has no ambience on the list', names: data.scenes_without_ambience },
+    { said: 'is silent: neither ambience nor music', names: data.silent_scenes },
+    { said: 'has no cue on the list', names: data.categories_without_cue },
+    { said: 'has no cue on the list', names: data.priority_without_cue },
+  ]
+  const lines = missing.flatMap(({ said, names }) => names.map((name) => ({ name, said })))
+  if (lines.length === 0) return null
+  return (
+    <section aria-label="Missing from the sound list">
+      <CardHead title="Missing from the sound list" count={lines.length} />
+      <ul>
+        {lines.map(({ name, said }) => (
+          <li key={`${name} ${said}`} className={classes.change}>
+            <span>
+              <span className="strong">{name}</span> <span className="mid">{said}</span>
+            </span>
+          </li>
+        ))}
+      </ul>
+      <p className={classes.sideBody}>
+        <Link className="link" to={`/projects/${projectId}/sound-list` as LinkProps['to']}>
+          To the sound list
+        </Link>
+      </p>
     </section>
   )
 }

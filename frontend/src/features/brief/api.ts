@@ -79,6 +79,7 @@ export function useSaveAnswers(projectId: string) {
       client.setQueryData(briefQuery(projectId).queryKey, brief)
       return Promise.all([
         client.invalidateQueries({ queryKey: proposalQuery(projectId).queryKey }),
+        client.invalidateQueries({ queryKey: coverageQuery(projectId).queryKey }),
         client.invalidateQueries({ queryKey: ['next-steps', projectId] }),
       ])
     },
@@ -100,6 +101,12 @@ export function usePublishBrief(projectId: string) {
       ),
   })
 }
+
+export const coverageQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: ['coverage', projectId],
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/sound-list/coverage', inProject(projectId))),
+  })
 
 export const proposalQuery = (projectId: string) =>
   queryOptions({

@@ -73,6 +73,12 @@ class BriefServer {
           )
         },
         'PUT /v1/projects/p1/brief/versions/2/read': answer(null, 204),
+        'GET /v1/projects/p1/sound-list/coverage': {
+          scenes_without_ambience: ['Harbour'],
+          silent_scenes: ['Void'],
+          categories_without_cue: [],
+          priority_without_cue: ['Shield hit'],
+        },
         'GET /v1/projects/p1/brief/spec': () => this.proposal,
         'POST /v1/projects/p1/brief/spec': () => {
           this.proposal = { ...this.proposal, based_on_version: 4, changes: [] }
@@ -272,6 +278,21 @@ describe('both sides', () => {
       based_on_version: 3,
       brief_revision: 0,
     })
+  })
+
+  test('what the answers name and the list lacks is said', async () => {
+    new BriefServer()
+    openApp('/projects/p1/brief')
+    const missing = await screen.findByRole('region', { name: 'Missing from the sound list' })
+    expect(
+      within(missing)
+        .getAllByRole('listitem')
+        .map((item) => item.textContent),
+    ).toEqual([
+      'Harbour has no ambience on the list',
+      'Void is silent: neither ambience nor music',
+      'Shield hit has no cue on the list',
+    ])
   })
 
   test('a designer reads, which is recorded, and asks', async () => {

@@ -95,7 +95,7 @@ export function NumberField({ question, value, onChange }: FieldProps) {
   })
   const isNumber = typed.value.trim() === '' || /^\d+([.,]\d+)?$/.test(typed.value.trim())
   return (
-    <div className={classes.number}>
+    <div className={classes.amount}>
       <TextInput
         aria-label={`${question.text} In ${question.unit}.`}
         inputMode="decimal"

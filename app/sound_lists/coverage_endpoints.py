@@ -1,0 +1,19 @@
+"""The endpoint that holds the list against the brief."""
+
+from uuid import UUID
+
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience
+from app.kit.http import DbSession, Route, Router, problems
+from app.projects.errors import ProjectNotFound
+from app.projects.service import project_access
+from app.sound_lists.coverage import list_coverage
+from app.sound_lists.coverage_schemas import CoverageRead
+
+router = Router(prefix="/v1", tags=["sound-lists"], route_class=Route)
+
+
+@router.get("/projects/{project_id}/sound-list/coverage", responses=problems(ProjectNotFound))
+def read_coverage(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> CoverageRead:
+    """Return the scenes, categories and priority sounds that the brief names and the list lacks."""
+    return CoverageRead.model_validate(list_coverage(session, project_access(session, actor, project_id)))

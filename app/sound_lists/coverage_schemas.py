@@ -1,0 +1,14 @@
+"""The answer of the list held against the brief."""
+
+from pydantic import Field
+
+from app.kit.http import Schema
+
+
+class CoverageRead(Schema):
+    """What the brief names and the list lacks."""
+
+    scenes_without_ambience: list[str]
+    silent_scenes: list[str] = Field(description="Scenes with neither ambience nor music in the brief.")
+    categories_without_cue: list[str]
+    priority_without_cue: list[str]
