@@ -16,6 +16,7 @@ from app.agreements.access import party_of, visible_contract
 from app.agreements.documents import TextPdf
 from app.agreements.errors import (
     BadDraft,
+    BriefOpen,
     ContractNotFound,
     DraftChanged,
     FrameworkNeeded,
@@ -216,7 +217,9 @@ async def _pdf_to_send(request: Request, contract_id: UUID) -> TextPdf:
 
 @router.post(
     "/contracts/{contract_id}/send",
-    responses=problems(ContractNotFound, DocumentTooLarge, DraftChanged, ProducerNeeded, TypesettingBusy, WrongState),
+    responses=problems(
+        ContractNotFound, BriefOpen, DocumentTooLarge, DraftChanged, ProducerNeeded, TypesettingBusy, WrongState
+    ),
 )
 def send_contract(
     contract_id: UUID,

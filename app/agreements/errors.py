@@ -79,6 +79,10 @@ class NoticeNeeded(Conflict):
     """An agreed contract that orders work ends by a notice, so that what is owed is settled."""
 
 
+class BriefOpen(Conflict):
+    """A needed answer of the brief is open, and no clause that stands prints the open questions."""
+
+
 class DraftChanged(Conflict):
     """The draft was changed by another person since it was read."""
 

@@ -8,12 +8,15 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
-from app.agreements.clauses import BY_DAY
+from app.agreements.clauses import BY_DAY, Clause, names_in
+from app.agreements.errors import BriefOpen
 from app.agreements.models import Contract, ContractCue, Milestone
 from app.agreements.plan_queries import cues_of as covered_cues
 from app.agreements.plan_queries import milestones_of
-from app.agreements.rules import ReleaseClause
+from app.agreements.rules import ContractKind, ReleaseClause
 from app.agreements.text import literal
+from app.briefs.service import OpenAnswer, open_answers
+from app.kit.errors import FieldProblem
 from app.kit.money import money, percent
 from app.projects.queries import approver_of, current_spec
 from app.sound_lists.models import Cue
@@ -26,6 +29,7 @@ RELEASE_SENTENCES = {
 }
 DEPOSIT_SENTENCE = "Of it {} is a deposit, due when this is agreed."
 HOLDBACK_SENTENCE = "Of each share {} is held back, and due when all cues are accepted."
+OPEN_QUESTIONS = "open_questions"
 NONE_YET = "None has been written down yet."
 
 
@@ -61,7 +65,7 @@ def facts_of(
         "cue_count": str(len(cues)),
         "file_count": str(sum(cue.variations for cue in cues)),
         "cues": _cue_table(cues, prices, project.cue_prefix, priced.currency),
-        "open_questions": _questions(session, contract, {cue.id for cue in cues}),
+        OPEN_QUESTIONS: _questions(session, contract, {cue.id for cue in cues}),
         "milestones": _milestone_table(milestones, covered, project.cue_prefix, priced.currency),
         "total": money(total_minor, priced.currency),
         "deposit_sentence": DEPOSIT_SENTENCE.format(money(deposit_minor, priced.currency)) if deposit_minor else "",
@@ -69,6 +73,22 @@ def facts_of(
         "release_sentence": RELEASE_SENTENCES[priced.release_clause],
         **_framework(session, contract),
     }
+
+
+def ensure_open_answers_are_said(session: Session, contract: Contract, clauses: Sequence[Clause]) -> None:
+    """Raise BriefOpen for a contract on work with a needed answer of the brief open and not printed in its text."""
+    if contract.kind not in (ContractKind.SINGLE, ContractKind.STATEMENT_OF_WORK):
+        return
+    if OPEN_QUESTIONS in names_in([clause for clause in clauses if clause.stands]):
+        return
+    needed = [answer for answer in open_answers(session, contract.project_id) if answer.required]
+    if needed:
+        counted = "a needed answer" if len(needed) == 1 else f"{len(needed)} needed answers"
+        raise BriefOpen(
+            f"{counted} of the brief {'is' if len(needed) == 1 else 'are'} open",
+            errors=[FieldProblem(where=f"question {answer.number}", message=answer.text) for answer in needed],
+            fix="answer in the brief, or put back the clause that prints the open questions",
+        )
 
 
 def _days_minor(terms: Mapping[str, object]) -> int:
@@ -117,7 +137,14 @@ def _questions(session: Session, contract: Contract, cue_ids: Collection[UUID]) 
         for question in questions_of(session, contract.project_id, only_open=True)
         if question.cue_id in cue_ids
     ]
+    lines += [_open_answer(answer) for answer in open_answers(session, contract.project_id)]
     return "\n".join(lines) or "No question is open."
+
+
+def _open_answer(answer: OpenAnswer) -> str:
+    needed = ", needed" if answer.required else ""
+    note = f" {literal(answer.note)}" if answer.note else ""
+    return f"- Brief, question {answer.number}{needed}: {literal(answer.text)}{note}"
 
 
 def _milestone_table(

@@ -20,7 +20,7 @@ from app.agreements.errors import (
     NotYourContract,
     TemplateNotFound,
 )
-from app.agreements.facts import facts_of
+from app.agreements.facts import ensure_open_answers_are_said, facts_of
 from app.agreements.last_contract import begun_like
 from app.agreements.models import Contract, ContractVersion
 from app.agreements.rules import (
@@ -212,7 +212,9 @@ def send(
 def _sendable(session: Session, contract: Contract) -> tuple[ContractVersion, list[Clause]]:
     ensure_state(contract.state, {ContractState.DRAFT}, "recall it first; then change it and send it again")
     newest = newest_of(session, contract)
-    return newest, [Clause.of(row) for row in newest.clauses]
+    clauses = [Clause.of(row) for row in newest.clauses]
+    ensure_open_answers_are_said(session, contract, clauses)
+    return newest, clauses
 
 
 def recall(session: Session, actor: Actor, contract_id: UUID, *, reason: str) -> None:

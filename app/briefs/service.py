@@ -12,7 +12,8 @@ from app.accounts.rules import Actor
 from app.briefs import queries
 from app.briefs.errors import AnswerChanged, BriefVersionNotFound, NothingToPublish
 from app.briefs.models import Brief, BriefRead, BriefVersion
-from app.briefs.rules import differences, fitted, is_same, question_of, tidy_text
+from app.briefs.questions import BY_KEY
+from app.briefs.rules import completeness, differences, fitted, is_same, number_of, question_of, tidy_text
 from app.kit import clock
 from app.kit.errors import FieldProblem
 from app.projects.models import Engagement
@@ -36,6 +37,30 @@ class LastRead:
     engagement: Engagement
     read: BriefRead | None
     behind: int
+
+
+@dataclass(frozen=True)
+class OpenAnswer:
+    """A question of the brief that has no answer, or the answer "I don't know yet"."""
+
+    number: int
+    text: str
+    required: bool
+    note: str  # what is said with "I don't know yet"
+
+
+def open_answers(session: Session, project_id: UUID) -> Sequence[OpenAnswer]:
+    """Return the open questions of a project's brief, in their order; none where nobody has begun a brief."""
+    answers = queries.answers_of(session, project_id)
+    return [
+        OpenAnswer(
+            number=number_of(BY_KEY[key]),
+            text=BY_KEY[key].text,
+            required=BY_KEY[key].required,
+            note=answers.get(key, {}).get("note", ""),
+        )
+        for key in (completeness(answers).open if answers else ())
+    ]
 
 
 def change_answers(

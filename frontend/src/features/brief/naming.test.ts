@@ -18,6 +18,7 @@ describe('reading a name by its parts', () => {
     ['warp.wav', ['what']],
     ['warp_in.wav', ['what', 'detail']],
     ['foot_deck_walk_run.wav', ['what', 'detail', 'detail', 'detail']],
+    ['laser_fire_01.wav', ['what', 'detail', 'variation']],
     ['airlock-cycle.wav', null],
     ['Warp_in.wav', null],
     ['warp__in.wav', null],

@@ -61,7 +61,7 @@ export function readName(naming: Naming, fileName: string): Token[] | null {
     if (token) {
       const part = parts[read]
       if (part !== undefined && fitsToken(token, part)) {
-        const rest = (token.repeats ? from(read + 1, done) : null) ?? from(read + 1, done + 1)
+        const rest = from(read + 1, done + 1) ?? (token.repeats ? from(read + 1, done) : null)
         if (rest) found = [token, ...rest]
       }
       if (!found && token.optional) found = from(read, done + 1)
