@@ -9,6 +9,8 @@ from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.dashboards import finding, money, next_steps, progress, schemas, service
 from app.dashboards.desk import Desk
+from app.dashboards.pace import pace
+from app.dashboards.pace_schemas import Pace
 from app.kit.http import BadCursor, DbSession, Page, Route, Router, problems
 from app.money.errors import MilestoneNotFound
 from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
@@ -65,6 +67,12 @@ def read_today(project_id: UUID, session: DbSession, actor: Actor = allows(Audie
 def read_next_steps(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> schemas.NextSteps:
     """Return what the caller is to do in a project, the first thing first, and for whom they wait."""
     return next_steps.next_steps(session, actor, project_id)
+
+
+@router.get("/projects/{project_id}/pace", responses=problems(ProjectNotFound, TeamNeeded))
+def read_pace(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> Pace:
+    """Return how a project goes: the work's pace beside the studio's own, for both parties."""
+    return pace(session, actor, project_id)
 
 
 @router.get("/projects/{project_id}/desk", responses=problems(ProjectNotFound, DesignerNeeded))

@@ -4539,6 +4539,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/pace": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Pace
+         * @description Return how a project goes: the work's pace beside the studio's own, for both parties.
+         */
+        get: operations["read_pace"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/desk": {
         parameters: {
             query?: never;
@@ -6818,6 +6838,23 @@ export interface components {
             label: string;
             /** Name */
             name: string;
+        };
+        /**
+         * CostPerSound
+         * @description What a sound that was kept has cost so far, and what the rest would come to; in whole minor units.
+         */
+        CostPerSound: {
+            /** Currency */
+            currency: string;
+            /** Accepted Minor */
+            accepted_minor: number;
+            /** Per Kept Minor */
+            per_kept_minor: number | null;
+            /**
+             * To Finish Minor
+             * @description What is agreed and not yet accepted or saved.
+             */
+            to_finish_minor: number | null;
         };
         /**
          * CoverageRead
@@ -10221,6 +10258,55 @@ export interface components {
             reviewers: number;
         };
         /**
+         * Pace
+         * @description How a project goes: early warnings for both sides; null where too little has happened for a figure.
+         */
+        Pace: {
+            /** Cues */
+            cues: number;
+            /** Accepted */
+            accepted: number;
+            /**
+             * First Pass
+             * @description Share of the decided cues that were accepted as they came first.
+             */
+            first_pass: number | null;
+            /**
+             * First Pass Lately
+             * @description The same of the last four weeks.
+             */
+            first_pass_lately: number | null;
+            /** First Pass Before */
+            first_pass_before: number | null;
+            /** Rounds Per Cue */
+            rounds_per_cue: number | null;
+            /**
+             * Days Late
+             * @description By which accepted cues missed their day; below zero: early.
+             */
+            days_late: number | null;
+            /** Overdue */
+            overdue: number;
+            /**
+             * Finish On
+             * @description At the pace of the last four weeks.
+             */
+            finish_on: string | null;
+            /**
+             * Needed On
+             * @description The last day on which a cue that is not accepted is needed.
+             */
+            needed_on: string | null;
+            /** Worn */
+            worn: components["schemas"]["WornCue"][];
+            studio: components["schemas"]["StudioPace"];
+            /**
+             * Costs
+             * @description Of the contracts that the caller is a party to.
+             */
+            costs: components["schemas"]["CostPerSound"][];
+        };
+        /**
          * PackAdd
          * @description The pack to seal.
          */
@@ -12560,6 +12646,31 @@ export interface components {
             workers: number;
         };
         /**
+         * StudioPace
+         * @description How soon the studio does its own part.
+         */
+        StudioPace: {
+            /**
+             * Review Hours
+             * @description From conforming to a verdict, half of the time longer.
+             */
+            review_hours: number | null;
+            /**
+             * Answer Hours
+             * @description From a question to its answer, half of the time longer.
+             */
+            answer_hours: number | null;
+            /** Open Questions */
+            open_questions: number;
+            /**
+             * Days To Pay
+             * @description From an invoice to its last payment, half of the time longer.
+             */
+            days_to_pay: number | null;
+            /** Late Invoices */
+            late_invoices: number;
+        };
+        /**
          * StudioQuotas
          * @description The limits of one studio, the nearest first.
          */
@@ -12857,6 +12968,11 @@ export interface components {
             fix: components["schemas"]["SoundBrief"] | null;
             /** Renders */
             renders: components["schemas"]["RenderSoundRead"][];
+            /**
+             * Closed
+             * @description Why masters and game files cannot be downloaded now, where the contract opens them by payment.
+             */
+            closed: string | null;
         };
         /**
          * TakeSources
@@ -13740,6 +13856,23 @@ export interface components {
             is_alive: boolean;
             /** Running */
             running: number;
+        };
+        /**
+         * WornCue
+         * @description A cue that took too many rounds, and is not accepted yet.
+         */
+        WornCue: {
+            /**
+             * Cue Id
+             * Format: uuid
+             */
+            cue_id: string;
+            /** Label */
+            label: string;
+            /** Name */
+            name: string;
+            /** Rounds */
+            rounds: number;
         };
     };
     responses: never;
@@ -20224,7 +20357,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `draft-changed`, `wrong-state` */
+            /** @description `brief-open`, `draft-changed`, `wrong-state` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -23535,6 +23668,15 @@ export interface operations {
                     "application/octet-stream": unknown;
                 };
             };
+            /** @description `download-unpaid` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
             /** @description `take-not-found` */
             404: {
                 headers: {
@@ -23582,6 +23724,15 @@ export interface operations {
                 };
                 content: {
                     "application/octet-stream": unknown;
+                };
+            };
+            /** @description `download-unpaid` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
             /** @description `take-not-found`, `dry-stem-not-found` */
@@ -24342,6 +24493,15 @@ export interface operations {
                     "audio/wav": unknown;
                 };
             };
+            /** @description `download-unpaid` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
             /** @description `render-not-found` */
             404: {
                 headers: {
@@ -24820,6 +24980,15 @@ export interface operations {
                     "application/json": components["schemas"]["MasterExportRead"];
                 };
             };
+            /** @description `download-unpaid` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
             /** @description `take-not-found` */
             404: {
                 headers: {
@@ -24898,6 +25067,15 @@ export interface operations {
                 };
                 content: {
                     "audio/wav": unknown;
+                };
+            };
+            /** @description `download-unpaid` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
             /** @description `master-export-not-found` */
@@ -27347,6 +27525,55 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["NextSteps"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_pace: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Pace"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
             /** @description `project-not-found` */

@@ -1,5 +1,9 @@
+import type { components } from '@/api/schema.gen'
+
 import checks from './checks.json'
 import type { Answers } from './server'
+
+type Schemas = components['schemas']
 
 const WHO = {
   producer: { id: 'x1', name: 'Producer' },
@@ -154,6 +158,24 @@ const step = (number: number, name: string, status: string, palette = false) => 
   status,
 })
 
+/** How a project goes in which nothing was decided yet. */
+export const aPace = (facts: Partial<Schemas['Pace']> = {}): Schemas['Pace'] => ({
+  cues: 2,
+  accepted: 0,
+  first_pass: null,
+  first_pass_lately: null,
+  first_pass_before: null,
+  rounds_per_cue: null,
+  days_late: null,
+  overdue: 0,
+  finish_on: null,
+  needed_on: null,
+  worn: [],
+  studio: { review_hours: null, answer_hours: null, open_questions: 0, days_to_pay: null, late_invoices: 0 },
+  costs: [],
+  ...facts,
+})
+
 export const anOverview = (more: Record<string, unknown> = {}) => ({
   // In list order the palette comes second.
   steps: [step(1, 'shield_hit', 'to_review'), step(2, 'ui_confirm', 'accepted', true), step(3, 'mine_arm', 'cut')],
@@ -206,6 +228,7 @@ export const inProject = (part: Part = 'producer', more: Answers = {}): Answers 
   'GET /v1/review-queue/count': { cues: 0, is_all: true },
   'GET /v1/projects/p1': aProject(part),
   'GET /v1/projects/p1/overview': anOverview(),
+  'GET /v1/projects/p1/pace': aPace(),
   'GET /v1/projects/p1/spec': aSpec(),
   'GET /v1/checks': checks,
   'GET /v1/studios/s1/invitations': [],

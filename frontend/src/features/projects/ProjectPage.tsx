@@ -10,6 +10,7 @@ import { useTitle } from '@/app/title'
 import { overviewQuery, projectQuery } from './api'
 import { BuildsCard } from './BuildsCard'
 import { LatelyCard } from './LatelyCard'
+import { PaceCard } from './PaceCard'
 import { PackCard } from './PackCard'
 import { PaletteCard } from './PaletteCard'
 import classes from './Project.module.css'
@@ -101,6 +102,7 @@ export function ProjectPage() {
         <div className={`columns ${classes.columns}`}>
           <div className="stack">
             <StepsCard project={project} overview={overview} />
+            {(maySpeak || !isTeam) && <PaceCard projectId={projectId} />}
             <SpecCard project={project} />
             <PaletteCard projectId={projectId} palette={overview.palette} cues={overview.cues} />
             {isTeam && <PlaceholdersCard projectId={projectId} />}

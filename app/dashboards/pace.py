@@ -1,0 +1,117 @@
+"""How a project goes, seen by both sides: the work's pace beside the studio's own."""
+
+from collections import defaultdict
+from datetime import date, datetime
+from statistics import median
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.dashboards import money, pace_queries
+from app.dashboards.pace_rules import (
+    LATELY,
+    MANY_ROUNDS,
+    CuePace,
+    days_late,
+    decided_before_and_since,
+    finish_on,
+    first_pass_share,
+    mean_rounds,
+    median_hours,
+)
+from app.dashboards.pace_schemas import CostPerSound, Pace, StudioPace, WornCue
+from app.dashboards.schemas import ProjectMoney
+from app.kit import clock
+from app.projects.service import project_access
+from app.sound_lists.rules import label
+
+WORN_SHOWN = 20
+
+
+def pace(session: Session, actor: Actor, project_id: UUID) -> Pace:
+    """Return how a project goes: the whole of it for those who act for the studio, a designer's own work for them.
+
+    Raises TeamNeeded for the rest of the team.
+    """
+    access = project_access(session, actor, project_id)
+    access.ensure_party()
+    designer_id = access.only_designer_id
+    listed = pace_queries.cues(session, project_id, designer_id)
+    decided = _decided(session, project_id, designer_id)
+    nothing: Decided = (0, None, {})
+    by_cue = {
+        cue_id: _cue_pace(decided.get(cue_id, nothing), variations, due_on)
+        for cue_id, _, _, variations, due_on in listed
+    }
+    every, now = list(by_cue.values()), clock.now()
+    worn = [
+        WornCue(cue_id=cue_id, label=label(access.project.cue_prefix, number), name=name, rounds=by_cue[cue_id].rounds)
+        for cue_id, number, name, _, _ in listed
+        if by_cue[cue_id].rounds >= MANY_ROUNDS and by_cue[cue_id].accepted_at is None
+    ]
+    still_due = [cue.due_on for cue in every if cue.accepted_at is None and cue.due_on is not None]
+    accepted = sum(cue.accepted_at is not None for cue in every)
+    before, lately = decided_before_and_since(every, now - LATELY)
+    paid = money.project_money(session, actor, project_id)
+    return Pace(
+        cues=len(every),
+        accepted=accepted,
+        first_pass=first_pass_share(every),
+        first_pass_lately=first_pass_share(lately),
+        first_pass_before=first_pass_share(before),
+        rounds_per_cue=mean_rounds(every),
+        days_late=days_late(every),
+        overdue=sum(due_on < now.date() for due_on in still_due),
+        finish_on=finish_on(every, now),
+        needed_on=max(still_due, default=None),
+        worn=sorted(worn, key=lambda cue: -cue.rounds)[:WORN_SHOWN],
+        studio=_studio_pace(session, project_id, designer_id, paid),
+        costs=[
+            CostPerSound(
+                currency=total.currency,
+                accepted_minor=total.figures.accepted_minor,
+                per_kept_minor=round(total.figures.accepted_minor / accepted)
+                if accepted and len(paid.totals) == 1
+                else None,
+                to_finish_minor=total.figures.open_minor,
+            )
+            for total in paid.totals
+        ],
+    )
+
+
+Decided = tuple[int, datetime | None, dict[int, datetime]]  # rounds, the first of them, approvals by variation
+
+
+def _decided(session: Session, project_id: UUID, designer_id: UUID | None) -> dict[UUID, Decided]:
+    counted = {cue_id: (count, first) for cue_id, count, first in pace_queries.rounds(session, project_id)}
+    approved: dict[UUID, dict[int, datetime]] = defaultdict(dict)
+    for cue_id, variation, at in pace_queries.approvals(session, project_id, designer_id):
+        approved[cue_id][variation] = at
+    return {
+        cue_id: (*counted.get(cue_id, (0, None)), approved.get(cue_id, {}))
+        for cue_id in counted.keys() | approved.keys()
+    }
+
+
+def _cue_pace(decided: Decided, variations: int, due_on: date | None) -> CuePace:
+    rounds, first_round_at, approved = decided
+    first = [at for at in (first_round_at, *approved.values()) if at is not None]
+    wanted = [approved[variation] for variation in range(1, variations + 1) if variation in approved]
+    is_accepted = len(wanted) == variations
+    return CuePace(rounds, min(first, default=None), max(wanted) if is_accepted else None, due_on)
+
+
+def _studio_pace(session: Session, project_id: UUID, designer_id: UUID | None, paid: ProjectMoney) -> StudioPace:
+    asked = pace_queries.answer_times(session, project_id, designer_id)
+    days = [one.last_days_to_pay for one in paid.contracts if one.last_days_to_pay is not None]
+    return StudioPace(
+        review_hours=median_hours(
+            [(began, ended) for began, ended in pace_queries.review_times(session, project_id, designer_id)]
+        ),
+        answer_hours=median_hours([(began, ended) for began, ended in asked if ended is not None]),
+        open_questions=sum(ended is None for _, ended in asked),
+        days_to_pay=median(days) if days else None,
+        late_invoices=sum(invoice.state == "late" for one in paid.contracts for invoice in one.open_invoices),
+    )

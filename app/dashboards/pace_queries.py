@@ -1,0 +1,81 @@
+"""What pace is computed from; each function is one SELECT of narrow rows."""
+
+from collections.abc import Sequence
+from datetime import date, datetime
+from uuid import UUID
+
+from sqlalchemy import ColumnElement, Row, exists, func, select
+from sqlalchemy.orm import Session, aliased
+
+from app.deliveries.models import Take
+from app.reviews.models import Round, Verdict
+from app.reviews.rules import VerdictKind
+from app.sound_lists.models import Cue, Question
+from app.sound_lists.rules import CueState
+
+NEWEST = 1_000  # decisions, questions: older ones say nothing of today
+
+
+def cues(
+    session: Session, project_id: UUID, designer_id: UUID | None
+) -> Sequence[Row[UUID, int, str, int, date | None]]:
+    """Return the cues that are not cut; of a designer, those that she sent something for."""
+    found = select(Cue.id, Cue.number, Cue.name, Cue.variations, Cue.due_on).where(
+        Cue.project_id == project_id, Cue.state != CueState.CUT
+    )
+    if designer_id is not None:
+        found = found.where(exists().where(Take.cue_id == Cue.id, Take.designer_id == designer_id))
+    return session.execute(found.order_by(Cue.position, Cue.number)).all()
+
+
+def rounds(session: Session, project_id: UUID) -> Sequence[Row[UUID, int, datetime]]:
+    """Return for each cue how many changes were sent, and when the first."""
+    return session.execute(
+        select(Round.cue_id, func.count(), func.min(Round.created_at))
+        .where(Round.project_id == project_id)
+        .group_by(Round.cue_id)
+    ).all()
+
+
+def approvals(session: Session, project_id: UUID, designer_id: UUID | None) -> Sequence[Row[UUID, int, datetime]]:
+    """Return the variations whose approval stands, and since when: cue, variation, time."""
+    found = (
+        select(Verdict.cue_id, Take.variation, func.min(Verdict.created_at))
+        .join(Take, Take.id == Verdict.take_id)
+        .where(Verdict.project_id == project_id, Verdict.kind == VerdictKind.APPROVE, *_stands(designer_id))
+        .group_by(Verdict.cue_id, Take.variation)
+    )
+    return session.execute(found).all()
+
+
+def review_times(session: Session, project_id: UUID, designer_id: UUID | None) -> Sequence[Row[datetime, datetime]]:
+    """Return since when a version had waited for its verdict, and when a person gave it; the newest."""
+    found = (
+        select(Verdict.since_before, Verdict.created_at)
+        .join(Take, Take.id == Verdict.take_id)
+        .where(
+            Verdict.project_id == project_id,
+            Verdict.kind.in_((VerdictKind.APPROVE, VerdictKind.REQUEST_CHANGE)),
+            Verdict.given_by.is_not(None),
+            *_stands(designer_id),
+        )
+        .order_by(Verdict.id.desc())
+        .limit(NEWEST)
+    )
+    return session.execute(found).all()
+
+
+def answer_times(
+    session: Session, project_id: UUID, designer_id: UUID | None
+) -> Sequence[Row[datetime, datetime | None]]:
+    """Return when questions were asked and answered; the newest."""
+    found = select(Question.asked_at, Question.answered_at).where(Question.project_id == project_id)
+    if designer_id is not None:
+        found = found.where(Question.asked_by == designer_id)
+    return session.execute(found.order_by(Question.id.desc()).limit(NEWEST)).all()
+
+
+def _stands(designer_id: UUID | None) -> tuple[ColumnElement[bool], ...]:
+    withdrawal = aliased(Verdict)
+    stands = ~exists().where(withdrawal.withdraws_id == Verdict.id)
+    return (stands,) if designer_id is None else (stands, Take.designer_id == designer_id)

@@ -1,0 +1,145 @@
+import { queryOptions, useQuery } from '@tanstack/react-query'
+import { Link } from '@tanstack/react-router'
+
+import { answered, api } from '@/api'
+import type { components } from '@/api/schema.gen'
+import { money } from '@/money/words'
+import { Card, CardHead } from '@/ui/Card'
+import { figure, plural, shortDay } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
+
+import { Refusal } from './Refusal'
+import classes from './Pace.module.css'
+
+type Pace = components['schemas']['Pace']
+
+const DAY_HOURS = 24
+const FEWER_BY = 0.1 // of the share: less is chance
+
+const paceQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: ['pace', projectId],
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/pace', { params: { path: { project_id: projectId } } })),
+  })
+
+interface Line {
+  word: string
+  value: string
+  /** What both sides had better talk about. */
+  warns?: boolean
+}
+
+const percent = (share: number) => `${figure(share * 100)} %`
+
+/** "5 hours", "3 days". */
+const took = (hours: number) =>
+  hours < 2 * DAY_HOURS ? plural(Math.max(1, Math.round(hours)), 'hour') : plural(Math.round(hours / DAY_HOURS), 'day')
+
+function ofWork(pace: Pace): Line[] {
+  const { first_pass: share, first_pass_lately: lately, first_pass_before: before } = pace
+  const falls = lately !== null && before !== null && lately < before - FEWER_BY
+  const trend =
+    lately !== null && before !== null ? `; ${percent(lately)} in four weeks, ${percent(before)} before` : ''
+  const late = pace.days_late
+  const isSlow = pace.finish_on !== null && pace.needed_on !== null && pace.finish_on > pace.needed_on
+  return [
+    { word: 'Accepted', value: `${figure(pace.accepted)} of ${figure(pace.cues)}` },
+    ...(share === null ? [] : [{ word: 'Accepted as first sent', value: percent(share) + trend, warns: falls }]),
+    ...(pace.rounds_per_cue === null ? [] : [{ word: 'Rounds per cue', value: figure(pace.rounds_per_cue, 1) }]),
+    ...(late === null
+      ? []
+      : [
+          {
+            word: 'Against the due day',
+            value: late > 0 ? `${plural(Math.round(late), 'day')} late` : late < 0 ? 'early' : 'on time',
+            warns: late > 0,
+          },
+        ]),
+    ...(pace.overdue > 0 ? [{ word: 'Overdue', value: plural(pace.overdue, 'cue'), warns: true }] : []),
+    ...(pace.finish_on === null
+      ? []
+      : [
+          {
+            word: 'Done at this pace',
+            value: shortDay(pace.finish_on) + (pace.needed_on ? `; needed by ${shortDay(pace.needed_on)}` : ''),
+            warns: isSlow,
+          },
+        ]),
+  ]
+}
+
+function ofStudio({ studio }: Pace): Line[] {
+  const { review_hours: review, answer_hours: answer, days_to_pay: pays } = studio
+  return [
+    ...(review === null ? [] : [{ word: 'Time to a verdict', value: took(review) }]),
+    ...(answer === null ? [] : [{ word: 'Time to an answer', value: took(answer) }]),
+    ...(studio.open_questions > 0
+      ? [{ word: 'Open questions', value: figure(studio.open_questions), warns: true }]
+      : []),
+    ...(pays === null ? [] : [{ word: 'Time to pay', value: plural(Math.round(pays), 'day') }]),
+    ...(studio.late_invoices > 0 ? [{ word: 'Late invoices', value: figure(studio.late_invoices), warns: true }] : []),
+  ]
+}
+
+const ofCosts = ({ costs }: Pace): Line[] =>
+  costs.flatMap(({ currency, per_kept_minor: each, to_finish_minor: rest }) => [
+    ...(each === null ? [] : [{ word: 'Cost of a kept sound', value: money(each, currency) }]),
+    ...(rest === null || rest === 0 ? [] : [{ word: 'Agreed and still to come', value: money(rest, currency) }]),
+  ])
+
+/** Early warning, the same for both sides: how the work goes, and how the studio does its own part. */
+export function PaceCard({ projectId }: { projectId: string }) {
+  const { data: pace, error } = useQuery(paceQuery(projectId))
+  return (
+    <Card aria-labelledby="pace">
+      <CardHead id="pace" title="Pace" note="both sides see this" />
+      <Refusal error={error} />
+      {pace && (
+        <div className={classes.parts}>
+          <Part head="The work" lines={ofWork(pace)} />
+          <Part head="The studio’s part" lines={ofStudio(pace)} />
+          <Part head="Money" lines={ofCosts(pace)} />
+          {pace.worn.length > 0 && (
+            <section className={classes.worn} aria-label="Cues with many rounds">
+              <h3 className="small mid">Three rounds or more, not accepted</h3>
+              <ul>
+                {pace.worn.map(({ cue_id, label, name, rounds }) => (
+                  <li key={cue_id}>
+                    <Link
+                      className="link"
+                      to="/projects/$projectId/sound-list/cues/$cueId"
+                      params={{ projectId, cueId: cue_id }}
+                    >
+                      {label} {name}
+                    </Link>{' '}
+                    <span className="mid">{plural(rounds, 'round')}</span>
+                  </li>
+                ))}
+              </ul>
+              <p className="small dim">Talk before another round: the brief may be unclear, or the price too low.</p>
+            </section>
+          )}
+        </div>
+      )}
+    </Card>
+  )
+}
+
+function Part({ head, lines }: { head: string; lines: readonly Line[] }) {
+  if (lines.length === 0) return null
+  return (
+    <section>
+      <h3 className="small mid">{head}</h3>
+      <dl className={classes.pairs}>
+        {lines.map(({ word, value, warns }) => (
+          <div key={word}>
+            <dt>{word}</dt>
+            <dd className={warns ? 'tone-warn toned' : undefined}>
+              {warns && <Icon name="triangle" />} {value}
+            </dd>
+          </div>
+        ))}
+      </dl>
+    </section>
+  )
+}
