@@ -10,6 +10,7 @@ from app.accounts.studio_endpoints import router as studios
 from app.agreements.endpoints import router as contracts
 from app.agreements.signing_endpoints import router as contract_signing
 from app.agreements.template_endpoints import router as contract_templates
+from app.agreements.verify_endpoints import router as verifying
 from app.agreements.version_endpoints import router as contract_versions
 from app.amendments.endpoints import router as amendments
 from app.briefs.endpoints import router as briefs
@@ -51,6 +52,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     contracts,
     contract_signing,
     contract_versions,
+    verifying,
     amendments,
     deliveries,
     conformance,
@@ -75,6 +77,7 @@ JOB_MODULES = (
     "app.renders.timbre_jobs",
     "app.reviews.jobs",
     "app.builds.jobs",
+    "app.agreements.jobs",
     "app.amendments.jobs",
     "app.notifications.contract_jobs",
     "app.notifications.jobs",
@@ -83,6 +86,7 @@ JOB_MODULES = (
 PARSERS = (
     "app.sound_lists.sheets",
     "app.agreements.template_files",
+    "app.agreements.seal_files",
     "audio_checks.spec.delivery_spec",
 )  # of what strangers send
 SUBSCRIBERS: dict[str, tuple[str, ...]] = {
@@ -120,7 +124,11 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "invoice.drafted": (),
     "invoice.issued": ("notifications.notify_invoice",),
     "designer.joined": ("notifications.notify_joined",),
-    "contract.agreed": ("notifications.notify_contract", "reviews.add_accepted_cues"),
+    "contract.agreed": (
+        "notifications.notify_contract",
+        "reviews.add_accepted_cues",
+        "agreements.seal_contract",
+    ),
     "approver.reminded": ("notifications.notify_reminder",),
     "cue.deemed_accepted": ("notifications.notify_deemed_acceptance",),
     "build.posted": ("notifications.notify_build",),

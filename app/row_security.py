@@ -25,6 +25,7 @@ ADD_ONLY = frozenset({"kit_saved_responses", "kit_changed_rooms"})
 NEVER_ALTERED = frozenset(  # what was said and owed stands
     {
         *("contracts_events", "contracts_acceptances", "contracts_amendment_acceptances"),
+        "contracts_seals",
         *("contracts_ledger_lines", "contracts_invoice_lines"),
     }
 )

@@ -79,6 +79,11 @@ class Settings(BaseSettings):
     )
     web_processes: int = Field(1, ge=1, le=64, description="Processes that `soundlist serve` answers by.")
     worker_jobs: int = Field(4, ge=1, le=64, description="Jobs that one worker process runs at once.")
+    seal_certificate: Path | None = Field(
+        None, description="PEM file of the certificate that seals contracts, with its chain; empty: one of our own."
+    )
+    seal_key: Path | None = Field(None, description="PEM file of that certificate's private key.")
+    timestamp_url: str = Field("", description="An RFC 3161 timestamp server for seals; empty seals without one.")
     sign_up: Literal["open", "invited"] = Field(
         "invited", description="Whether anyone may open an account and a studio, or only invited people."
     )
@@ -165,6 +170,22 @@ class Settings(BaseSettings):
             raise ValueError(
                 "SOUNDLIST_STORE_URL names a bucket, and AWS_ACCESS_KEY_ID or AWS_SECRET_ACCESS_KEY is not set; "
                 "set both to a key that may read, write, list and delete there"
+            )
+        return self
+
+    @field_validator("timestamp_url")
+    @classmethod
+    def _is_a_web_address(cls, value: str) -> str:
+        parts = urlsplit(value)
+        if value and (parts.scheme not in ("http", "https") or not parts.netloc):
+            raise ValueError(f"SOUNDLIST_TIMESTAMP_URL is {value!r}; give an address, as https://timestamps.example")
+        return value
+
+    @model_validator(mode="after")
+    def _has_key_and_certificate(self) -> Self:
+        if (self.seal_key is None) != (self.seal_certificate is None):
+            raise ValueError(
+                "one of SOUNDLIST_SEAL_CERTIFICATE and SOUNDLIST_SEAL_KEY is set; set both, to PEM files, or neither"
             )
         return self
 

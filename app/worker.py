@@ -55,6 +55,8 @@ CHORES = (
     "server.delete_expired_rate_limits",
     "reviews.apply_deemed_acceptance",
     "amendments.settle_ended",
+    "agreements.seal_unsealed",
+    "notifications.mail_heads",
     "notifications.notify_overdue_checks",
 )
 

@@ -3,6 +3,7 @@
 import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass
+from datetime import date
 from typing import Self
 
 from app.agreements.text import Block, Span, blocks_of
@@ -10,7 +11,7 @@ from app.kit.typesetting import typeset
 
 PDF = "application/pdf"
 _LOOK = """
-#set document(title: {title}, date: none)
+#set document(title: {title}, date: {date}, keywords: {keywords})
 #set text(font: "Libertinus Serif", size: 10.5pt, lang: "en")
 #set par(leading: 0.62em, spacing: 0.9em)
 #set heading(numbering: none)
@@ -47,9 +48,23 @@ def sha256_of(text: str) -> str:
 
 def pdf_of(title: str, markdown: str) -> bytes:
     """Return the text as PDF, with its hash on every page; see `typeset` for what is raised."""
-    look = _LOOK.format(title=_string(title), sha256=_string(f"SHA-256 of the text {sha256_of(markdown)}"))
-    source = look + "\n".join(_typst(block) for block in blocks_of(markdown))
-    return typeset(source)
+    return typeset(_source(title, markdown))
+
+
+def signed_pdf_of(title: str, markdown: str, certificate: str, *, agreed_on: date, mark: str) -> bytes:
+    """Return the text as archival PDF, with its hash on every page and the certificate of its signatures after it."""
+    day = f"datetime(year: {agreed_on.year}, month: {agreed_on.month}, day: {agreed_on.day})"
+    text = _source(title, markdown, day=day, keywords=f"({_string(mark)},)")
+    return typeset(f"{text}\n#pagebreak()\n{_blocks(certificate)}", is_archival=True)
+
+
+def _source(title: str, markdown: str, *, day: str = "none", keywords: str = "()") -> str:
+    sha256 = _string(f"SHA-256 of the text {sha256_of(markdown)}")
+    return _LOOK.format(title=_string(title), sha256=sha256, date=day, keywords=keywords) + _blocks(markdown)
+
+
+def _blocks(markdown: str) -> str:
+    return "\n".join(_typst(block) for block in blocks_of(markdown))
 
 
 def _typst(block: Block) -> str:

@@ -71,6 +71,14 @@ class NoSigningCode(Conflict):
     """The server sends no mail, so it asks for no code."""
 
 
+class BadHead(Invalid):
+    """A file is no signed head of a record, or was altered since."""
+
+
+class BadPdf(Invalid):
+    """A file is too large or too slow to read as PDF."""
+
+
 class WrongState(Conflict):
     """The contract is not in the state in which this can be done."""
 

@@ -52,6 +52,8 @@ class Contract(Base):
     end_reason: Mapped[str | None]
     record_length: Mapped[int] = mapped_column(default=0)
     record_sha256: Mapped[str] = mapped_column(default=START)  # of the newest entry of its record
+    head_mailed_length: Mapped[int] = mapped_column(default=0)  # of the record when its signed head was last mailed
+    head_mailed_on: Mapped[date | None]
     project: Mapped[Project] = relationship(lazy="raise")
     engagement: Mapped[Engagement] = relationship(lazy="raise")
     designer: Mapped[Person] = relationship(lazy="raise", foreign_keys=[designer_id])
@@ -137,6 +139,25 @@ class ContractAcceptance(Base):
     agent: Mapped[str] = mapped_column(default="")  # the browser and its system, as it names them
     code_entered_at: Mapped[datetime | None]  # the code that was mailed to that address; None: none was asked for
     accepted_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class Seal(Base):
+    """The sealed PDF of a text that all have signed: the text, the certificate of its signatures, the server's seal."""
+
+    __tablename__ = "contracts_seals"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)  # the file names it
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
+    version_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_versions.id"), unique=True)
+    file_sha256: Mapped[str] = mapped_column(index=True)
+    file_bytes: Mapped[int]
+    key_sha256: Mapped[str]  # of the public key
+    is_timestamped: Mapped[bool]
+    sealed_at: Mapped[datetime] = mapped_column(default=clock.now)
+    version: Mapped[ContractVersion] = relationship(lazy="raise")
+    contract: Mapped[Contract] = relationship(lazy="raise")
 
 
 class ContractEvent(Base):

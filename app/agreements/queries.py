@@ -17,6 +17,7 @@ from app.agreements.models import (
     ContractSigner,
     ContractTemplate,
     ContractVersion,
+    Seal,
     SigningCode,
 )
 from app.agreements.rules import ContractKind, ContractState
@@ -42,6 +43,16 @@ def in_reach(actor: Actor) -> ColumnElement[bool]:
 def contract_for(session: Session, actor: Actor, contract_id: UUID) -> Contract | None:
     """Return a contract that the caller may see, with project, studio and designer."""
     return session.scalar(select(Contract).where(Contract.id == contract_id, in_reach(actor)).options(*WHOLE))
+
+
+def contract_by_id(session: Session, contract_id: UUID) -> Contract:
+    """Return any contract with project, studio and designer; for the server's own jobs."""
+    return session.scalars(select(Contract).where(Contract.id == contract_id).options(*WHOLE)).one()
+
+
+def contract_by_id_or_none(session: Session, contract_id: UUID) -> Contract | None:
+    """Return any contract, None where there is none; for the server's own commands."""
+    return session.get(Contract, contract_id)
 
 
 def contracts_in(session: Session, actor: Actor, project_id: UUID) -> Sequence[Contract]:
@@ -239,11 +250,58 @@ def newest_event(session: Session, contract_id: UUID) -> ContractEvent | None:
     )
 
 
+def event_sha256(session: Session, contract_id: UUID, seq: int) -> str | None:
+    """Return the hash of one entry of a contract's record; None where there is no such entry."""
+    of_it = ContractEvent.contract_id == contract_id
+    return session.scalar(select(ContractEvent.sha256).where(of_it, ContractEvent.seq == seq))
+
+
 def events_of(session: Session, contract_id: UUID) -> Sequence[ContractEvent]:
     """Return the record of a contract, in order."""
     return session.scalars(
         select(ContractEvent).where(ContractEvent.contract_id == contract_id).order_by(ContractEvent.seq)
     ).all()
+
+
+def seal_of(session: Session, version_id: UUID) -> Seal | None:
+    """Return the seal of a version of a text; None before all have signed it, and until it is made."""
+    return session.scalar(select(Seal).where(Seal.version_id == version_id))
+
+
+def sealed_versions(session: Session, contract_id: UUID) -> dict[UUID, Seal]:
+    """Return the seals of a contract by version."""
+    return {one.version_id: one for one in session.scalars(select(Seal).where(Seal.contract_id == contract_id))}
+
+
+def seal_by_file(session: Session, file_sha256: str) -> Seal | None:
+    """Return the seal of a file of any studio, with its text, contract and parties."""
+    contract = joinedload(Seal.contract)
+    return session.scalar(
+        select(Seal)
+        .where(Seal.file_sha256 == file_sha256)
+        .options(
+            joinedload(Seal.version),
+            contract.joinedload(Contract.project).joinedload(Project.studio),
+            contract.joinedload(Contract.designer),
+        )
+        .limit(1)
+    )
+
+
+def has_seal(session: Session, ids: Collection[UUID]) -> bool:
+    """Whether one of these is a seal of this server."""
+    return session.scalar(select(Seal.id).where(Seal.id.in_(ids)).limit(1)) is not None
+
+
+def has_sealed_by(session: Session, key_sha256: str) -> bool:
+    """Whether this server has sealed by this key."""
+    return session.scalar(select(Seal.id).where(Seal.key_sha256 == key_sha256).limit(1)) is not None
+
+
+def unsealed_contracts(session: Session) -> Sequence[UUID]:
+    """Return the contracts that all have signed and whose newest text has no seal."""
+    sealed = exists().where(Seal.contract_id == Contract.id)
+    return session.scalars(select(Contract.id).where(Contract.agreed_at.is_not(None), ~sealed).limit(100)).all()
 
 
 def every_contract(session: Session) -> Iterator[Contract]:

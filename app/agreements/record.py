@@ -165,6 +165,9 @@ def text_faults(session: Session, store: Store, contract: Contract) -> Iterator[
                 continue
             if hashlib.sha256(pdf).hexdigest() != version.pdf_sha256:
                 yield f"the PDF of version {version.number} was altered"
+    for seal in queries.sealed_versions(session, contract.id).values():
+        if not _is_kept(store, contract, seal.file_sha256):
+            yield f"the sealed PDF {seal.file_sha256} is not in the store, or was altered"
     for event in queries.events_of(session, contract.id):
         said = json.loads(event.payload)
         if "text_sha256" in said:
@@ -172,6 +175,13 @@ def text_faults(session: Session, store: Store, contract: Contract) -> Iterator[
             known = named and (named.text_sha256, named.pdf_sha256 or "")
             if known != (said["text_sha256"], said["pdf_sha256"]):
                 yield f"version {said['version']} is not the text that entry {event.seq} names"
+
+
+def _is_kept(store: Store, contract: Contract, sha256: str) -> bool:
+    try:
+        return hashlib.sha256(store.read(contract.studio_id, sha256)).hexdigest() == sha256
+    except BlobMissing:
+        return False
 
 
 def faults_of_all(session: Session, store: Store) -> Iterator[tuple[Contract, list[str]]]:

@@ -9,7 +9,7 @@ from fastapi import Path, Query, Response
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.agreements import comparison, record, schemas, versions
+from app.agreements import comparison, heads, queries, record, schemas, versions
 from app.agreements.access import visible_contract
 from app.agreements.documents import PDF
 from app.agreements.errors import (
@@ -82,15 +82,18 @@ def download_contract_pdf(
     version: VersionNumber,
     runtime: CurrentRuntime,
     session: DbSession,
+    as_sent: bool = False,
     actor: Actor = allows(Audience.PROJECT),
 ) -> Response:
-    """Return the PDF of a version that was sent: the bytes that both saw."""
+    """Return the PDF of a version that was sent: sealed once all have signed it, or else as both saw it."""
     contract = visible_contract(session, actor, contract_id)
     found = versions.visible_version(session, actor, contract, version)
     if found.pdf_sha256 is None:
         raise ContractVersionNotFound(f"version {version} was not sent, so there is no PDF of it")
-    pdf = runtime.store.read(contract.studio_id, found.pdf_sha256)
-    return Response(pdf, media_type=PDF, headers=attachment(f"{contract.title}, version {version}.pdf"))
+    seal = None if as_sent else queries.seal_of(session, found.id)
+    pdf = runtime.store.read(contract.studio_id, seal.file_sha256 if seal else found.pdf_sha256)
+    name = f"{contract.title}, version {version}{', signed' if seal else ''}.pdf"
+    return Response(pdf, media_type=PDF, headers=attachment(name))
 
 
 @router.get(
@@ -147,4 +150,19 @@ def download_contract_record(
     contract = visible_contract(session, actor, contract_id)
     text = json.dumps(record.document_of(session, contract), ensure_ascii=False, indent=1) + "\n"
     headers = attachment(f"{contract.title}, record.json")
+    return Response(text, media_type="application/json", headers=headers)
+
+
+@router.get(
+    "/contracts/{contract_id}/head.json",
+    response_class=Response,
+    responses={**problems(ContractNotFound), 200: {"content": {"application/json": {}}}},
+)
+def download_contract_head(
+    contract_id: UUID, runtime: CurrentRuntime, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> Response:
+    """Return the head of the record, signed: what a party keeps, and `soundlist verify --head` reads."""
+    contract = visible_contract(session, actor, contract_id)
+    text = json.dumps(heads.head_of(runtime.settings, contract), ensure_ascii=False, indent=1) + "\n"
+    headers = attachment(f"{contract.title}, head.json")
     return Response(text, media_type="application/json", headers=headers)

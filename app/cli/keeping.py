@@ -63,32 +63,23 @@ def _report_copied(done: str, copied: "Copied") -> None:
 @cli.command()
 def verify(
     copies: Annotated[
-        list[Path] | None, typer.Argument(help="Records that a party has kept, to hold ours against.")
+        list[Path] | None, typer.Argument(help="Records that a party has kept, and PDFs of contracts, to compare.")
     ] = None,
+    head: Annotated[
+        list[Path] | None, typer.Option(help="A signed head that a party has kept, or the mail with it.")
+    ] = None,
+    offline: Annotated[bool, typer.Option(help="Read PDFs by their seals alone, without a server's data.")] = False,
 ) -> None:
     """Look whether the records of contracts, their texts, PDFs and tables are the ones that were written."""
-    from app.agreements import record
-    from app.amendments import verification
+    from app.cli import verifying
 
+    if offline:
+        wrong = sum(verifying.report_seal(path) for path in copies or [])
+        raise typer.Exit(1 if wrong else 0)
     runtime = opened(read_settings_or_exit())
-    records = entries = wrong = 0
-    with runtime.database.reading() as session:
-        for contract, faults in verification.faults_of_all(session, runtime.store):
-            records, entries, wrong = records + 1, entries + contract.record_length, wrong + bool(faults)
-            for fault in faults:
-                typer.echo(f"{contract.id} {contract.title}: {fault}", err=True)
-        for path in copies or []:
-            try:
-                contract_id, kept = record.read_document(path.read_text(encoding="utf-8"))
-                faults = list(record.faults_beside(session, contract_id, kept))
-            except (OSError, UnicodeDecodeError, record.NoRecord) as error:
-                faults = [str(error)]
-            wrong += bool(faults)
-            for fault in faults:
-                typer.echo(f"{path}: {fault}", err=True)
-    runtime.close()
-    typer.echo(
-        f"{records} records with {entries} entries and {len(copies or [])} copies looked at; {wrong} are not whole"
-    )
+    try:
+        wrong = verifying.report_all(runtime, copies or [], head or [])
+    finally:
+        runtime.close()
     if wrong:
         raise typer.Exit(1)

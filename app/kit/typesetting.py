@@ -36,13 +36,15 @@ class TypesettingBusy(Refused):
     retry_after_s = 5
 
 
-def typeset(source: str, inputs: Mapping[str, str] | None = None) -> bytes:
+def typeset(source: str, inputs: Mapping[str, str] | None = None, *, is_archival: bool = False) -> bytes:
     """Return the PDF of a Typst source; where it sets no date, the same bytes on any machine.
+
+    An archival one is PDF/A-2b, but where the fonts lack a letter of it: the standard allows no such text.
 
     Raises DocumentTooLarge where it takes too much time or memory, and TypesettingBusy where others wait already.
     """
     with _turn():
-        return _typeset(source, inputs)
+        return _typeset(source, inputs, is_archival=is_archival)
 
 
 @contextmanager
@@ -64,9 +66,9 @@ def _busy() -> TypesettingBusy:
     return TypesettingBusy("the server is making other PDFs; nothing was done", fix="try again in a few seconds")
 
 
-def _typeset(source: str, inputs: Mapping[str, str] | None) -> bytes:
+def _typeset(source: str, inputs: Mapping[str, str] | None, *, is_archival: bool) -> bytes:
     try:
-        return _sandbox().call(compile_pdf, source, dict(inputs or {}))
+        return _sandbox().call(compile_archival_pdf if is_archival else compile_pdf, source, dict(inputs or {}))
     except SandboxTimedOut:
         raise DocumentTooLarge(f"the PDF takes longer than {TIMEOUT_S:g} s to make", fix=FIX) from None
     except SandboxFailed as error:  # a library that is out of memory may crash too
@@ -80,6 +82,20 @@ def compile_pdf(source: str, inputs: dict[str, str]) -> bytes:
     import typst  # only the child's server loads it: its fonts and caches take some 50 MiB
 
     return bytes(typst.compile(source.encode(), format="pdf", sys_inputs=inputs, ignore_system_fonts=True))
+
+
+def compile_archival_pdf(source: str, inputs: dict[str, str]) -> bytes:
+    """Run in the child: PDF/A-2b where the fonts have every letter, else a plain PDF."""
+    import typst
+
+    try:
+        return bytes(
+            typst.compile(
+                source.encode(), format="pdf", sys_inputs=inputs, ignore_system_fonts=True, pdf_standards="a-2b"
+            )
+        )
+    except typst.TypstError:
+        return compile_pdf(source, inputs)
 
 
 @cache

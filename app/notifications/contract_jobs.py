@@ -1,15 +1,19 @@
 """Mails about contracts: their states, signatures, invoices and acceptance without a decision."""
 
+import json
 from datetime import date
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
+from app.agreements import heads
 from app.agreements.facts import in_words
 from app.agreements.models import Contract
+from app.agreements.queries import lock_contract
 from app.agreements.rules import ContractState, Party
 from app.agreements.signing import people_to_sign
+from app.kit import clock
 from app.kit.money import money
 from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
@@ -149,3 +153,32 @@ def notify_deemed_acceptance(runtime: Runtime, payload: Payload) -> None:
         notifier = Notifier(runtime, session, project, payload["event_id"])
         for recipient in people:
             notifier.notify(recipient, "silence", "sounds auto-accepted", line, page="sound-list")
+
+
+@job("notifications.mail_heads")
+def mail_heads(runtime: Runtime, _payload: Payload) -> None:
+    """Mail the signed heads of records that have grown to both parties, once a day for each contract."""
+    today = clock.now().date()
+    with runtime.database.reading() as session:
+        contract_ids = queries.contracts_with_new_heads(session, today)
+    for contract_id in contract_ids:
+        with runtime.database.writing() as session:
+            contract = lock_contract(session, contract_id)
+            head = heads.head_of(runtime.settings, contract)
+            recipients = {queries.address_of(session, contract.designer_id)}
+            recipients |= queries.producer_addresses(session, contract.studio_id)
+            project = session.get_one(Project, contract.project_id)
+            notifier = Notifier(runtime, session, project, f"head:{contract_id}:{contract.record_length}")
+            line = (
+                f"{contract.title}: its audit trail has {contract.record_length} entries. Keep this email: with it, "
+                f"`soundlist verify --head` finds entries that were taken away or written anew.\n\n{json.dumps(head)}"
+            )
+            for recipient in recipients:
+                notifier.notify(
+                    recipient,
+                    f"head:{contract_id}",
+                    "the audit trail of a contract",
+                    line,
+                    page=f"contracts/{contract_id}/record",
+                )
+            contract.head_mailed_length, contract.head_mailed_on = contract.record_length, today

@@ -71,7 +71,7 @@ KINDS: Mapping[str, LinkMail] = {
     "signing_code.asked": LinkMail(
         "Your code to sign {subject_name}",
         "Someone who is signed in as you is about to sign {subject_name}. Type this code there to sign. It works once, "
-        "within ten minutes. If it was not you, do not give the code to anyone, and change your password: nothing was signed.",
+        "within ten minutes. If it was not you, keep the code to yourself and change your password; nothing is signed.",
         SigningCode,
         "",
     ),

@@ -1,7 +1,7 @@
 """Emails, and the facts in them."""
 
 from collections.abc import Sequence
-from datetime import datetime, timedelta
+from datetime import date, datetime, timedelta
 from uuid import UUID
 
 from sqlalchemy import func, or_, select
@@ -9,7 +9,7 @@ from sqlalchemy.orm import Session
 
 from app.accounts.models import Membership, Person
 from app.accounts.rules import Role
-from app.agreements.models import Milestone
+from app.agreements.models import Contract, Milestone
 from app.deliveries.models import Take
 from app.notifications.models import Mail
 from app.projects.models import Engagement, Liaison, Project
@@ -131,6 +131,19 @@ def deposit_of(session: Session, contract_id: UUID) -> int:
     of_contract = Milestone.contract_id == contract_id
     total = session.scalar(select(func.sum(Milestone.amount_minor)).where(of_contract, Milestone.is_deposit))
     return int(total or 0)
+
+
+def contracts_with_new_heads(session: Session, today: date) -> Sequence[UUID]:
+    """Return contracts that were signed and whose record has grown since its head was mailed, on an earlier day."""
+    return session.scalars(
+        select(Contract.id)
+        .where(
+            Contract.agreed_at.is_not(None),
+            Contract.record_length > Contract.head_mailed_length,
+            or_(Contract.head_mailed_on.is_(None), Contract.head_mailed_on < today),
+        )
+        .order_by(Contract.id)
+    ).all()
 
 
 def take_with_place(session: Session, take_id: UUID) -> tuple[Take, Project, Cue | None]:

@@ -9,7 +9,7 @@ from sqlalchemy import Boolean, ColumnElement, Select, String, func, literal, li
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Studio
-from app.agreements.models import ContractVersion
+from app.agreements.models import ContractVersion, Seal
 from app.builds.models import PackedFile, PlaceholderFile
 from app.conformance.models import Fix
 from app.deliveries.models import Archive, DryStem, Take
@@ -39,6 +39,7 @@ KEPT = (
     Source(KeptKind.EXPORTS, MasterExport.studio_id, MasterExport.sha256, MasterExport.file_bytes),
     Source(KeptKind.PLACEHOLDER_FILES, PlaceholderFile.studio_id, PlaceholderFile.sha256, PlaceholderFile.file_bytes),
     Source(KeptKind.DOCUMENTS, ContractVersion.studio_id, ContractVersion.pdf_sha256, ContractVersion.pdf_bytes),
+    Source(KeptKind.DOCUMENTS, Seal.studio_id, Seal.file_sha256, Seal.file_bytes),
     Source(KeptKind.DOCUMENTS, PackedFile.studio_id, PackedFile.sha256, PackedFile.size_bytes),
 )
 ONLY: dict[type[Base], ColumnElement[bool]] = {

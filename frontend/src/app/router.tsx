@@ -6,7 +6,7 @@ import { accountGuestRoutes, accountRoutes } from '@/features/accounts/routes'
 import { createSession } from '@/features/accounts/session'
 import { briefRoutes } from '@/features/brief/routes'
 import { checkRoutes } from '@/features/checks/routes'
-import { contractRoutes } from '@/features/contracts/routes'
+import { contractRoutes, verifyRoutes } from '@/features/contracts/routes'
 import { deskRoutes } from '@/features/desk/routes'
 import { gameFilesRoutes } from '@/features/game-files/routes'
 import { invitationRoutes } from '@/features/invitation/routes'
@@ -26,7 +26,7 @@ import { guestRoute, nowhereRoute, rootRoute, shellRoute } from './roots'
 import type { Session } from './session'
 
 const pages = [
-  guestRoute.addChildren([...accountGuestRoutes, ...invitationRoutes, ...checkRoutes]),
+  guestRoute.addChildren([...accountGuestRoutes, ...invitationRoutes, ...checkRoutes, ...verifyRoutes]),
   shellRoute.addChildren([
     ...todayRoutes,
     ...projectRoutes,

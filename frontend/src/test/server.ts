@@ -18,6 +18,9 @@ export function refusal(status: number, code: string, detail: string, more: Reco
 
 export const answer = (body: unknown, status = 200): Reply => ({ status, body })
 
+/** A file that is sent by itself; jsdom makes it a text. */
+const isPdf = (request: Request) => request.headers.get('Content-Type') === 'application/pdf'
+
 const isReply = (value: unknown): value is Reply => typeof value === 'object' && value !== null && 'body' in value
 
 /**
@@ -36,7 +39,7 @@ export function serve(answers: Answers): { asked: Asked[]; answers: Answers } {
       path: pathname,
       query: searchParams,
       headers: request.headers,
-      body: text === '' ? undefined : JSON.parse(text),
+      body: text === '' ? undefined : isPdf(request) ? text : JSON.parse(text),
     }
     asked.push(one)
     const found = answers[`${request.method} ${pathname}`]

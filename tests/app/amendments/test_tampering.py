@@ -1,6 +1,9 @@
 """What is done by hand to the tables of a contract is named by `soundlist verify`, each kind by its own words."""
 
-from collections.abc import Callable
+import json
+from collections.abc import Callable, Sequence
+from datetime import timedelta
+from pathlib import Path
 from typing import Any
 from uuid import UUID, uuid4
 
@@ -8,18 +11,26 @@ import pytest
 import sqlalchemy as sa
 from sqlalchemy.orm import Session
 from sqlalchemy.sql.dml import UpdateBase
+from typer.testing import CliRunner
 
-from app.agreements.models import Contract, ContractAcceptance, ContractEvent, ContractVersion
+from app.agreements.heads import head_of
+from app.agreements.models import Contract, ContractAcceptance, ContractEvent, ContractVersion, Seal
+from app.agreements.queries import contract_by_id
 from app.agreements.rules import ContractState
 from app.amendments.models import AmendmentAcceptance, ChangeOrder, Notice
 from app.amendments.rules import ChangeOrderState
 from app.amendments.verification import faults_of_all
-from app.kit.record import START, link
+from app.cli import cli, keeping
+from app.kit import clock
+from app.kit.record import START, canonical, link
 from app.money.models import LedgerLine, Payment
+from app.notifications import contract_jobs
+from app.settings import Settings
 from tests.app.agreements.conftest import Contracts
 from tests.app.money.agreed import TODAY, deposit, milestone
 from tests.app.reviews.making import Stage, body_of
 from tests.support.server import World
+from tests.support.smtp import MailServer, mail_server
 
 
 @pytest.fixture
@@ -179,3 +190,172 @@ def test_each_deed_of_several_steps_is_named(
 ) -> None:
     world.server.in_database(lambda session: deed(session, contract_id))
     assert any(words in fault for fault in faults(world, contract_id)), faults(world, contract_id)
+
+
+# What is whole in itself: record and tables altered together. Only a head that a party has kept shows it.
+def roll_back_with_tables(session: Session, contract_id: UUID) -> None:
+    """Undo the last signature everywhere: entries, acceptance, seal and state."""
+    events = events_in_order(session, contract_id)
+    for event in events[-2:]:
+        assert event.kind in ("accepted_by", "agreed")
+        session.delete(event)
+    of_it = ContractAcceptance.contract_id == contract_id
+    session.delete(
+        session.scalars(sa.select(ContractAcceptance).where(of_it, ContractAcceptance.party == "studio")).one()
+    )
+    session.execute(sa.delete(Seal).where(Seal.contract_id == contract_id))
+    contract = session.get_one(Contract, contract_id)
+    contract.state, contract.agreed_at = ContractState.SENT, None
+    contract.record_length, contract.record_sha256 = events[-3].seq, events[-3].sha256
+
+
+def chain_another_name(session: Session, contract_id: UUID) -> None:
+    """Put another name under a signature, in its row and in its entry, and write the chain after it again."""
+    contract, previous = session.get_one(Contract, contract_id), START
+    session.execute(
+        sa.update(ContractAcceptance).where(ContractAcceptance.contract_id == contract_id).values(name="Somebody")
+    )
+    for event in events_in_order(session, contract_id):
+        said = json.loads(event.payload)
+        payload = canonical(said | {"name": "Somebody"}) if event.kind == "accepted_by" else event.payload
+        at = event.at.isoformat(timespec="microseconds")
+        entry = link(previous, of=str(contract_id), seq=event.seq, at=at, kind=event.kind, payload=payload)
+        event.payload, event.previous_sha256, event.sha256 = payload, previous, entry.sha256
+        previous = entry.sha256
+    contract.record_sha256 = previous
+
+
+def delete_the_contract(session: Session, contract_id: UUID) -> None:
+    """Delete a contract with all that belongs to it."""
+    for table in (Seal, ContractAcceptance, ContractEvent, ContractVersion):
+        session.execute(sa.delete(table).where(table.contract_id == contract_id))
+    session.execute(sa.delete(Contract).where(Contract.id == contract_id))
+
+
+def events_in_order(session: Session, contract_id: UUID) -> Sequence[ContractEvent]:
+    return session.scalars(
+        sa.select(ContractEvent).where(ContractEvent.contract_id == contract_id).order_by(ContractEvent.seq)
+    ).all()
+
+
+@pytest.fixture
+def nda_id(world: World, contracts: Contracts) -> UUID:
+    agreed = contracts.agree(contracts.begin("nda"))
+    world.server.wait_for_jobs()
+    return UUID(agreed["id"])
+
+
+def verified_with(world: World, head: Path, monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Return what `soundlist verify --head` says of a kept head."""
+    monkeypatch.setattr(keeping, "read_settings_or_exit", lambda: world.server.runtime.settings)
+    output = CliRunner().invoke(cli, ["verify", "--head", str(head)]).output
+    return [line.removeprefix(f"{head}: ") for line in output.splitlines() if line.startswith(f"{head}: ")]
+
+
+def kept_head(world: World, contract_id: UUID, folder: Path) -> Path:
+    answer = world.designer.get(f"/v1/contracts/{contract_id}/head.json")
+    assert answer.status_code == 200
+    (folder / "head.json").write_text(answer.text)
+    return folder / "head.json"
+
+
+@pytest.mark.parametrize(
+    ("deed", "words"),
+    [
+        (roll_back_with_tables, "the record has 2 entries, and had 4 on"),
+        (chain_another_name, "entry 4 is not the one that stood there on"),
+        (delete_the_contract, "is not on this server"),
+    ],
+)
+def test_a_kept_head_shows_what_is_whole_in_itself(
+    world: World,
+    nda_id: UUID,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    deed: Callable[[Session, UUID], None],
+    words: str,
+) -> None:
+    head = kept_head(world, nda_id, tmp_path)
+    assert verified_with(world, head, monkeypatch) == []
+    world.server.in_database(lambda session: deed(session, nda_id))
+
+    def others_say(session: Session) -> list[str]:
+        return [
+            fault
+            for one, found in faults_of_all(session, world.server.runtime.store)
+            for fault in found
+            if one.id == nda_id
+        ]
+
+    assert world.server.in_database(others_say) == []
+    assert any(words in fault for fault in verified_with(world, head, monkeypatch))
+
+
+def test_a_head_stays_true_while_the_record_grows(
+    world: World, contracts: Contracts, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    sent = contracts.send(contracts.begin("nda"))
+    head = kept_head(world, UUID(sent["id"]), tmp_path)
+    contracts.accept(sent, world.designer, "N. Designer")
+    assert verified_with(world, head, monkeypatch) == []
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"length": 3}, "it was altered"),
+        ({"sha256": "0" * 64}, "it was altered"),
+        ({"format": 2}, "its format is 2"),
+        ({"signature": "AAAA"}, "it was altered"),
+        ({"key": "00"}, "it is no signed head"),
+    ],
+)
+def test_an_altered_head_is_none(
+    world: World, nda_id: UUID, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, change: dict[str, Any], words: str
+) -> None:
+    head = kept_head(world, nda_id, tmp_path)
+    head.write_text(json.dumps(json.loads(head.read_text()) | change))
+    assert any(fault.startswith(words) for fault in verified_with(world, head, monkeypatch))
+
+
+def test_a_head_by_another_key_is_said(
+    world: World, nda_id: UUID, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    other = Settings(secret_key="the key of another server")
+
+    def signed(session: Session) -> dict[str, Any]:
+        return head_of(other, contract_by_id(session, nda_id))
+
+    head = tmp_path / "head.json"
+    head.write_text(json.dumps(world.server.in_database(signed)))
+    assert verified_with(world, head, monkeypatch)[0].startswith("it is signed by the key")
+
+
+def test_heads_are_mailed_once_a_day_to_both_parties_where_they_changed(
+    world: World, contracts: Contracts, nda_id: UUID, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def mail() -> None:
+        contract_jobs.mail_heads(world.server.runtime, {})
+        world.server.wait_for_jobs()
+
+    def heads_for(box: MailServer, person_id: UUID) -> list[str]:
+        return [text for text in box.texts_for(f"{person_id}@example.test") if '"signature"' in text]
+
+    with mail_server(world.server) as box:
+        mail()
+        for person_id in (world.designer_id, world.producer_id):
+            (text,) = heads_for(box, person_id)
+        assert heads_for(box, world.approver_id) == []
+        head = tmp_path / "mail.txt"
+        head.write_text(text)
+        assert verified_with(world, head, monkeypatch) == []  # a saved mail is read as it is
+        contracts.ask(world.producer, "POST", f"/contracts/{nda_id}/end", json={"reason": "It is over."})
+        mail()
+        assert len(heads_for(box, world.designer_id)) == 1, "it has grown, and was mailed today"
+        yesterday = sa.update(Contract).values(head_mailed_on=clock.now().date() - timedelta(days=1))
+        world.server.in_database(lambda session: session.execute(yesterday))
+        mail()
+        assert len(heads_for(box, world.designer_id)) == 2
+        world.server.in_database(lambda session: session.execute(yesterday))
+        mail()
+        assert len(heads_for(box, world.designer_id)) == 2, "it has not grown since"

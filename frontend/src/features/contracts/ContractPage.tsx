@@ -287,6 +287,11 @@ function Versions({ contract, projectId }: { contract: Contract; projectId: stri
         <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contract.id}/record`}>
           Audit trail
         </ButtonLink>
+        {contract.agreed_at !== null && (
+          <ButtonLink component={Link} to="/verify">
+            Verify a PDF
+          </ButtonLink>
+        )}
       </div>
     </Card>
   )

@@ -32,6 +32,9 @@ export function RecordPage() {
           <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contractId}`}>
             Back to contract
           </ButtonLink>
+          <ButtonLink icon="download" href={`/v1/contracts/${contractId}/head.json`}>
+            Signed head
+          </ButtonLink>
           <ButtonLink variant="primary" icon="download" href={`/v1/contracts/${contractId}/record.json`}>
             Download a copy
           </ButtonLink>

@@ -9,9 +9,13 @@ import { clock } from '@/ui/format'
 import { useSigningCode } from './api'
 import classes from './Contracts.module.css'
 import { Refusal } from './Refusal'
+import { Warning } from './Warning'
 
 const CONSENT = 'I have read this text, I agree to be bound by it, and the name that I type is my signature.'
 const isCodeNeeded = (error: unknown) => error instanceof ApiProblem && error.code === 'signing-code-needed'
+
+/** Letters that the fonts of PDFs lack: those of other scripts than Latin, Greek and Cyrillic. */
+const UNDRAWN = /[^\p{Script=Latin}\p{Script=Greek}\p{Script=Cyrillic}\p{Script=Common}\p{Script=Inherited}]/u
 
 /** What a person signs with: their name and, where the server sends mail, the code that it mailed to them. */
 export interface Signed {
@@ -75,6 +79,12 @@ export function SignForm({
         maxLength={120}
         onChange={({ currentTarget }) => setName(currentTarget.value)}
       />
+      {UNDRAWN.test(name) && (
+        <Warning>
+          The PDF’s fonts have Latin, Greek and Cyrillic letters only. The audit trail keeps your name as typed; the PDF
+          says that it could not draw it.
+        </Warning>
+      )}
       <DraftNote draft={draft} />
       {mailed.data && (
         <>

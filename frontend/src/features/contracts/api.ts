@@ -24,6 +24,7 @@ export type Difference = Schemas['DifferenceRead']
 export type Change = Schemas['ChangeOrderAdd']['changes'][number]
 export type Ending = Schemas['EndingRead']
 export type StatedCue = Schemas['StatedCueRead']
+export type Verified = Schemas['VerifiedRead']
 export type Template = Schemas['TemplateBrief']
 
 const of = (contractId: string) => ({ params: { path: { contract_id: contractId } } })
@@ -178,6 +179,16 @@ export function useSigningCode(contractId: string) {
       ),
   })
 }
+
+/** Compare a PDF with the contracts that were sealed here. */
+export const verifyPdf = (file: File) =>
+  answered(
+    api.POST('/v1/verify', {
+      headers: { 'Content-Type': 'application/pdf' },
+      body: file as unknown as string, // how OpenAPI's `binary` is typed
+      bodySerializer: (body: unknown) => body as BodyInit,
+    }),
+  )
 
 /** The studio's people, of whom its producers can be named to sign. */
 export const studioPeopleQuery = (studioId: string) =>

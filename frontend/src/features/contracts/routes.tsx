@@ -1,6 +1,6 @@
 import { createRoute, lazyRouteComponent } from '@tanstack/react-router'
 
-import { shellRoute } from '@/app/roots'
+import { guestRoute, shellRoute } from '@/app/roots'
 
 const version = (value: unknown): number | undefined =>
   typeof value === 'number' && Number.isInteger(value) && value >= 1 ? value : undefined
@@ -44,5 +44,13 @@ export const contractRoutes = [
     getParentRoute: () => shellRoute,
     path: '/projects/$projectId/contracts/$contractId/record',
     component: lazyRouteComponent(() => import('./RecordPage'), 'RecordPage'),
+  }),
+] as const
+
+export const verifyRoutes = [
+  createRoute({
+    getParentRoute: () => guestRoute,
+    path: '/verify',
+    component: lazyRouteComponent(() => import('./VerifyPage'), 'VerifyPage'),
   }),
 ] as const

@@ -5,6 +5,9 @@ import type { JobCount, JobState, Lane, Scope } from './api'
 
 /** What each job does, for people; one without words here is called by its own name. */
 const JOBS: Partial<Record<string, string>> = {
+  'agreements.seal_contract': 'Seal the PDF of a signed contract',
+  'agreements.seal_unsealed': 'Seal signed contracts that have no seal yet',
+  'notifications.mail_heads': 'Mail the signed heads of audit trails',
   'amendments.settle_ended': 'Settle contracts whose notice is over',
   'builds.fingerprint_pack': 'Analyse sounds missing from a manifest',
   'builds.fingerprint_take': 'Analyse an approved version',
