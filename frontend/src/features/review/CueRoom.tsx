@@ -1,20 +1,18 @@
-import { useEffect, useMemo, useState } from 'react'
+import { useEffect, useState } from 'react'
 import { flushSync } from 'react-dom'
 
 import { keepDraft, keptDraft } from '@/app/drafts'
-import { useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
 import { type Player, type PlayerState, spotOf } from '@/audio'
 import type { CueReview, ReviewTake } from '@/judging/api'
 import { isWholeSet, pickedOfSet } from '@/judging/choice'
-import { inOrder, LETTERS, soundOf, sourceOf, targetsOf } from '@/judging/hearing'
+import { soundOf, sourceOf, targetsOf } from '@/judging/hearing'
 import { useHearing } from '@/judging/useHearing'
 import type { Judge } from '@/judging/useJudge'
 import { takeName } from '@/judging/words'
 import type { CueMoney } from '@/money/api'
 
 import { useComment } from './api'
-import { shuffled } from './blind'
 import { Asked } from './Asked'
 import { CueHead } from './CueHead'
 import classes from './Review.module.css'
@@ -23,6 +21,8 @@ import { SetRows } from './SetRows'
 import { SidePanel, type Writing } from './SidePanel'
 import { TakeCards } from './TakeCards'
 import { Transport } from './Transport'
+import { useRoomKeys } from './useRoomKeys'
+import { useTakesHeard } from './useTakesHeard'
 import { Verdict } from './Verdict'
 import { WaveStage } from './WaveStage'
 
@@ -45,22 +45,13 @@ interface CueRoomProps {
   startS?: number
 }
 
-/** The version that is heard first: the one asked for, then what waits, then what was approved, then the newest. */
-function firstInHand(review: CueReview, waiting: readonly ReviewTake[], wanted?: string): string | undefined {
-  const newest = review.takes.find(({ state }) => state === 'approved') ?? review.takes[0]
-  const asked = review.takes.find(({ id }) => id === wanted)
-  return (asked ?? waiting.find(({ draft_change }) => draft_change === null) ?? waiting[0] ?? newest)?.id
-}
-
 /** One cue on the stage, and at its side what was said and found. */
 export function CueRoom(props: CueRoomProps) {
   const { review, projectId, player, playing, target, onTarget, judge, onJudged } = props
   const { cue } = review
-  const waiting = useMemo(() => inOrder(review.takes.filter(({ state }) => state === 'conforming')), [review.takes])
-  const [handId, setHandId] = useState(() => firstInHand(review, waiting, props.startTakeId))
-  const [blind, setBlind] = useState<readonly string[] | null>(null)
-  const [picked, setPicked] = useState<ReadonlySet<string>>(new Set())
-  const [chosen, setChosen] = useState<ReadonlyMap<number, string>>(new Map())
+  const takes = useTakesHeard(review, props.startTakeId)
+  const { waiting, heard, hand, isSet, chosen, before, current, flip, choose, stepTake, picked, pick, blind, nameOf } =
+    takes
   const [changing, setChanging] = useState<{ positionS: number } | null>(null)
   const [writing, setWriting] = useState<Writing | null>(null)
   useEffect(() => {
@@ -69,29 +60,9 @@ export function CueRoom(props: CueRoomProps) {
   const [openSaid, setOpenSaid] = useState<string>()
   const comment = useComment(cue.id)
 
-  const hand =
-    review.takes.find(({ id }) => id === handId) ?? review.takes.find(({ id }) => id === firstInHand(review, waiting))
-  const isSet = cue.variations > 1
-  const heard = useMemo(() => {
-    const takes = isSet && waiting.length === 0 ? review.takes.filter(({ state }) => state === 'approved') : waiting
-    return blind ? blind.flatMap((id) => takes.find((take) => take.id === id) ?? []) : inOrder(takes)
-  }, [isSet, waiting, review.takes, blind])
-  // A version that answers a change is heard beside the one that the change was asked of.
-  const current = heard[0]
-  const before =
-    heard.length === 1 && current
-      ? review.takes.find(
-          ({ variation, number, state }) =>
-            variation === current.variation && number < current.number && state === 'change_requested',
-        )
-      : undefined
   const askedBefore = review.change_requests.filter(
     ({ take_id, sent_at }) => take_id === before?.id && sent_at !== null,
   )
-  const flip = () => {
-    const to = hand?.id === before?.id ? current : before
-    if (to) choose(to)
-  }
   const reference = heard[0]
   const source = useHearing(player, cue.id, hand, target, blind ? undefined : reference)
   const targets = targetsOf(review.takes)
@@ -101,34 +72,7 @@ export function CueRoom(props: CueRoomProps) {
     if (startS !== undefined) player.seek(startS)
   }, [player, startS])
 
-  const nameOf = (take: ReviewTake) => {
-    const place = blind?.indexOf(take.id) ?? -1
-    return place >= 0 ? (LETTERS[place] ?? '') : takeName(take, cue, waiting)
-  }
   const said = saidOf(review, hand && heard.includes(hand) ? heard : hand ? [hand] : [])
-
-  const choose = (take: ReviewTake) => {
-    setHandId(take.id)
-    if (isSet) setChosen((now) => new Map(now).set(take.variation, take.id))
-  }
-  const stepTake = (by: number) => {
-    if (hand === undefined || heard.length < 2) return
-    const at = heard.findIndex(({ id }) => id === hand.id)
-    const to = heard[(at + by + heard.length) % heard.length]
-    if (to) choose(to)
-  }
-  const pick = (extend: boolean) => {
-    if (hand === undefined || !isSet) return
-    const at = heard.indexOf(hand)
-    const lastPicked = heard.findLastIndex(({ id }, index) => picked.has(id) && index !== at)
-    setPicked((now) => {
-      const next = new Set(now)
-      if (extend && lastPicked >= 0) {
-        for (const { id } of heard.slice(Math.min(at, lastPicked), Math.max(at, lastPicked) + 1)) next.add(id)
-      } else if (!next.delete(hand.id)) next.add(hand.id)
-      return next
-    })
-  }
 
   const meant = picked.size > 0 ? heard.filter(({ id }) => picked.has(id)) : hand ? [hand] : []
   const realName = (take: ReviewTake) => takeName(take, cue, waiting)
@@ -144,13 +88,12 @@ export function CueRoom(props: CueRoomProps) {
     player.pause()
     const last = leaves(meant)
     void judge.approve(cue, meant, meantName)
-    setBlind(null)
-    setPicked(new Set())
+    takes.showNames()
+    takes.unpick()
     if (last) onJudged()
     else {
       const decided = new Set(meant.map(({ variation }) => variation))
-      const next = waiting.find((take) => !decided.has(take.variation) && take.draft_change === null)
-      if (next) setHandId(next.id)
+      takes.moveOn(({ variation }) => decided.has(variation))
     }
   }
   const acceptSet = () => {
@@ -189,13 +132,7 @@ export function CueRoom(props: CueRoomProps) {
   }
   const toggleBlind = () => {
     player.pause()
-    if (blind) {
-      setBlind(null)
-      return
-    }
-    const order = shuffled(waiting.map(({ id }) => id))
-    setBlind(order)
-    setHandId(order[0])
+    takes.toggleBlind()
   }
   const asGame = () => void player.playAsGame(heard.flatMap((take) => sourceOf(take, target, reference) ?? []))
   const setEnd = (end: 'startS' | 'endS') => {
@@ -206,36 +143,7 @@ export function CueRoom(props: CueRoomProps) {
   }
   const canBlind = !isSet && waiting.length > 1
 
-  useHotkeys([
-    ...heard.slice(0, 9).map((take, index) => ({
-      keys: String(index + 1),
-      label: isSet ? 'Choose a variation' : 'Choose an alternate',
-      group: 'Review',
-      unlisted: index > 0,
-      run: () => choose(take),
-    })),
-    { keys: '[', label: 'Loop from here', group: 'Review', run: () => setEnd('startS') },
-    { keys: ']', label: 'Loop to here', group: 'Review', run: () => setEnd('endS') },
-    {
-      keys: 't',
-      label: 'Master, then each game file',
-      group: 'Review',
-      run: () => onTarget(targets[(targets.indexOf(target) + 1) % targets.length] ?? target),
-      disabled: targets.length < 2,
-    },
-    { keys: 'x', label: 'Select the variation', group: 'Review', run: () => pick(false), disabled: !isSet },
-    { keys: 'shift+x', label: 'Select range to here', group: 'Review', run: () => pick(true), disabled: !isSet },
-    { keys: 'c', label: 'Comment here', group: 'Review', run: () => write() },
-    { keys: 'y', label: 'Leave a positive note', group: 'Review', run: () => write('Keep this. ') },
-    {
-      keys: 'h',
-      label: 'Hold to play the set randomised, as in game',
-      group: 'Review',
-      run: asGame,
-      release: () => player.pause(),
-      disabled: !isSet,
-    },
-  ])
+  useRoomKeys({ heard, isSet, choose, pick, setEnd, targets, target, onTarget, write, asGame, player })
 
   return (
     <>
@@ -319,13 +227,11 @@ export function CueRoom(props: CueRoomProps) {
             onAcceptSet={acceptSet}
             onChange={openChange}
             onCloseChange={() => setChanging(null)}
-            onChanged={(takes) => {
+            onChanged={(changed) => {
               setChanging(null)
-              setPicked(new Set())
-              const noted = new Set(takes.map(({ id }) => id))
-              const next = waiting.find((take) => !noted.has(take.id) && take.draft_change === null)
-              if (isSet && next) setHandId(next.id)
-              else onJudged()
+              takes.unpick()
+              const noted = new Set(changed.map(({ id }) => id))
+              if (!isSet || !takes.moveOn(({ id }) => noted.has(id))) onJudged()
             }}
             onComment={() => write()}
             onWouldTake={wouldTake}
