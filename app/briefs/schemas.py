@@ -196,7 +196,7 @@ class SpecProposalApply(Schema):
 
 
 class SpecApplied(Schema):
-    """The version of the delivery spec that came of it."""
+    """The version of the delivery spec that was saved."""
 
     version: int
 

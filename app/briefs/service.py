@@ -157,7 +157,7 @@ def version_seen(session: Session, access: ProjectAccess, number: int) -> BriefV
 
 
 def answers_at(session: Session, access: ProjectAccess, number: int | None) -> Mapping[str, Any]:
-    """Return the answers of a version, of the brief as it stands for None, and of no brief for 0."""
+    """Return the answers of a version; of the brief as it is now for None, of no brief for 0."""
     if number is None:
         return queries.answers_of(session, access.project.id)
     return version_seen(session, access, number).answers if number else {}

@@ -12296,7 +12296,7 @@ export interface components {
         };
         /**
          * SpecApplied
-         * @description The version of the delivery spec that came of it.
+         * @description The version of the delivery spec that was saved.
          */
         SpecApplied: {
             /** Version */

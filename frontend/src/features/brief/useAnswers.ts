@@ -6,7 +6,7 @@ import { useDraft } from '@/app/drafts'
 
 import { type AnswerWrite, type Brief, briefQuery, type Question, useSaveAnswers } from './api'
 
-export const SAVE_AFTER_MS = 700
+const SAVE_AFTER_MS = 700
 const AGAIN_AFTER_MS = 5_000
 
 /** An answer that is typed and not saved yet, and the revision of the brief that it began from. */
