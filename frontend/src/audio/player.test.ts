@@ -2,7 +2,8 @@ import { beforeEach, describe, expect, test, vi } from 'vitest'
 
 import { HandContext } from '@/test/audioContext'
 
-import { nextInSet, Player, type Source } from './player'
+import { nextInSet, Player } from './player'
+import type { Source } from './playerState'
 
 const SOUNDS: Record<string, { durationS: number; samples?: number[] }> = {
   '/a': { durationS: 1, samples: [1, 2, 3, 4] },

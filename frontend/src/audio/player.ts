@@ -1,28 +1,7 @@
 import type { Clock } from './clock'
 import type { TimeRange } from './draw'
+import { type PlayerState, SILENT, type Source } from './playerState'
 import { Previews } from './previews'
-
-/** Something to hear: a take, an alternate, the same take as master or as a game file. */
-export interface Source {
-  id: string
-  url: string
-  /** What brings it to the level of the others; used while levels are matched. */
-  matchGainDb?: number
-}
-
-export interface PlayerState {
-  status: 'silent' | 'loading' | 'playing' | 'paused'
-  sourceId: string | null
-  durationS: number
-  looping: boolean
-  /** What the loop repeats; the whole sound without it. */
-  range: TimeRange | null
-  reversed: boolean
-  matched: boolean
-  /** A set is being played as the game does. */
-  asGame: boolean
-  error: string | null
-}
 
 interface Sounding {
   node: AudioBufferSourceNode
@@ -47,18 +26,6 @@ export interface PlayerParts {
 /** Long enough that a switch does not click, too short to hear as a fade. */
 const FADE_S = 0.005
 const REDUCED_STEP_MS = 100
-
-const SILENT: PlayerState = {
-  status: 'silent',
-  sourceId: null,
-  durationS: 0,
-  looping: false,
-  range: null,
-  reversed: false,
-  matched: true,
-  asGame: false,
-  error: null,
-}
 
 const everyFrame = (callback: () => void): (() => void) => {
   const frame = requestAnimationFrame(callback)

@@ -1,6 +1,7 @@
 import { useEffect, useState, useSyncExternalStore } from 'react'
 
-import { Player, type PlayerState } from './player'
+import { Player } from './player'
+import type { PlayerState } from './playerState'
 
 /** A player for one page; it falls silent when the page is left. See `Player` for what `held` does. */
 export function usePlayer({ held = false } = {}): [Player, PlayerState] {

@@ -1,18 +1,9 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
-import {
-  type Dispatch,
-  type KeyboardEvent,
-  type ReactNode,
-  type SetStateAction,
-  useLayoutEffect,
-  useRef,
-  useState,
-} from 'react'
+import { type Dispatch, type KeyboardEvent, type ReactNode, type SetStateAction, useState } from 'react'
 
 import { ApiProblem } from '@/api'
 import { useRoles } from '@/api/roles'
-import { DraftNote, keepDraft, keptDraft } from '@/app/drafts'
 import type { CueReview, ReviewFinding, ReviewTake } from '@/judging/api'
 import { ReplyField } from '@/judging/ReplyField'
 import { capital, happened, sentence, spot, historyText } from '@/judging/words'
@@ -20,26 +11,19 @@ import { TakeSourcesPart } from '@/sources'
 import { Button } from '@/ui/Button'
 import { Face } from '@/ui/Face'
 import { Finding } from '@/ui/Finding'
-import { age, clock, day, place, range } from '@/ui/format'
+import { age, clock, day } from '@/ui/format'
 import { Key } from '@/ui/Key'
 import { Person } from '@/ui/Person'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import { historyQuery, useComment, useResolve } from './api'
+import { Composer, type Writing } from './Composer'
 import { Figures } from './Figures'
 import { GameFiles } from './GameFiles'
 import { PalettePlot } from './PalettePlot'
 import classes from './Review.module.css'
 import type { Said } from './said'
 import { Waiver } from './Waiver'
-
-/** A comment that is being written, and where in the sound it stands. */
-export interface Writing {
-  text: string
-  startS: number
-  endS?: number
-  isRestored?: boolean
-}
 
 interface SidePanelProps {
   review: CueReview
@@ -268,96 +252,6 @@ function SaidLine({ said, roleOf, open, on, onOpen, onResolve, onReply }: SaidLi
       )}
     </li>
   )
-}
-
-function Composer({ review, hand, writing, onWrite, onWriting, comment }: SidePanelProps & { hand: ReviewTake }) {
-  const field = useRef<HTMLTextAreaElement>(null)
-  const opened = writing !== null
-  // Before the next key: continued typing must not decide anything.
-  useLayoutEffect(() => {
-    if (!opened) return
-    field.current?.focus()
-    field.current?.setSelectionRange(field.current.value.length, field.current.value.length)
-  }, [opened])
-  const text = writing?.text ?? ''
-  const draftKey = `comment:${review.cue.id}`
-  const where = whereWords(writing)
-  const send = () => {
-    if (writing === null || text.trim() === '' || comment.isPending) return
-    const isPoint = writing.startS > 0 || writing.endS !== undefined
-    const said = {
-      takeId: hand.id,
-      text: text.trim(),
-      startS: isPoint ? writing.startS : undefined,
-      endS: writing.endS,
-    }
-    // The next cue may be open by the time it is sent.
-    comment.mutateAsync(said).then(
-      () => {
-        keepDraft(draftKey, null)
-        onWriting((now) => (now === writing ? null : now))
-      },
-      () => field.current?.focus(),
-    )
-    field.current?.blur() // the next key is a single-key shortcut again
-  }
-  return (
-    <div className={classes.composer}>
-      <textarea
-        ref={field}
-        aria-label={`Comment ${where}`}
-        placeholder={opened ? `Comment ${where}` : 'Write a comment'}
-        rows={opened ? 3 : 1}
-        maxLength={10_000}
-        value={text}
-        onFocus={() => {
-          if (!opened) onWrite()
-        }}
-        onChange={(event) => writing && onWriting({ ...writing, text: event.currentTarget.value })}
-        onKeyDown={(event) => {
-          if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) {
-            event.preventDefault()
-            send()
-          } else if (event.key === 'Escape') {
-            event.stopPropagation()
-            field.current?.blur()
-            onWriting(null)
-          }
-        }}
-      />
-      <p className="row between">
-        <span className="small dim">
-          {opened ? (
-            capital(where)
-          ) : (
-            <>
-              <Key keys="c" /> {keptDraft(draftKey) === null ? 'comment at the playhead' : 'open your draft'}
-            </>
-          )}
-        </span>
-        {opened && (
-          <Button keys="mod+Enter" disabled={comment.isPending || text.trim() === ''} onClick={send}>
-            Send
-          </Button>
-        )}
-      </p>
-      <DraftNote
-        draft={{
-          isRestored: writing?.isRestored === true,
-          discard: () => {
-            keepDraft(draftKey, null)
-            if (writing) onWriting({ ...writing, text: '', isRestored: false })
-          },
-        }}
-      />
-      {comment.error instanceof ApiProblem && <ProblemNote detail={comment.error.detail} fix={comment.error.fix} />}
-    </div>
-  )
-}
-
-function whereWords(writing: Writing | null): string {
-  if (writing?.endS !== undefined) return `at ${range(writing.startS, writing.endS)}`
-  return writing && writing.startS > 0 ? `at ${place(writing.startS)}` : 'on the whole sound'
 }
 
 const worstFirst = (findings: readonly ReviewFinding[]): ReviewFinding[] =>

@@ -1,0 +1,35 @@
+import type { TimeRange } from './draw'
+
+/** Something to hear: a take, an alternate, the same take as master or as a game file. */
+export interface Source {
+  id: string
+  url: string
+  /** What brings it to the level of the others; used while levels are matched. */
+  matchGainDb?: number
+}
+
+export interface PlayerState {
+  status: 'silent' | 'loading' | 'playing' | 'paused'
+  sourceId: string | null
+  durationS: number
+  looping: boolean
+  /** What the loop repeats; the whole sound without it. */
+  range: TimeRange | null
+  reversed: boolean
+  matched: boolean
+  /** A set is being played as the game does. */
+  asGame: boolean
+  error: string | null
+}
+
+export const SILENT: PlayerState = {
+  status: 'silent',
+  sourceId: null,
+  durationS: 0,
+  looping: false,
+  range: null,
+  reversed: false,
+  matched: true,
+  asGame: false,
+  error: null,
+}
