@@ -2,17 +2,24 @@
 
 import io
 import random
+import threading
 from collections.abc import Iterator
+from contextlib import contextmanager
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 from uuid import UUID
 
 import pytest
 import sqlalchemy as sa
+from asn1crypto import keys, tsp
+from asn1crypto import x509 as asn1_x509
 from cryptography import x509
 from cryptography.hazmat.primitives import hashes
-from cryptography.hazmat.primitives.asymmetric import ec
+from cryptography.hazmat.primitives.asymmetric import ec, rsa
 from cryptography.hazmat.primitives.serialization import Encoding, NoEncryption, PrivateFormat
+from pyhanko.pdf_utils.reader import PdfFileReader
+from pyhanko.sign.timestamps import DummyTimeStamper
 from pypdf import PdfReader
 from typer.testing import CliRunner
 
@@ -235,3 +242,56 @@ def test_a_seal_whose_file_was_swapped_is_named(
     world.server.in_database(lambda session: session.execute(swapped))
     said = on_command_line(monkeypatch, world).output
     assert f"the sealed PDF {'0' * 64} is not in the store" in said
+
+
+@contextmanager
+def timestamp_server() -> Iterator[str]:
+    """Serve RFC 3161 timestamps, and yield the address."""
+    key = rsa.generate_private_key(65_537, 2_048)
+    name = x509.Name([x509.NameAttribute(x509.NameOID.COMMON_NAME, "Timestamps")])
+    certificate = (
+        x509.CertificateBuilder()
+        .subject_name(name)
+        .issuer_name(name)
+        .public_key(key.public_key())
+        .serial_number(9)
+        .not_valid_before(clock.now().replace(year=2025))
+        .not_valid_after(clock.now().replace(year=2035))
+        .add_extension(x509.ExtendedKeyUsage([x509.ExtendedKeyUsageOID.TIME_STAMPING]), critical=True)
+        .sign(key, hashes.SHA256())
+    )
+    stamper = DummyTimeStamper(
+        tsa_cert=asn1_x509.Certificate.load(certificate.public_bytes(Encoding.DER)),
+        tsa_key=keys.PrivateKeyInfo.load(key.private_bytes(Encoding.DER, PrivateFormat.PKCS8, NoEncryption())),
+    )
+
+    class Stamping(BaseHTTPRequestHandler):
+        def do_POST(self) -> None:
+            asked = tsp.TimeStampReq.load(self.rfile.read(int(self.headers["Content-Length"])))
+            answer = stamper.request_tsa_response(asked).dump()
+            self.send_response(200)
+            self.send_header("Content-Type", "application/timestamp-reply")
+            self.send_header("Content-Length", str(len(answer)))
+            self.end_headers()
+            self.wfile.write(answer)
+
+    with ThreadingHTTPServer(("127.0.0.1", 0), Stamping) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}"
+        server.shutdown()
+
+
+def test_a_timestamp_server_dates_the_seal_where_one_is_set(world: World, contracts: Contracts) -> None:
+    settings = world.server.runtime.settings
+    with timestamp_server() as address:
+        settings.timestamp_url = address
+        try:
+            signed = contracts.agree(contracts.begin())
+            world.server.wait_for_jobs()
+        finally:
+            settings.timestamp_url = ""
+    pdf = contracts.ask(world.designer, "GET", f"/contracts/{signed['id']}/versions/1/contract.pdf")
+    (signature,) = PdfFileReader(io.BytesIO(pdf)).embedded_signatures
+    assert [one["type"].native for one in signature.signer_info["unsigned_attrs"]] == ["signature_time_stamp_token"]
+    world.server.forget_tries()
+    assert verify(world, pdf)["binds"]["is_timestamped"] is True
