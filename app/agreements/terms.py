@@ -24,6 +24,13 @@ class SourcesNeeded(StrEnum):
     BEFORE_INVOICE = "before_invoice"
 
 
+class DownloadsOpen(StrEnum):
+    """From when on the studio downloads masters and game files."""
+
+    AT_ONCE = "at_once"
+    WHEN_PAID = "when_paid"  # what is due for an accepted cue
+
+
 class PriceMode(StrEnum):
     """How a contract's price comes about."""
 
@@ -69,6 +76,7 @@ class MoneyTerms:
     notice_days: int | None = None  # None: it ends early only where both agree
     deposit_at_end: DepositAtEnd = DepositAtEnd.STAYS
     sources_needed: SourcesNeeded = SourcesNeeded.ASKED
+    downloads_open: DownloadsOpen = DownloadsOpen.AT_ONCE
     late_interest_monthly_bp: int = 0  # of what is open of an invoice after its day
 
     @classmethod
@@ -83,6 +91,8 @@ class MoneyTerms:
             known["deposit_at_end"] = DepositAtEnd(known["deposit_at_end"])
         if "sources_needed" in known:
             known["sources_needed"] = SourcesNeeded(known["sources_needed"])
+        if "downloads_open" in known:
+            known["downloads_open"] = DownloadsOpen(known["downloads_open"])
         if "reverse_charge" in known:
             known["reverse_charge"] = bool(known["reverse_charge"])  # 0 or 1 where only numbers and text are kept
         return cls(**known)

@@ -24,6 +24,7 @@ from app.deliveries.schemas import Sources
 from app.deliveries.source_rules import words_of
 from app.deliveries.sources import sources_of
 from app.kit.storage import Store
+from app.money.downloads import closed_downloads
 from app.projects.models import Project
 from app.projects.queries import current_spec
 from app.projects.service import ProjectAccess, project_access
@@ -53,6 +54,7 @@ class PackedSound:
     take: Take
     path: str  # in the pack: the target's folder and the name that the cue owns
     render: Render | None
+    closed: str | None = None  # why its files cannot be downloaded, where its contract opens them by payment
 
     @property
     def file_name(self) -> str:
@@ -65,8 +67,15 @@ class PackedSound:
         return self.render if self.render and self.render.state is RenderState.MADE else None
 
     @property
+    def packed(self) -> Render | None:
+        """The game file that goes into the pack, None where there is none or it is not paid yet."""
+        return None if self.closed else self.made
+
+    @property
     def why_missing(self) -> str:
-        """Why there is no game file."""
+        """Why there is no game file in the pack."""
+        if self.closed and self.made:
+            return self.closed
         if self.render is None:
             return "its game file is not rendered yet"
         return self.render.refusal or "its game file was refused"
@@ -106,7 +115,7 @@ class Pack:
     @property
     def marks(self) -> dict[str, str]:
         """The fingerprint of each game file, by path."""
-        return {sound.path: mark_of(sound.made) for sound in self.sounds if sound.made}
+        return {sound.path: mark_of(render) for sound in self.sounds if (render := sound.packed)}
 
 
 def mark_of(render: Render) -> str:
@@ -118,11 +127,13 @@ def visible_pack(session: Session, actor: Actor, project_id: UUID, target: str |
     """Return what the pack of a target holds; without a target, of the spec's first."""
     access = project_access(session, actor, project_id)
     ensure_team_or_build(access)
-    return pack_of(session, access.project, target)
+    return pack_of(session, access.project, target, actor)
 
 
-def pack_of(session: Session, project: Project, target: str | None) -> Pack:
+def pack_of(session: Session, project: Project, target: str | None, actor: Actor | None = None) -> Pack:
     """Return what the pack of a target holds, without a check of the caller.
+
+    `actor` is who reads why a sound is not paid: an invoice is named to those who see its contract.
 
     A file that sounds as it did in the last pack is that very file, so that the game's depot sees no change.
     """
@@ -138,6 +149,8 @@ def pack_of(session: Session, project: Project, target: str | None) -> Pack:
     renders = current_renders(session, {project.id: spec}, [take for _, _, take in accepted])
     stems = queries.stems_of_project(session, project.id)
     categories: dict[str, tuple[str, Target]] = {}
+    work = {(cue.id, take.designer_id) for cue, _, take in accepted}
+    closed = closed_downloads(session, actor, work)
     sounds = []
     for cue, variation, take in accepted:
         if cue.category not in categories:
@@ -148,7 +161,8 @@ def pack_of(session: Session, project: Project, target: str | None) -> Pack:
         render, before = renders[take.id].get(chosen), last_renders.get(path)
         if before and render and render.state is RenderState.MADE and mark_of(before) == mark_of(render):
             render = before
-        sounds.append(PackedSound(cue=cue, variation=variation, take=take, path=path, render=render))
+        reason = closed.get((cue.id, take.designer_id))
+        sounds.append(PackedSound(cue=cue, variation=variation, take=take, path=path, render=render, closed=reason))
     return Pack(
         project=project,
         target=chosen,
@@ -170,13 +184,13 @@ def ensure_team_or_build(access: ProjectAccess) -> None:
 
 def pack_read(pack: Pack) -> PackRead:
     """Return what a pack holds, in figures."""
-    made = [sound.made for sound in pack.sounds if sound.made]
+    made = [render for sound in pack.sounds if (render := sound.packed)]
     return PackRead(
         target=pack.target,
         targets=pack.targets,
         files=len(made),
         bytes=sum(render.file_bytes or 0 for render in made),
-        masters_bytes=sum(sound.take.master_bytes for sound in pack.sounds),
+        masters_bytes=sum(sound.take.master_bytes for sound in pack.sounds if not sound.closed),
         cues_accepted=len({sound.cue.id for sound in pack.sounds}),
         cues_wanted=pack.cues_wanted,
         changes=changes_read(pack.last_number, pack.last_marks, pack.marks),
@@ -189,7 +203,7 @@ def pack_read(pack: Pack) -> PackRead:
                 reason=sound.why_missing,
             )
             for sound in pack.sounds
-            if not sound.made
+            if not sound.packed
         ],
     )
 
@@ -244,7 +258,7 @@ def _placeholder_file_row(pack: Pack, one: PackedPlaceholder) -> KeyRow:
 
 
 def _key_row(pack: Pack, sound: PackedSound, *, masters: bool) -> KeyRow:
-    cue, take, render = sound.cue, sound.take, sound.made
+    cue, take, render = sound.cue, sound.take, sound.packed
     facts = render.facts if render else {}
     return KeyRow(
         file=sound.path if render else "",
@@ -265,7 +279,7 @@ def _key_row(pack: Pack, sound: PackedSound, *, masters: bool) -> KeyRow:
         version=take.number,
         note=take.note if render else sound.why_missing,
         sources=words_of(pack.sources[take.id]) if take.id in pack.sources else "",
-        master=sound.master_name if masters else take.file_name,
+        master=sound.master_name if masters and not sound.closed else take.file_name,
         file_sha256=(render.sha256 if render else None) or "",
         master_sha256=take.master_sha256,
     )
@@ -299,7 +313,7 @@ def pack_files(
             render,
         )
         for sound in pack.sounds
-        if (render := sound.made)
+        if (render := sound.packed)
     ]
     files += [
         Packed(stored_entry(store, studio_id, one.path, one.sha256, one.file_bytes), FileKind.PLACEHOLDER)
@@ -312,6 +326,7 @@ def pack_files(
                 FileKind.MASTER,
             )
             for sound in pack.sounds
+            if not sound.closed
         ]
     ensure_stored(store, studio_id, [file.entry for file in files])
     rows = key_rows(pack, masters=masters)
@@ -337,14 +352,14 @@ def ensure_packable(pack: Pack, *, allow_missing: bool, placeholders: bool) -> N
             errors=[{"where": sound.path, "message": "its master is marked as a placeholder"} for sound in disguised],
             fix="have the final sound delivered, or ask for a pack with placeholders (placeholders=true)",
         )
-    missing = [sound for sound in pack.sounds if not sound.made]
+    missing = [sound for sound in pack.sounds if not sound.packed]
     if missing and not allow_missing:
         named = ", ".join(sound.path for sound in missing[:NAMES_SHOWN])
         more = f" and {len(missing) - NAMES_SHOWN} more" if len(missing) > NAMES_SHOWN else ""
         raise PackIncomplete(
             f"{named}{more} cannot be packed for {pack.target}: {missing[0].why_missing}",
             errors=[{"where": sound.path, "message": sound.why_missing} for sound in missing],
-            fix="seal the pack without them (allow_missing=true), or have them rendered first",
+            fix="seal the pack without them (allow_missing=true), or have them rendered and paid first",
         )
 
 

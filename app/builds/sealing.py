@@ -37,7 +37,7 @@ def request_pack(session: Session, actor: Actor, project_id: UUID, wanted: PackA
     """Begin a numbered pack of the sounds accepted now, for the worker to assemble; raise what prevents it."""
     access = project_access(session, actor, project_id)
     access.ensure_team()
-    pack_now = pack_of(session, access.project, wanted.target)
+    pack_now = pack_of(session, access.project, wanted.target, actor)
     if wanted.placeholders:
         pack_now = with_placeholder_files(session, pack_now)
     ensure_packable(pack_now, allow_missing=wanted.allow_missing, placeholders=wanted.placeholders)

@@ -16,6 +16,7 @@ from app.deliveries.slots import slot_of_stem
 from app.kit import clock
 from app.kit.events import publish
 from app.kit.uploads import FinishedUpload, finished_upload
+from app.money.downloads import ensure_open
 
 
 def stem_for_name(session: Session, delivery: Delivery, file_name: str) -> str | None:
@@ -93,8 +94,12 @@ def withdraw_dry_stem(session: Session, actor: Actor, take_id: UUID) -> None:
 
 
 def visible_dry_stem(session: Session, actor: Actor, take_id: UUID) -> DryStem:
-    """Return the dry stem of a take within the caller's sight; raise DryStemNotFound where it has none."""
+    """Return the dry stem of a take within the caller's sight.
+
+    Raises DryStemNotFound where it has none, DownloadUnpaid where its contract opens it by payment.
+    """
     take, _ = take_for(session, actor, take_id)
+    ensure_open(session, actor, take.cue_id, take.designer_id)
     stem = queries.dry_stem_of(session, take)
     if stem is None:
         raise DryStemNotFound(f"take {take_id} has no dry stem")

@@ -54,6 +54,8 @@ from app.kit.http import (
 )
 from app.kit.storage import BlobMissing
 from app.kit.uploads import UploadNotFound, UploadUnfinished, finished_upload
+from app.money.downloads import ensure_open
+from app.money.errors import DownloadUnpaid
 from app.projects.errors import DesignerNeeded, ProjectNotFound
 from app.projects.service import project_access
 from app.sound_lists.errors import CueNotFound
@@ -251,7 +253,8 @@ def match_take(take_id: UUID, body: TakeMatch, session: DbSession, actor: Actor 
 @router.get(
     "/takes/{take_id}/master",
     response_class=Response,
-    responses=problems(TakeNotFound, BlobMissing) | {200: {"content": {"application/octet-stream": {}}}},
+    responses=problems(TakeNotFound, DownloadUnpaid, BlobMissing)
+    | {200: {"content": {"application/octet-stream": {}}}},
 )
 def download_master(
     take_id: UUID,
@@ -262,6 +265,7 @@ def download_master(
 ) -> Response:
     """Give a take's master exactly as it was delivered; ranges may be asked for."""
     take, access = service.take_for(session, actor, take_id)
+    ensure_open(session, actor, take.cue_id, take.designer_id)
     return blob_response(
         request,
         runtime.store,
@@ -297,7 +301,7 @@ def withdraw_dry_stem(take_id: UUID, session: DbSession, actor: Actor = allows(A
 @router.get(
     "/takes/{take_id}/dry-stem",
     response_class=Response,
-    responses=problems(TakeNotFound, DryStemNotFound, BlobMissing)
+    responses=problems(TakeNotFound, DryStemNotFound, DownloadUnpaid, BlobMissing)
     | {200: {"content": {"application/octet-stream": {}}}},
 )
 def download_dry_stem(

@@ -215,6 +215,19 @@ def paid_cues(book: LedgerBook, cues: Iterable[PricedCue]) -> set[UUID]:
     }
 
 
+def open_lines(book: LedgerBook, cue: PricedCue) -> list[Line] | None:
+    """Return the lines of an accepted cue that are not paid; None where its acceptance has made nothing due yet.
+
+    A cue without a price of its own, as under a contract by the day, has the open lines of the whole contract.
+    """
+    if not cue.is_accepted or (cue.amount_minor and not book.share_minor(cue.cue_id)):
+        return None
+    lines = [line for line in book.owed if line.cue_id == cue.cue_id or not cue.amount_minor]
+    unpaid = [line for line in lines if line.amount_minor != book.paid_minor(line.id)]
+    # A credit for a share that was taken back pays for the share that took its place.
+    return unpaid if sum(line.amount_minor - book.paid_minor(line.id) for line in unpaid) > 0 else []
+
+
 def price_of_round(cue: PricedCue, extra_round_bp: int) -> int:
     """Return the price of one round beyond the included ones."""
     return part_of(cue.amount_minor, extra_round_bp)

@@ -8,6 +8,8 @@ from sqlalchemy import Row, func, select
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import Person
+from app.agreements.models import Contract, ContractCue
+from app.kit.in_array import in_array
 from app.money.models import CalendarLink, ExtraRound, Invoice, InvoiceLine, LedgerLine, Payment, WorkedDay, WorkLog
 
 
@@ -66,6 +68,17 @@ def full_numbers_of(session: Session, designer_id: UUID) -> Sequence[str]:
 def payments_of(session: Session, contract_id: UUID) -> Sequence[Payment]:
     """Return the payments of a contract, refunds included, in the order of their recording."""
     return session.scalars(select(Payment).where(Payment.contract_id == contract_id).order_by(Payment.id)).all()
+
+
+def contracts_covering(session: Session, cue_ids: Collection[UUID]) -> Sequence[tuple[UUID, Contract]]:
+    """Return the contracts by which cues are or were ordered, each with the cue, the newest last."""
+    rows = session.execute(
+        select(ContractCue.cue_id, Contract)
+        .join(Contract, Contract.id == ContractCue.contract_id)
+        .where(in_array(ContractCue.cue_id, cue_ids), Contract.agreed_at.is_not(None))
+        .order_by(Contract.number)
+    )
+    return [(cue_id, contract) for cue_id, contract in rows]
 
 
 def payment_by_id(session: Session, payment_id: UUID) -> Payment | None:

@@ -10,6 +10,7 @@ from app.deliveries.errors import TakeNotFound
 from app.kit.blob_response import blob_response
 from app.kit.http import CurrentRuntime, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
 from app.kit.storage import BlobMissing
+from app.money.errors import DownloadUnpaid
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.renders import batches, master_exports, reels, service
 from app.renders.errors import (
@@ -100,7 +101,10 @@ def get_spectrum(
 @router.get(
     "/renders/{render_id}/file",
     response_class=Response,
-    responses={200: {"content": {"audio/wav": {}}}, **problems(RenderNotFound, NothingRendered, BlobMissing)},
+    responses={
+        200: {"content": {"audio/wav": {}}},
+        **problems(RenderNotFound, NothingRendered, DownloadUnpaid, BlobMissing),
+    },
 )
 def get_render_file(
     render_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = MAY_SEE
@@ -199,7 +203,7 @@ def get_reel_file(
     "/takes/{take_id}/master-exports",
     status_code=201,
     response_model=MasterExportRead,
-    responses=problems(TakeNotFound),
+    responses=problems(TakeNotFound, DownloadUnpaid),
 )
 def add_master_export(take_id: UUID, session: DbSession, actor: Actor = MAY_SEE) -> MasterExportRead:
     """Have a take's master copied with what is known of it written into it; the master stays as it was delivered."""
@@ -219,7 +223,7 @@ def get_master_export(master_export_id: UUID, session: DbSession, actor: Actor =
     response_class=Response,
     responses={
         200: {"content": {"audio/wav": {}}},
-        **problems(MasterExportNotFound, MasterExportNotMade, BlobMissing),
+        **problems(MasterExportNotFound, MasterExportNotMade, DownloadUnpaid, BlobMissing),
     },
 )
 def get_master_export_file(
@@ -227,7 +231,7 @@ def get_master_export_file(
 ) -> Response:
     """Download a master with its provenance, in bext and in iXML with the fields of ASWG-G006."""
     export = master_exports.visible_export(session, actor, master_export_id)
-    sha256 = master_exports.file_of(export)
+    sha256 = master_exports.file_of(session, actor, export)
     return blob_response(
         request,
         runtime.store,

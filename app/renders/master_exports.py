@@ -18,6 +18,7 @@ from app.deliveries.source_rules import words_of
 from app.deliveries.sources import sources_of
 from app.kit.events import publish
 from app.kit.storage import StoredBlob
+from app.money.downloads import ensure_open
 from app.projects.models import Project
 from app.renders import queries
 from app.renders.errors import MasterExportNotFound, MasterExportNotMade
@@ -32,6 +33,7 @@ EXPORT_VERSION = 1  # counts up when the same master and provenance would give a
 def request_export(session: Session, actor: Actor, take_id: UUID) -> MasterExport:
     """Return a take's master with what is known of it now, and have it made unless it was or is."""
     take, access = take_for(session, actor, take_id)
+    ensure_open(session, actor, take.cue_id, take.designer_id)
     known = asdict(_provenance(session, take, access.project))
     made_of = [EXPORT_VERSION, take.master_sha256, known]
     key = hashlib.sha256(json.dumps(made_of, sort_keys=True).encode()).hexdigest()
@@ -92,8 +94,13 @@ def visible_export(session: Session, actor: Actor, export_id: UUID) -> MasterExp
     return export
 
 
-def file_of(export: MasterExport) -> str:
-    """Return the hash of a handed-out master; raise MasterExportNotMade if there is none."""
+def file_of(session: Session, actor: Actor, export: MasterExport) -> str:
+    """Return the hash of a handed-out master.
+
+    Raises MasterExportNotMade if there is none, DownloadUnpaid where its contract opens it by payment.
+    """
+    take = session.get_one(Take, export.take_id)
+    ensure_open(session, actor, take.cue_id, take.designer_id)
     if export.sha256 is None:
         raise MasterExportNotMade(
             export.refusal or "this copy is still being made",

@@ -80,6 +80,9 @@ class TakeSoundsRead(Schema):
     master: MasterSoundRead
     fix: SoundBrief | None = Field(description="Its newest fixed copy, once it is drawn.")
     renders: list[RenderSoundRead]
+    closed: str | None = Field(
+        description="Why masters and game files cannot be downloaded now, where the contract opens them by payment."
+    )
 
 
 class BatchAdd(Schema):

@@ -15,6 +15,7 @@ from app.deliveries.service import take_for
 from app.kit.db import insert_all_if_absent, insert_if_absent, row_of
 from app.kit.events import publish
 from app.kit.queue import BULK
+from app.money.downloads import closed_to, ensure_open
 from app.projects.queries import current_spec
 from app.renders import queries
 from app.renders.errors import LossUnknown, NotDrawn, NothingRendered, RenderNotFound, SoundNotFound
@@ -30,6 +31,7 @@ Made = list[tuple[Render, Picture | None]]  # game files, each with its picture 
 def take_sounds(session: Session, actor: Actor, take_id: UUID) -> TakeSoundsRead:
     """Return a take's master and its game files at the current spec, with what is needed to show and play them."""
     take, _ = take_for(session, actor, take_id)
+    closed = closed_to(session, actor, take.cue_id, take.designer_id)
     specs = {take.project_id: current_spec(session, take.project_id)}
     renders = queries.current_renders(session, specs, [take])[take.id]
     fix = made_fix_of(session, take.id)
@@ -41,7 +43,11 @@ def take_sounds(session: Session, actor: Actor, take_id: UUID) -> TakeSoundsRead
         take_id=take.id,
         master=master_sound(take, pictures.get(take.master_sha256)),
         fix=_fix_sound(fix, pictures),
-        renders=[render_sound(target, one, picture_of_render(one, pictures)) for target, one in renders.items()],
+        renders=[
+            render_sound(target, one, picture_of_render(one, pictures), is_closed=closed is not None)
+            for target, one in renders.items()
+        ],
+        closed=closed,
     )
 
 
@@ -79,7 +85,9 @@ def master_sound(take: Take, picture: Picture | None) -> MasterSoundRead:
     )
 
 
-def render_sound(target: str, render: Render | None, picture: Picture | None) -> RenderSoundRead:
+def render_sound(
+    target: str, render: Render | None, picture: Picture | None, *, is_closed: bool = False
+) -> RenderSoundRead:
     """Return one game file as it is shown; `waiting` while it is still to be made."""
     return RenderSoundRead(
         **_sound(picture),
@@ -91,7 +99,7 @@ def render_sound(target: str, render: Render | None, picture: Picture | None) ->
         measurements=render.measurements if render else {},
         attenuation_db=render.attenuation_db if render else None,
         file_bytes=render.file_bytes if render else None,
-        file_url=f"/v1/renders/{render.id}/file" if render and render.sha256 else None,
+        file_url=f"/v1/renders/{render.id}/file" if render and render.sha256 and not is_closed else None,
     )
 
 
@@ -116,13 +124,17 @@ def drawn(sha256: str | None) -> str:
 
 
 def render_file(session: Session, actor: Actor, render_id: UUID) -> tuple[Render, str, str]:
-    """Return a made render, the hash of its file, and the name that the game expects it under."""
+    """Return a made render, the hash of its file, and the name that the game expects it under.
+
+    Raises RenderNotFound, NothingRendered where it was refused, DownloadUnpaid where its contract opens it by payment.
+    """
     found = queries.visible_render(session, actor, render_id)
     if found is None:
         raise RenderNotFound(f"no render {render_id}")
     render, take = found
     if render.sha256 is None:
         raise NothingRendered(f"the render for {render.target} was refused: {render.refusal}")
+    ensure_open(session, actor, take.cue_id, take.designer_id)
     stem = stem_of(session, take) or "render"
     return render, render.sha256, f"{stem}.wav"
 

@@ -127,6 +127,7 @@ export const someSounds = (more: object = {}) => ({
   },
   fix: sound('m1', 0.4),
   renders: [],
+  closed: null,
   ...more,
 })
 const BANDS = { hz: [100, 1_000, 10_000], dbfs: [-30.1, -12.4, null] }

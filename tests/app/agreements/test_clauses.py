@@ -42,7 +42,7 @@ WANTED = {
     "disputes",
 }
 MUSIC = {"music_rights", "music_skus", "music_soundtrack"}
-OFF = {"ownership_on_creation", "equipment", "exclusivity", "bonus", "purchase_order", "silence"} | MUSIC
+OFF = {"ownership_on_creation", "equipment", "exclusivity", "bonus", "purchase_order", "silence", "downloads"} | MUSIC
 
 
 def standing(kind: ContractKind, **how: bool) -> set[str]:

@@ -157,6 +157,7 @@ const SOUNDS = {
     file_bytes: 1000,
   },
   renders: [],
+  closed: null,
 }
 const DELIVERY = {
   id: 'd4',

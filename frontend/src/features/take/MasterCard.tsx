@@ -4,6 +4,7 @@ import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { bytes } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
+import { State } from '@/ui/State'
 
 import { type MasterExport, type Take, useMasterExport } from './api'
 import classes from './Take.module.css'
@@ -18,39 +19,62 @@ const SAID = {
   notes: 'Note',
 } as const
 
+interface MasterCardProps {
+  take: Take
+  /** Why it cannot be downloaded now, where its contract opens files by payment. */
+  closed: string | null
+}
+
 /** The master to take along: as it was delivered, or as a copy that says where it comes from. */
-export function MasterCard({ take }: { take: Take }) {
-  const { ask, made, making, error } = useMasterExport(take.id)
+export function MasterCard({ take, closed }: MasterCardProps) {
   return (
     <Card aria-labelledby="master">
       <CardHead id="master" title="Master" end={bytes(take.master_bytes)} />
       <div className={`stack ${classes.inside}`}>
-        <p className="small mid">
-          The file exactly as delivered, or a copy of it with provenance metadata (bext and iXML).
-        </p>
-        <div className="row wrap">
-          <ButtonLink href={`/v1/takes/${take.id}/master`} download icon="download">
-            Download as delivered
-          </ButtonLink>
-          {made?.file_url ? (
-            <ButtonLink href={made.file_url} download={made.file_name} icon="download">
-              Download with provenance
-            </ButtonLink>
-          ) : (
-            <Button icon="file" disabled={making} onClick={() => ask.mutate()}>
-              Create copy with provenance
-            </Button>
-          )}
-        </div>
-        <p className="small dim" role="status">
-          {making && 'Creating the copy…'}
-          {made?.file_bytes && `The copy (${bytes(made.file_bytes)}) contains:`}
-        </p>
-        {made?.file_url && <Fields made={made} />}
-        {made?.refusal && <ProblemNote detail={ended(made.refusal)} />}
-        {error instanceof ApiProblem && <ProblemNote detail={ended(error.detail)} fix={ended(error.fix)} />}
+        {closed === null ? (
+          <Downloads take={take} />
+        ) : (
+          <>
+            <p>
+              <State kind="waiting">Opens by payment</State>
+            </p>
+            <p className="small mid">{ended(closed)} You can listen to the preview until then.</p>
+          </>
+        )}
       </div>
     </Card>
+  )
+}
+
+function Downloads({ take }: { take: Take }) {
+  const { ask, made, making, error } = useMasterExport(take.id)
+  return (
+    <>
+      <p className="small mid">
+        The file exactly as delivered, or a copy of it with provenance metadata (bext and iXML).
+      </p>
+      <div className="row wrap">
+        <ButtonLink href={`/v1/takes/${take.id}/master`} download icon="download">
+          Download as delivered
+        </ButtonLink>
+        {made?.file_url ? (
+          <ButtonLink href={made.file_url} download={made.file_name} icon="download">
+            Download with provenance
+          </ButtonLink>
+        ) : (
+          <Button icon="file" disabled={making} onClick={() => ask.mutate()}>
+            Create copy with provenance
+          </Button>
+        )}
+      </div>
+      <p className="small dim" role="status">
+        {making && 'Creating the copy…'}
+        {made?.file_bytes && `The copy (${bytes(made.file_bytes)}) contains:`}
+      </p>
+      {made?.file_url && <Fields made={made} />}
+      {made?.refusal && <ProblemNote detail={ended(made.refusal)} />}
+      {error instanceof ApiProblem && <ProblemNote detail={ended(error.detail)} fix={ended(error.fix)} />}
+    </>
   )
 }
 

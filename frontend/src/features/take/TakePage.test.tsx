@@ -393,6 +393,18 @@ describe('figures and files', () => {
     await waitFor(() => expect(server.of('GET /v1/sounds/g1/preview')).toHaveLength(1))
   })
 
+  test('where a contract opens files by payment, the master card says what opens them and offers no download', async () => {
+    const closed = 'its files open when invoice INV-2026-014 is paid: USD 200.00 of it is open for this cue'
+    server.on('GET /v1/takes/t1/sounds', someSounds({ closed, renders: [aGameFile({ file_url: null })] }))
+    await opened()
+    const master = await card('Master')
+    await waitFor(() => expect(master).toHaveTextContent('Opens by payment'))
+    expect(master).toHaveTextContent('Its files open when invoice INV-2026-014 is paid')
+    expect(within(master).queryByRole('link')).toBeNull()
+    expect(within(master).queryByRole('button')).toBeNull()
+    expect(within(await card('Game files')).queryByRole('link', { name: /Download/ })).toBeNull()
+  })
+
   test('a file that cannot be read as a sound says so', async () => {
     server
       .on('GET /v1/takes/t1/sounds', {

@@ -198,7 +198,7 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
         </div>
         <aside className="stack" aria-label="Measurements of this version">
           <FiguresCard check={check} findings={findings} />
-          <MasterCard take={take} />
+          <MasterCard take={take} closed={sounds?.closed ?? null} />
           <Card aria-labelledby="sources">
             <CardHead id="sources" title="Sources" />
             <div className={classes.inside}>

@@ -1,0 +1,79 @@
+"""Which sounds are closed to the studio until they are paid, and what opens them."""
+
+from collections.abc import Collection
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.agreements import plan_queries
+from app.agreements.models import Contract
+from app.agreements.plan_queries import terms_of
+from app.agreements.queries import contract_for
+from app.agreements.terms import DownloadsOpen
+from app.kit.money import money
+from app.money import queries
+from app.money.errors import DownloadUnpaid
+from app.money.ledger import load_ledger_book, priced
+from app.money.ledger_book import LedgerBook, Line, PricedCue, open_lines
+
+Work = tuple[UUID, UUID]  # a cue, and the designer whose takes of it are meant
+UNPAID = "its files open by payment, and it is not paid yet"
+
+
+def closed_downloads(session: Session, actor: Actor | None, work: Collection[Work]) -> dict[Work, str]:
+    """Return why the files of some work are closed, in words; what is open is left out.
+
+    Invoice and amount are named to those who see the contract, and to nobody where no actor is given.
+    """
+    newest: dict[Work, Contract] = {}
+    for cue_id, contract in queries.contracts_covering(session, {cue_id for cue_id, _ in work}):
+        if (cue_id, contract.designer_id) in work:
+            newest[cue_id, contract.designer_id] = contract
+    closed: dict[Work, str] = {}
+    for contract in {one.id: one for one in newest.values()}.values():
+        if terms_of(session, contract).downloads_open is not DownloadsOpen.WHEN_PAID:
+            continue
+        is_seen = actor is not None and contract_for(session, actor, contract.id) is not None
+        book = load_ledger_book(session, contract)
+        for cue in priced(plan_queries.cues_of(session, contract.id)):
+            key = (cue.cue_id, contract.designer_id)
+            lines = open_lines(book, cue)
+            if newest.get(key) is contract and (lines is None or lines):
+                closed[key] = _words(session, contract, book, cue, lines) if is_seen else UNPAID
+    return closed
+
+
+def ensure_open(session: Session, actor: Actor, cue_id: UUID | None, designer_id: UUID) -> None:
+    """Raise DownloadUnpaid where the files of a designer's work on a cue are closed to the caller."""
+    if reason := closed_to(session, actor, cue_id, designer_id):
+        raise DownloadUnpaid(
+            f"this file cannot be downloaded: {reason}",
+            fix="listen to the preview until then; payments are recorded on the page Money",
+        )
+
+
+def closed_to(session: Session, actor: Actor, cue_id: UUID | None, designer_id: UUID) -> str | None:
+    """Return why the files of a designer's work on a cue are closed to the caller; None where they are open."""
+    if cue_id is None or actor.person_id == designer_id:
+        return None
+    return closed_downloads(session, actor, {(cue_id, designer_id)}).get((cue_id, designer_id))
+
+
+def _words(
+    session: Session, contract: Contract, book: LedgerBook, cue: PricedCue, lines: Collection[Line] | None
+) -> str:
+    if lines is None:
+        if cue.cut_in is not None and not cue.is_accepted:
+            return "its cue was cut before it was accepted, so its files stay with the designer"
+        if cue.is_accepted:
+            return "its files open by payment, which is due when its milestone is complete"
+        return "its files open by payment, which is due when its cue is accepted"
+    open_minor = sum(line.amount_minor - book.paid_minor(line.id) for line in lines)
+    amount = money(open_minor, contract.currency)
+    numbers = {invoice.id: invoice.full_number for invoice in queries.invoices_of(session, contract.id)}
+    named = sorted({numbers[line.invoice_id] for line in lines if line.invoice_id is not None})
+    if not named:
+        return f"its files open by payment: {amount} is due for it, and on no invoice yet"
+    invoices = f"invoice {named[0]}" if len(named) == 1 else f"invoices {', '.join(named)}"
+    return f"its files open when {invoices} is paid: {amount} of it is open for this cue"
