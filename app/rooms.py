@@ -7,6 +7,7 @@ from app.accounts.endpoints import router as accounts
 from app.accounts.me_endpoints import router as me
 from app.accounts.sign_up_endpoints import router as sign_up
 from app.accounts.studio_endpoints import router as studios
+from app.agreements.award_endpoints import router as awards
 from app.agreements.endpoints import router as contracts
 from app.agreements.signing_endpoints import router as contract_signing
 from app.agreements.template_endpoints import router as contract_templates
@@ -22,6 +23,8 @@ from app.dashboards.endpoints import router as dashboards
 from app.dashboards.event_endpoints import router as events
 from app.deliveries.endpoints import router as deliveries
 from app.deliveries.sources import ensure_stated_to_invoice
+from app.hiring.bid_endpoints import router as bids
+from app.hiring.endpoints import router as hiring
 from app.kit.events import Handler
 from app.money.endpoints import router as money
 from app.money.ledger import charge_deposits
@@ -47,6 +50,9 @@ ROUTERS: tuple[APIRouter, ...] = (
     sound_lists,
     coverage,
     kits,
+    hiring,
+    bids,
+    awards,
     money,
     contract_templates,
     contracts,
@@ -80,6 +86,7 @@ JOB_MODULES = (
     "app.agreements.jobs",
     "app.amendments.jobs",
     "app.notifications.contract_jobs",
+    "app.notifications.hiring_jobs",
     "app.notifications.jobs",
     "app.notifications.mail_jobs",
 )
@@ -133,6 +140,11 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "cue.deemed_accepted": ("notifications.notify_deemed_acceptance",),
     "build.posted": ("notifications.notify_build",),
     "approver.joined": ("projects.name_invited_approver",),
+    "posting.shared": ("notifications.mail_link",),
+    "posting.awarded": ("notifications.notify_award",),
+    "bid.sent": ("notifications.notify_bid",),
+    "posting_question.asked": ("notifications.notify_posting_question",),
+    "posting_question.answered": ("notifications.notify_posting_answer",),
     "designer.invited": ("notifications.mail_link",),
     "member.invited": ("notifications.mail_link",),
     "password.reset_asked": ("notifications.mail_link",),

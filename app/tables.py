@@ -7,6 +7,7 @@ from app.briefs import models as _briefs
 from app.builds import models as _builds
 from app.conformance import models as _conformance
 from app.deliveries import models as _deliveries
+from app.hiring import models as _hiring
 from app.kit import changes as _changes
 from app.kit import http as _http
 from app.kit.db import Base

@@ -16,6 +16,7 @@ from app.accounts import addresses
 from app.accounts.models import EmailVerification, MailedLink, PasswordReset, SignUp, StudioInvitation
 from app.agreements import signing_codes
 from app.agreements.models import SigningCode
+from app.hiring.models import Candidate
 from app.kit import clock
 from app.kit.queue import Payload
 from app.notifications import queries, service
@@ -40,6 +41,13 @@ KINDS: Mapping[str, LinkMail] = {
         "you need an account only to upload.",
         ProjectInvitation,
         "invitation",
+    ),
+    "posting.shared": LinkMail(
+        "{from_name} asks you for a bid: {subject_name}",
+        "{from_name} asks you for a bid on {subject_name}. The link shows what is asked for and by when; "
+        "you need an account only to bid.",
+        Candidate,
+        "posting",
     ),
     "member.invited": LinkMail(
         "{from_name} invites you to {subject_name}",

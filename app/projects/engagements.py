@@ -98,18 +98,27 @@ def accept_invitation(
             return engagement
         invitation.accepted_at = clock.now()
         invitation.accepted_by = designer.id
-        if engagement is None:
-            engagement = Engagement(
-                studio_id=invitation.studio_id,
-                project_id=invitation.project_id,
-                designer=designer,
-                kind=invitation.kind,
-            )
-            session.add(engagement)
-        else:
-            engagement.kind, engagement.ended_at = invitation.kind, None
-        session.flush()
-        publish(session, "designer.joined", studio_id=engagement.studio_id, engagement_id=engagement.id)
+        return engage(
+            session,
+            studio_id=invitation.studio_id,
+            project_id=invitation.project_id,
+            designer=designer,
+            kind=invitation.kind,
+        )
+
+
+def engage(
+    session: Session, *, studio_id: UUID, project_id: UUID, designer: Person, kind: EngagementKind
+) -> Engagement:
+    """Engage a designer on a project, or take an engagement up again; callers have checked that they may."""
+    engagement = queries.any_engagement_of(session, project_id, designer.id)
+    if engagement is None:
+        engagement = Engagement(studio_id=studio_id, project_id=project_id, designer=designer, kind=kind)
+        session.add(engagement)
+    else:
+        engagement.kind, engagement.ended_at = kind, None
+    session.flush()
+    publish(session, "designer.joined", studio_id=engagement.studio_id, engagement_id=engagement.id)
     return engagement
 
 

@@ -41,6 +41,7 @@ from tests.support.server import RunningServer, World
 
 GUARDED = sorted(set(Base.metadata.tables) - UNGUARDED - ADD_ONLY - SERVERS_OWN)
 TENANT = sorted(set(GUARDED) - PERSONAL)
+CONFIDENTIAL = {"hiring_bids", "hiring_scores"}  # an engagement alone does not show them
 HERE, THERE = new_id(), new_id()  # two studios
 PROJECTS = {HERE: (new_id(), new_id()), THERE: (new_id(),)}
 MEMBER, DESIGNER, ELSEWHERE = new_id(), new_id(), new_id()
@@ -135,7 +136,7 @@ def test_nobody_sees_another_studio(database: Database, name: str):
         assert seen(session, name) == {THERE}
 
 
-@pytest.mark.parametrize("name", sorted({*TENANT} - {"accounts_studios", "accounts_memberships"}))
+@pytest.mark.parametrize("name", sorted({*TENANT} - {"accounts_studios", "accounts_memberships"} - CONFIDENTIAL))
 def test_designers_and_builds_see_their_project_alone(database: Database, name: str):
     table = Base.metadata.tables[name]
     one, other = PROJECTS[HERE]
@@ -148,6 +149,24 @@ def test_designers_and_builds_see_their_project_alone(database: Database, name: 
                 assert projects_seen(session, name) == {one}
             else:
                 assert seen(session, name) == {HERE}
+
+
+@pytest.mark.parametrize("name", sorted(CONFIDENTIAL))
+def test_bids_and_scores_are_seen_by_their_parties_alone(database: Database, name: str):
+    table = Base.metadata.tables[name]
+    with database.reading(Reach(person_id=MEMBER)) as session:
+        assert projects_seen(session, name) == set(PROJECTS[HERE])
+    for reach in (Reach(person_id=DESIGNER), Reach(project_id=PROJECTS[HERE][0])):
+        with database.reading(reach) as session:
+            assert projects_seen(session, name) == set()
+    if "designer_id" in table.columns:
+        own = row_of(table, HERE, PROJECTS[HERE][0]) | {"designer_id": DESIGNER}
+        with database.writing() as session:
+            session.execute(sa.insert(table).values(own))
+        with database.reading(Reach(person_id=DESIGNER)) as session:
+            assert session.scalars(sa.select(table.columns["designer_id"])).all() == [DESIGNER]
+        with database.writing() as session:
+            session.execute(sa.delete(table).where(table.columns["id"] == own["id"]))
 
 
 @pytest.mark.parametrize("name", sorted(PERSONAL))
@@ -189,7 +208,8 @@ def test_a_designer_writes_no_other_designers_rows(database: Database, name: str
         session.execute(sa.insert(table).values(row))
     try:
         with database.writing(Reach(person_id=DESIGNER)) as session:
-            assert session.scalar(sa.select(sa.func.count()).select_from(table).where(of_another)), "they see it"
+            others = session.scalar(sa.select(sa.func.count()).select_from(table).where(of_another))
+            assert bool(others) == (name not in CONFIDENTIAL)
             assert session.execute(sa.update(table).values(studio_id=HERE).where(of_another)).rowcount == 0
             assert session.execute(sa.delete(table).where(of_another)).rowcount == 0
         with (

@@ -35,6 +35,8 @@ from app.conformance.models import CheckRun
 from app.deliveries.cue_sums import update_cue_sums
 from app.deliveries.models import Delivery, DryStem, Take, TakesAct
 from app.deliveries.rules import TakesActKind, TakeState
+from app.hiring.models import Bid, Candidate, Posting, PostingQuestion
+from app.hiring.rules import AskedScope, BidState, PostingPhase, PostingState
 from app.kit import clock
 from app.kit.db import new_id
 from app.kit.queue import queue_of
@@ -192,6 +194,8 @@ class House(World):
         version = BriefVersion(**of, number=1, answers=answers, published_by=self.producer_id)
         session.add_all([follow_up, answered, version])
         session.add_all([picture, render, draft, comment, build, batch, pack, reel, export, mail, run, sets])
+        self._posting_secret = new_secret()
+        hiring = self._add_posting(session)
         self._add_links(session)
         money = self._add_money(session, cue)
         template = self._add_text(session, money["contract_id"])
@@ -230,6 +234,7 @@ class House(World):
             "token_id": token[0].id,
             "job_id": str(new_id()),
             **money,
+            **hiring,
         }
         queue_of(session).enqueue(
             session,
@@ -239,6 +244,50 @@ class House(World):
             studio_id=self.studio_id,
             delay_s=TOMORROW.total_seconds(),
         )
+
+    def _add_posting(self, session: Session) -> dict[str, UUID]:
+        """Add an open posting that the designer was asked for, with a bid that was sent and a question."""
+        of = {"studio_id": self.studio_id, "project_id": self.project_id}
+        posting = Posting(
+            **of,
+            title="Effects",
+            phase=PostingPhase.PRODUCTION,
+            state=PostingState.OPEN,
+            currency="USD",
+            scope=AskedScope.ALL,
+            categories=[],
+            cue_ids=[],
+            lines=[{"key": "", "label": "Other sounds", "cues": 1, "files": 1}],
+            headings=["Quality of work"],
+            secret_sha256=sha256_of(self._posting_secret),
+            created_by=self.producer_id,
+        )
+        session.add(posting)
+        session.flush()
+        of_it = {**of, "posting_id": posting.id}
+        candidate = Candidate(
+            **of_it, email="asked@example.test", person_id=self.designer_id, expires_at=clock.now() + TOMORROW
+        )
+        line = {
+            "key": "",
+            "kind": "asked",
+            "unit": "per_cue",
+            "quantity_hundredths": 100,
+            "price_minor": 18_000,
+            "note": "",
+        }
+        content = {"lines": [line], "hours_hundredths": None, "from_on": None, "to_on": None, "note": ""}
+        bid = Bid(**of_it, designer_id=self.designer_id, content=content, sent=content, state=BidState.SENT)
+        bid.sent_at, bid.revision = clock.now(), 1
+        question = PostingQuestion(**of_it, text="Is there a build?", asked_by=self.designer_id)
+        session.add_all([candidate, bid, question])
+        session.flush()
+        return {
+            "posting_id": posting.id,
+            "candidate_id": candidate.id,
+            "bid_id": bid.id,
+            "posting_question_id": question.id,
+        }
 
     def _add_money(self, session: Session, cue: Cue) -> dict[str, UUID | int]:
         """Add a contract that both agreed to, with an invoice that was paid in part."""
@@ -375,6 +424,7 @@ class House(World):
 
     def _add_links(self, session: Session) -> None:
         self.links = {"invitations": new_secret(), "studio-invitations": new_secret(), "password-resets": new_secret()}
+        self.links["posting-links"] = self._posting_secret
         self.links |= {kind: new_secret() for kind in ("calendars", "sign-ups", "email-verifications")}
         expires_at = clock.now() + TOMORROW
         session.add(

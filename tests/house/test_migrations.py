@@ -21,6 +21,7 @@ ROOMS = (
     "conformance",
     "contracts",
     "deliveries",
+    "hiring",
     "kit",
     "notifications",
     "projects",

@@ -1509,6 +1509,398 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/postings": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Postings
+         * @description Return the postings of a project, newest first.
+         */
+        get: operations["list_postings"];
+        put?: never;
+        /**
+         * Create Posting
+         * @description Begin a posting as a draft, its lines counted from the sound list.
+         */
+        post: operations["create_posting"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/postings": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List My Postings
+         * @description Return the postings that the caller may bid on, newest first.
+         */
+        get: operations["list_my_postings"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/postings/{posting_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Posting
+         * @description Return a posting: whole for those who act for the studio, as far as it concerns them for candidates.
+         */
+        get: operations["read_posting"];
+        /**
+         * Change Posting
+         * @description Change a posting; what bids are made on is fixed once it is open.
+         */
+        put: operations["change_posting"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/postings/{posting_id}/open": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Open Posting
+         * @description Take bids from now on, and mail those who were asked; a closed posting opens again.
+         */
+        post: operations["open_posting"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/postings/{posting_id}/close": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Close Posting
+         * @description Take no more bids.
+         */
+        post: operations["close_posting"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/postings/{posting_id}/candidates": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Invite Candidate
+         * @description Ask a person for a bid: by mail at once, or when the posting opens.
+         */
+        post: operations["invite_candidate"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/postings/{posting_id}/candidates/{candidate_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Withdraw Candidate
+         * @description Take a person off the posting.
+         */
+        delete: operations["withdraw_candidate"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/postings/{posting_id}/link": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Make Posting Link
+         * @description Make a link that shows the posting without an invitation; an earlier one stops working.
+         */
+        post: operations["make_posting_link"];
+        /**
+         * Revoke Posting Link
+         * @description Withdraw the link; who came by it stays.
+         */
+        delete: operations["revoke_posting_link"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/posting-links/{secret}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Preview Posting
+         * @description Show a posting to whoever has its link: all of it, or title, dates and studio while an NDA comes first.
+         */
+        get: operations["preview_posting"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/posting-links/{secret}/join": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Join Posting
+         * @description Let the caller bid on the posting behind a link.
+         */
+        post: operations["join_posting"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/postings/{posting_id}/bid": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Save Bid
+         * @description Keep a bid as it is typed; the studio does not see it until it is sent.
+         */
+        put: operations["save_bid"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/postings/{posting_id}/bid/send": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Send Bid
+         * @description Show the studio the bid as it was read; sending again replaces what was sent.
+         */
+        post: operations["send_bid"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/postings/{posting_id}/bid/withdraw": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Withdraw Bid
+         * @description Take a bid back; the draft is kept.
+         */
+        post: operations["withdraw_bid"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/postings/{posting_id}/questions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Ask About Posting
+         * @description Ask the studio about a posting.
+         */
+        post: operations["ask_about_posting"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/posting-questions/{posting_question_id}/answer": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Answer Posting Question
+         * @description Answer a question once, for all candidates or for the one who asked.
+         */
+        post: operations["answer_posting_question"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/postings/{posting_id}/bids": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Compare Bids
+         * @description Return the bids side by side: those shortlisted first, then the first sent first.
+         */
+        get: operations["compare_bids"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/bids/{bid_id}/shortlist": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Shortlist Bid
+         * @description Put a bid on the shortlist, or take it off.
+         */
+        put: operations["shortlist_bid"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/bids/{bid_id}/scores": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Score Bid
+         * @description Keep the caller's scores of a bid; the others' are shown once each heading has one.
+         */
+        put: operations["score_bid"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/bids/{bid_id}/award": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Award Posting
+         * @description Award a posting to a bid: its designer is engaged, a draft contract is opened, and the others are thanked.
+         */
+        post: operations["award_posting"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/contracts/{contract_id}/milestones": {
         parameters: {
             query?: never;
@@ -5290,6 +5682,23 @@ export interface components {
          */
         ArchiveState: "received" | "unpacked" | "refused";
         /**
+         * AskedLine
+         * @description One line that every bid is made on, counted from the sound list.
+         */
+        AskedLine: {
+            /**
+             * Key
+             * @description The category; empty for cues without one.
+             */
+            key: string;
+            /** Label */
+            label: string;
+            /** Cues */
+            cues: number;
+            /** Files */
+            files: number;
+        };
+        /**
          * AskedQuestion
          * @description A question that waits for an answer.
          */
@@ -5313,6 +5722,12 @@ export interface components {
             /** Answered At */
             answered_at: string | null;
         };
+        /**
+         * AskedScope
+         * @description Which cues a posting asks for.
+         * @enum {string}
+         */
+        AskedScope: "all" | "categories" | "cues";
         /**
          * Awaited
          * @description Something that another person is to do, for which the caller waits.
@@ -5532,6 +5947,153 @@ export interface components {
             target: string;
             /** Reason */
             reason: string;
+        };
+        /**
+         * BidComparison
+         * @description The bids of a posting on the same lines; those shortlisted first, then the first sent first.
+         */
+        BidComparison: {
+            /**
+             * Posting Id
+             * Format: uuid
+             */
+            posting_id: string;
+            /** Title */
+            title: string;
+            state: components["schemas"]["PostingState"];
+            /** Currency */
+            currency: string;
+            /** Budget Minor */
+            budget_minor: number | null;
+            /** Rate Floor Minor */
+            rate_floor_minor: number | null;
+            /** Work From On */
+            work_from_on: string | null;
+            /** Work To On */
+            work_to_on: string | null;
+            /** Headings */
+            headings: string[];
+            /** Lines */
+            lines: components["schemas"]["AskedLine"][];
+            /** Bids */
+            bids: components["schemas"]["ComparedBid"][];
+            /** Awarded Bid Id */
+            awarded_bid_id: string | null;
+            /** Contract Id */
+            contract_id: string | null;
+            /** May Award */
+            may_award: boolean;
+            /**
+             * Pending
+             * @description Who was invited and has not sent a bid: names, or addresses.
+             */
+            pending: string[];
+        };
+        /**
+         * BidContent
+         * @description What a designer offers.
+         */
+        BidContent: {
+            /** Lines */
+            lines: components["schemas"]["BidLine"][];
+            /**
+             * Hours Hundredths
+             * @description The whole work in hours: 16000 for 160.
+             */
+            hours_hundredths?: number | null;
+            /** From On */
+            from_on?: string | null;
+            /** To On */
+            to_on?: string | null;
+            /**
+             * Note
+             * @default
+             */
+            note: string;
+        };
+        /**
+         * BidLine
+         * @description One line of a bid.
+         */
+        BidLine: {
+            /**
+             * Key
+             * @description The asked line's key; for an extra, words that tell it from others of its kind.
+             */
+            key: string;
+            kind: components["schemas"]["BidLineKind"];
+            unit: components["schemas"]["BidUnit"];
+            /**
+             * Quantity Hundredths
+             * @description 300 for three cues, 750 for seven and a half hours.
+             */
+            quantity_hundredths: number;
+            /**
+             * Price Minor
+             * @description For one cue, one hour, or the whole.
+             */
+            price_minor: number;
+            /**
+             * Note
+             * @default
+             */
+            note: string;
+        };
+        /**
+         * BidLineKind
+         * @description What a line of a bid is for: one asked for by the posting, or an extra.
+         * @enum {string}
+         */
+        BidLineKind: "asked" | "rush" | "voice" | "direction" | "narration" | "music";
+        /**
+         * BidSend
+         * @description A bid to send.
+         */
+        BidSend: {
+            /**
+             * Revision
+             * @description The revision that was read: what is sent is what was seen.
+             */
+            revision: number;
+        };
+        /**
+         * BidState
+         * @description Where a bid is; what happened to a sent one follows from its posting.
+         * @enum {string}
+         */
+        BidState: "draft" | "sent" | "withdrawn";
+        /**
+         * BidUnit
+         * @description What the price of a line counts.
+         * @enum {string}
+         */
+        BidUnit: "per_cue" | "per_hour" | "flat";
+        /**
+         * BidWrite
+         * @description A designer's own bid, to keep as a draft.
+         */
+        BidWrite: {
+            /** Lines */
+            lines: components["schemas"]["BidLine"][];
+            /**
+             * Hours Hundredths
+             * @description The whole work in hours: 16000 for 160.
+             */
+            hours_hundredths?: number | null;
+            /** From On */
+            from_on?: string | null;
+            /** To On */
+            to_on?: string | null;
+            /**
+             * Note
+             * @default
+             */
+            note: string;
+            /**
+             * Revision
+             * @description The revision that was read; 0 for a bid that begins.
+             */
+            revision: number;
         };
         /**
          * BlockRead
@@ -6064,6 +6626,41 @@ export interface components {
             limit_dbfs: number | null;
         };
         /**
+         * CandidateAdd
+         * @description An address to invite.
+         */
+        CandidateAdd: {
+            /** Email */
+            email: string;
+        };
+        /**
+         * CandidateRead
+         * @description A person who may bid.
+         */
+        CandidateRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Email */
+            email: string;
+            /** @description Null until the link was opened with an account. */
+            person: components["schemas"]["PersonBrief"] | null;
+            /**
+             * Is Invited
+             * @description False where the person came by the posting's link.
+             */
+            is_invited: boolean;
+            /** Joined At */
+            joined_at: string | null;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+        };
+        /**
          * CategoryCountdown
          * @description The number of files of one category that are still placeholders.
          */
@@ -6460,6 +7057,26 @@ export interface components {
             unclear: components["schemas"]["UnclearCue"][];
         };
         /**
+         * Clash
+         * @description An offer or award elsewhere, in the days of this posting.
+         */
+        Clash: {
+            /** Title */
+            title: string;
+            /** Is Awarded */
+            is_awarded: boolean;
+            /**
+             * From On
+             * Format: date
+             */
+            from_on: string;
+            /**
+             * To On
+             * Format: date
+             */
+            to_on: string;
+        };
+        /**
          * ClauseRow
          * @description One clause: Markdown with variables in braces; what does not stand is kept, and not in the text.
          */
@@ -6536,6 +7153,68 @@ export interface components {
             created_at: string;
             /** Resolved At */
             resolved_at: string | null;
+        };
+        /**
+         * ComparedBid
+         * @description One bid beside the others.
+         */
+        ComparedBid: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            designer: components["schemas"]["PersonBrief"];
+            /** Is Shortlisted */
+            is_shortlisted: boolean;
+            /**
+             * Sent At
+             * Format: date-time
+             */
+            sent_at: string;
+            /** Resent At */
+            resent_at: string | null;
+            content: components["schemas"]["BidContent"];
+            /**
+             * Amounts Minor
+             * @description Of each line, in the order of the lines.
+             */
+            amounts_minor: number[];
+            /** Total Minor */
+            total_minor: number;
+            /**
+             * Missing
+             * @description Asked lines without an offer: the total is not comparable.
+             */
+            missing: string[];
+            /**
+             * Hourly Rate Minor
+             * @description The total divided by the hours; null without hours.
+             */
+            hourly_rate_minor: number | null;
+            /** Is Below Floor */
+            is_below_floor: boolean;
+            /**
+             * Over Budget Minor
+             * @description Below zero: under it. Null where no budget is named.
+             */
+            over_budget_minor: number | null;
+            /**
+             * Days Late
+             * @description How many days after the posting's last day the work ends.
+             */
+            days_late: number | null;
+            own_scores: components["schemas"]["PersonScores"] | null;
+            /**
+             * Others
+             * @description Null until the caller has given every score of their own.
+             */
+            others: components["schemas"]["PersonScores"][] | null;
+            /**
+             * Scored By
+             * @description How many people have scored it.
+             */
+            scored_by: number;
         };
         /**
          * ComparedRead
@@ -10258,6 +10937,39 @@ export interface components {
             reviewers: number;
         };
         /**
+         * OwnBidRead
+         * @description The caller's own bid.
+         */
+        OwnBidRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            state: components["schemas"]["BidState"];
+            /** Revision */
+            revision: number;
+            content: components["schemas"]["BidContent"];
+            /** Total Minor */
+            total_minor: number;
+            /**
+             * Missing
+             * @description Asked lines that it does not offer.
+             */
+            missing: string[];
+            /** Sent At */
+            sent_at: string | null;
+            /** Resent At */
+            resent_at: string | null;
+            /**
+             * Differs
+             * @description Whether the draft differs from what was sent.
+             */
+            differs: boolean;
+            /** Is Awarded */
+            is_awarded: boolean;
+        };
+        /**
          * Pace
          * @description How a project goes: early warnings for both sides; null where too little has happened for a figure.
          */
@@ -10733,6 +11445,19 @@ export interface components {
             email_verified_at: string | null;
         };
         /**
+         * PersonScores
+         * @description What one person of the team gave a bid.
+         */
+        PersonScores: {
+            person: components["schemas"]["PersonBrief"];
+            /** Scores */
+            scores: {
+                [key: string]: number;
+            };
+            /** Note */
+            note: string;
+        };
+        /**
          * PlaceholderCountdown
          * @description The number of remaining placeholders, without their names.
          */
@@ -10905,6 +11630,401 @@ export interface components {
             price_minor?: number | null;
             /** Estimate Min */
             estimate_min?: number | null;
+        };
+        /**
+         * PostingAdd
+         * @description A posting to write.
+         */
+        PostingAdd: {
+            /** Title */
+            title: string;
+            /**
+             * Text
+             * @default
+             */
+            text: string;
+            /** @default production */
+            phase: components["schemas"]["PostingPhase"];
+            /**
+             * Currency
+             * @default USD
+             */
+            currency: string;
+            /**
+             * Price Minor
+             * @description Of an advisory phase: what the studio pays for it.
+             */
+            price_minor?: number | null;
+            /** Budget Minor */
+            budget_minor?: number | null;
+            /**
+             * Is Budget Shown
+             * @description Whether candidates see the budget.
+             * @default false
+             */
+            is_budget_shown: boolean;
+            /**
+             * Rate Floor Minor
+             * @description An effective hourly rate below it is pointed out to the team.
+             */
+            rate_floor_minor?: number | null;
+            /** @default all */
+            scope: components["schemas"]["AskedScope"];
+            /** Categories */
+            categories?: string[];
+            /** Cue Ids */
+            cue_ids?: string[];
+            /**
+             * Headings
+             * @description What the team scores, 1 to 5 each.
+             */
+            headings?: string[];
+            /**
+             * Bids Until On
+             * @description The last day on which bids are taken.
+             */
+            bids_until_on?: string | null;
+            /** Work From On */
+            work_from_on?: string | null;
+            /** Work To On */
+            work_to_on?: string | null;
+        };
+        /**
+         * PostingAwarded
+         * @description The draft contract that an award opened.
+         */
+        PostingAwarded: {
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /**
+             * Contract Id
+             * Format: uuid
+             */
+            contract_id: string;
+        };
+        /**
+         * PostingChange
+         * @description A posting as it should be.
+         */
+        PostingChange: {
+            /** Title */
+            title: string;
+            /**
+             * Text
+             * @default
+             */
+            text: string;
+            /** @default production */
+            phase: components["schemas"]["PostingPhase"];
+            /**
+             * Currency
+             * @default USD
+             */
+            currency: string;
+            /**
+             * Price Minor
+             * @description Of an advisory phase: what the studio pays for it.
+             */
+            price_minor?: number | null;
+            /** Budget Minor */
+            budget_minor?: number | null;
+            /**
+             * Is Budget Shown
+             * @description Whether candidates see the budget.
+             * @default false
+             */
+            is_budget_shown: boolean;
+            /**
+             * Rate Floor Minor
+             * @description An effective hourly rate below it is pointed out to the team.
+             */
+            rate_floor_minor?: number | null;
+            /** @default all */
+            scope: components["schemas"]["AskedScope"];
+            /** Categories */
+            categories?: string[];
+            /** Cue Ids */
+            cue_ids?: string[];
+            /**
+             * Headings
+             * @description What the team scores, 1 to 5 each.
+             */
+            headings?: string[];
+            /**
+             * Bids Until On
+             * @description The last day on which bids are taken.
+             */
+            bids_until_on?: string | null;
+            /** Work From On */
+            work_from_on?: string | null;
+            /** Work To On */
+            work_to_on?: string | null;
+            /**
+             * Revision
+             * @description The revision that was read.
+             */
+            revision: number;
+        };
+        /**
+         * PostingJoined
+         * @description The posting that the caller may bid on from now on.
+         */
+        PostingJoined: {
+            /**
+             * Posting Id
+             * Format: uuid
+             */
+            posting_id: string;
+        };
+        /**
+         * PostingLink
+         * @description The link of a posting; shown this once.
+         */
+        PostingLink: {
+            /** Url */
+            url: string;
+        };
+        /**
+         * PostingPhase
+         * @description What a posting is about: making sounds, or advice before that.
+         * @enum {string}
+         */
+        PostingPhase: "production" | "advisory";
+        /**
+         * PostingPreview
+         * @description The page of a posting's link, before any account.
+         */
+        PostingPreview: {
+            /** Studio Name */
+            studio_name: string;
+            /**
+             * Project Name
+             * @description Empty while an NDA comes first.
+             */
+            project_name: string;
+            /** Title */
+            title: string;
+            state: components["schemas"]["PostingState"];
+            /** Takes Bids */
+            takes_bids: boolean;
+            phase: components["schemas"]["PostingPhase"];
+            /** Nda Needed */
+            nda_needed: boolean;
+            /** Bids Until On */
+            bids_until_on: string | null;
+            /** Work From On */
+            work_from_on: string | null;
+            /** Work To On */
+            work_to_on: string | null;
+            /** Text */
+            text: string;
+            /** Currency */
+            currency: string;
+            /** Price Minor */
+            price_minor: number | null;
+            /** Budget Minor */
+            budget_minor: number | null;
+            /** Lines */
+            lines: components["schemas"]["AskedLine"][];
+        };
+        /**
+         * PostingQuestionAdd
+         * @description A question about a posting.
+         */
+        PostingQuestionAdd: {
+            /** Text */
+            text: string;
+        };
+        /**
+         * PostingQuestionAnswer
+         * @description The answer to a question, for all candidates or for the one who asked.
+         */
+        PostingQuestionAnswer: {
+            /** Text */
+            text: string;
+            /** Is For All */
+            is_for_all: boolean;
+        };
+        /**
+         * PostingQuestionRead
+         * @description What a candidate asks about a posting, and the answer.
+         */
+        PostingQuestionRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Text */
+            text: string;
+            /** @description Null where another candidate asked. */
+            asked_by: components["schemas"]["PersonBrief"] | null;
+            /**
+             * Asked At
+             * Format: date-time
+             */
+            asked_at: string;
+            /** Answer */
+            answer: string | null;
+            /** Is For All */
+            is_for_all: boolean;
+            /** Answered At */
+            answered_at: string | null;
+        };
+        /**
+         * PostingRead
+         * @description A posting as the caller may see it.
+         */
+        PostingRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /** Project Name */
+            project_name: string;
+            /** Studio Name */
+            studio_name: string;
+            /** Title */
+            title: string;
+            state: components["schemas"]["PostingState"];
+            /** Takes Bids */
+            takes_bids: boolean;
+            /** Bids Until On */
+            bids_until_on: string | null;
+            /** Work From On */
+            work_from_on: string | null;
+            /** Work To On */
+            work_to_on: string | null;
+            phase: components["schemas"]["PostingPhase"];
+            /** Revision */
+            revision: number;
+            /** Currency */
+            currency: string;
+            /**
+             * Nda Open
+             * @description An NDA comes first: until it is signed only title, dates and studio are shown.
+             */
+            nda_open: boolean;
+            /** Is Team */
+            is_team: boolean;
+            /** Text */
+            text: string;
+            /** Price Minor */
+            price_minor: number | null;
+            /**
+             * Budget Minor
+             * @description Null where it is not shown to the caller, or not named.
+             */
+            budget_minor: number | null;
+            /** Is Budget Shown */
+            is_budget_shown: boolean;
+            /**
+             * Rate Floor Minor
+             * @description For the team only.
+             */
+            rate_floor_minor: number | null;
+            scope: components["schemas"]["AskedScope"];
+            /** Categories */
+            categories: string[];
+            /**
+             * Cue Ids
+             * @description For the team only.
+             */
+            cue_ids: string[];
+            /** Lines */
+            lines: components["schemas"]["AskedLine"][];
+            /**
+             * Headings
+             * @description For the team only.
+             */
+            headings: string[];
+            /**
+             * Has Link
+             * @description For the team: whether a link without an invitation is open.
+             */
+            has_link: boolean;
+            /**
+             * Candidates
+             * @description For the team only.
+             */
+            candidates: components["schemas"]["CandidateRead"][];
+            /** Questions */
+            questions: components["schemas"]["PostingQuestionRead"][];
+            /**
+             * Bids
+             * @description For the team: how many were sent.
+             */
+            bids: number | null;
+            own_bid: components["schemas"]["OwnBidRead"] | null;
+            /**
+             * Clashes
+             * @description For the candidate: offers and awards elsewhere in these days.
+             */
+            clashes: components["schemas"]["Clash"][];
+            /** Opened At */
+            opened_at: string | null;
+            /** Closed At */
+            closed_at: string | null;
+            /** Awarded At */
+            awarded_at: string | null;
+            /**
+             * Contract Id
+             * @description For the team: the draft that the award opened.
+             */
+            contract_id: string | null;
+        };
+        /**
+         * PostingState
+         * @description Where a posting is between writing and award.
+         * @enum {string}
+         */
+        PostingState: "draft" | "open" | "closed" | "awarded";
+        /**
+         * PostingSummary
+         * @description A posting in a list.
+         */
+        PostingSummary: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /** Project Name */
+            project_name: string;
+            /** Studio Name */
+            studio_name: string;
+            /** Title */
+            title: string;
+            phase: components["schemas"]["PostingPhase"];
+            state: components["schemas"]["PostingState"];
+            /** Takes Bids */
+            takes_bids: boolean;
+            /** Bids Until On */
+            bids_until_on: string | null;
+            /** Work From On */
+            work_from_on: string | null;
+            /** Work To On */
+            work_to_on: string | null;
+            /**
+             * Bids
+             * @description How many were sent; null for candidates.
+             */
+            bids: number | null;
+            own_bid: components["schemas"]["BidState"] | null;
         };
         /**
          * PresetRead
@@ -11822,6 +12942,21 @@ export interface components {
          */
         Scope: "spec:read" | "list:read" | "checks:write" | "manifest:read" | "deliveries:write";
         /**
+         * ScoresWrite
+         * @description What the caller gives a bid under each heading.
+         */
+        ScoresWrite: {
+            /** Scores */
+            scores: {
+                [key: string]: number;
+            };
+            /**
+             * Note
+             * @default
+             */
+            note: string;
+        };
+        /**
          * SealedPackRead
          * @description A pack, and what is not as it was in the one before.
          */
@@ -12037,6 +13172,14 @@ export interface components {
             max: number[];
             /** Rms */
             rms: number[];
+        };
+        /**
+         * ShortlistWrite
+         * @description Whether a bid is on the shortlist.
+         */
+        ShortlistWrite: {
+            /** Is Shortlisted */
+            is_shortlisted: boolean;
         };
         /**
          * SignInAdd
@@ -18102,6 +19245,1187 @@ export interface operations {
                 };
             };
             /** @description `addition-in-use` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_postings: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PostingSummary"][];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    create_posting: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PostingAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PostingRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_my_postings: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PostingSummary"][];
+                };
+            };
+        };
+    };
+    read_posting: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                posting_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PostingRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    change_posting: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                posting_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PostingChange"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PostingRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-changed`, `wrong-posting-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    open_posting: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                posting_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PostingRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `wrong-posting-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    close_posting: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                posting_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PostingRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `wrong-posting-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    invite_candidate: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                posting_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["CandidateAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PostingRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `wrong-posting-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-address` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-attempts` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    withdraw_candidate: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                posting_id: string;
+                candidate_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-not-found`, `candidate-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    make_posting_link: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                posting_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PostingLink"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    revoke_posting_link: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                posting_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    preview_posting: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                secret: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PostingPreview"];
+                };
+            };
+            /** @description `posting-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    join_posting: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                secret: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PostingJoined"];
+                };
+            };
+            /** @description `posting-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `link-taken`, `own-posting` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    save_bid: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                posting_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["BidWrite"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PostingRead"];
+                };
+            };
+            /** @description `designer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-closed`, `bid-changed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bid-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    send_bid: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                posting_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["BidSend"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PostingRead"];
+                };
+            };
+            /** @description `designer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-closed`, `bid-changed`, `bid-not-sent` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bid-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    withdraw_bid: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                posting_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PostingRead"];
+                };
+            };
+            /** @description `designer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bid-not-sent` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    ask_about_posting: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                posting_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PostingQuestionAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PostingRead"];
+                };
+            };
+            /** @description `designer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    answer_posting_question: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                posting_question_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PostingQuestionAnswer"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PostingRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-question-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-question-answered` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    compare_bids: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                posting_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BidComparison"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    shortlist_bid: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                bid_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ShortlistWrite"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BidComparison"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bid-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bid-not-sent` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    score_bid: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                bid_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ScoresWrite"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BidComparison"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bid-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bid-not-sent` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `scores-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    award_posting: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                bid_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PostingAwarded"];
+                };
+            };
+            /** @description `team-needed`, `producer-needed`, `same-person-on-both-sides` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bid-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bid-not-sent`, `wrong-posting-state`, `no-contract-needed` */
             409: {
                 headers: {
                     [name: string]: unknown;

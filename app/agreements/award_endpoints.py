@@ -1,0 +1,27 @@
+"""The endpoint that awards a posting and opens a draft contract."""
+
+from uuid import UUID
+
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience
+from app.agreements.awards import award
+from app.agreements.errors import NoContractNeeded, SamePersonOnBothSides
+from app.hiring.errors import BidNotFound, BidNotSent, WrongPostingState
+from app.hiring.schemas import PostingAwarded
+from app.kit.http import DbSession, Route, Router, problems
+from app.projects.errors import ProducerNeeded, TeamNeeded
+
+router = Router(prefix="/v1", tags=["postings"], route_class=Route)
+
+
+@router.post(
+    "/bids/{bid_id}/award",
+    status_code=201,
+    responses=problems(
+        BidNotFound, TeamNeeded, ProducerNeeded, BidNotSent, WrongPostingState, NoContractNeeded, SamePersonOnBothSides
+    ),
+)
+def award_posting(bid_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)) -> PostingAwarded:
+    """Award a posting to a bid: its designer is engaged, a draft contract is opened, and the others are thanked."""
+    contract = award(session, actor, bid_id)
+    return PostingAwarded(contract_id=contract.id, project_id=contract.project_id)

@@ -1,0 +1,164 @@
+"""The endpoints of postings."""
+
+from uuid import UUID
+
+from fastapi import APIRouter
+
+from app.accounts.errors import BadAddress, TooManyAttempts
+from app.accounts.policies import allows
+from app.accounts.request_limits import RateLimitedRoute, UnsavedResponseRoute, ensure_invitation_allowed
+from app.accounts.rules import Actor, Audience
+from app.hiring import postings, queries
+from app.hiring.errors import (
+    CandidateNotFound,
+    LinkTaken,
+    OwnPosting,
+    PostingChanged,
+    PostingInvalid,
+    PostingNotFound,
+    WrongPostingState,
+)
+from app.hiring.posting_reads import posting_read, preview, summary
+from app.hiring.schemas import (
+    CandidateAdd,
+    PostingAdd,
+    PostingChange,
+    PostingJoined,
+    PostingLink,
+    PostingPreview,
+    PostingRead,
+    PostingSummary,
+)
+from app.kit.http import CurrentRuntime, DbSession, Router, problems
+from app.projects.errors import ProjectNotFound, TeamNeeded
+
+router = Router(prefix="/v1", tags=["postings"], route_class=RateLimitedRoute)
+_unsaved_router = APIRouter(route_class=UnsavedResponseRoute)
+
+
+def _fields(body: PostingAdd) -> postings.PostingFields:
+    return postings.PostingFields(**{name: getattr(body, name) for name in PostingAdd.model_fields})
+
+
+@router.get("/projects/{project_id}/postings", responses=problems(ProjectNotFound, TeamNeeded))
+def list_postings(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> list[PostingSummary]:
+    """Return the postings of a project, newest first."""
+    found = postings.postings_of(session, actor, project_id)
+    counts = queries.counts_of_bids(session, [posting.id for posting in found])
+    return [summary(posting, sent=counts.get(posting.id, 0), own=None) for posting in found]
+
+
+@router.post(
+    "/projects/{project_id}/postings",
+    status_code=201,
+    responses=problems(ProjectNotFound, TeamNeeded, PostingInvalid),
+)
+def create_posting(
+    project_id: UUID, body: PostingAdd, session: DbSession, actor: Actor = allows(Audience.TEAM)
+) -> PostingRead:
+    """Begin a posting as a draft, its lines counted from the sound list."""
+    posting_id = postings.create_posting(session, actor, project_id, _fields(body))
+    return posting_read(session, actor, posting_id)
+
+
+@router.get("/postings")
+def list_my_postings(session: DbSession, actor: Actor = allows(Audience.PERSON)) -> list[PostingSummary]:
+    """Return the postings that the caller may bid on, newest first."""
+    found = postings.candidate_postings(session, actor)
+    own = queries.own_bids(session, actor.person, [posting.id for posting in found])
+    return [
+        summary(posting, sent=None, own=own.get(posting.id), is_closed=posting.project.nda_needed) for posting in found
+    ]
+
+
+@router.get("/postings/{posting_id}", responses=problems(PostingNotFound, TeamNeeded))
+def read_posting(posting_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> PostingRead:
+    """Return a posting: whole for those who act for the studio, as far as it concerns them for candidates."""
+    return posting_read(session, actor, posting_id)
+
+
+@router.put(
+    "/postings/{posting_id}",
+    responses=problems(PostingNotFound, TeamNeeded, PostingInvalid, PostingChanged, WrongPostingState),
+)
+def change_posting(
+    posting_id: UUID, body: PostingChange, session: DbSession, actor: Actor = allows(Audience.TEAM)
+) -> PostingRead:
+    """Change a posting; what bids are made on is fixed once it is open."""
+    postings.change_posting(session, actor, posting_id, _fields(body), revision=body.revision)
+    return posting_read(session, actor, posting_id)
+
+
+@router.post(
+    "/postings/{posting_id}/open",
+    responses=problems(PostingNotFound, TeamNeeded, PostingInvalid, WrongPostingState),
+)
+def open_posting(posting_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> PostingRead:
+    """Take bids from now on, and mail those who were asked; a closed posting opens again."""
+    postings.open_posting(session, actor, posting_id)
+    return posting_read(session, actor, posting_id)
+
+
+@router.post("/postings/{posting_id}/close", responses=problems(PostingNotFound, TeamNeeded, WrongPostingState))
+def close_posting(posting_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> PostingRead:
+    """Take no more bids."""
+    postings.close_posting(session, actor, posting_id)
+    return posting_read(session, actor, posting_id)
+
+
+@router.post(
+    "/postings/{posting_id}/candidates",
+    status_code=201,
+    responses=problems(PostingNotFound, TeamNeeded, BadAddress, TooManyAttempts, WrongPostingState),
+)
+def invite_candidate(
+    posting_id: UUID, body: CandidateAdd, session: DbSession, actor: Actor = allows(Audience.TEAM)
+) -> PostingRead:
+    """Ask a person for a bid: by mail at once, or when the posting opens."""
+    postings.posting_seen(session, actor, posting_id).ensure_team()
+    ensure_invitation_allowed(session, actor)
+    postings.invite(session, actor, posting_id, body.email)
+    return posting_read(session, actor, posting_id)
+
+
+@router.delete(
+    "/postings/{posting_id}/candidates/{candidate_id}",
+    status_code=204,
+    responses=problems(PostingNotFound, TeamNeeded, CandidateNotFound),
+)
+def withdraw_candidate(
+    posting_id: UUID, candidate_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)
+) -> None:
+    """Take a person off the posting."""
+    postings.withdraw_invitation(session, actor, posting_id, candidate_id)
+
+
+@_unsaved_router.post("/postings/{posting_id}/link", status_code=201, responses=problems(PostingNotFound, TeamNeeded))
+def make_posting_link(
+    posting_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Audience.TEAM)
+) -> PostingLink:
+    """Make a link that shows the posting without an invitation; an earlier one stops working."""
+    secret = postings.make_link(session, actor, posting_id)
+    return PostingLink(url=f"{runtime.settings.base_url}/posting/{secret}")
+
+
+@router.delete("/postings/{posting_id}/link", status_code=204, responses=problems(PostingNotFound, TeamNeeded))
+def revoke_posting_link(posting_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> None:
+    """Withdraw the link; who came by it stays."""
+    postings.revoke_link(session, actor, posting_id)
+
+
+@router.get("/posting-links/{secret}", responses=problems(PostingNotFound))
+def preview_posting(secret: str, session: DbSession, actor: Actor = allows(Audience.ANYONE)) -> PostingPreview:
+    """Show a posting to whoever has its link: all of it, or title, dates and studio while an NDA comes first."""
+    posting, is_closed = postings.preview(session, actor, secret)
+    return preview(posting, is_closed=is_closed)
+
+
+@router.post("/posting-links/{secret}/join", responses=problems(PostingNotFound, LinkTaken, OwnPosting))
+def join_posting(secret: str, session: DbSession, actor: Actor = allows(Audience.PERSON)) -> PostingJoined:
+    """Let the caller bid on the posting behind a link."""
+    return PostingJoined(posting_id=postings.join(session, actor, secret))
+
+
+router.include_router(_unsaved_router)

@@ -1,0 +1,63 @@
+"""Errors of this room, each named after the fact."""
+
+from app.kit.errors import Conflict, Invalid, NotFound
+
+
+class PostingNotFound(NotFound):
+    """No posting of that id, or behind that link, within the caller's sight."""
+
+
+class BidNotFound(NotFound):
+    """No bid of that id within the caller's sight."""
+
+
+class CandidateNotFound(NotFound):
+    """The posting has no invited person of that id."""
+
+
+class PostingQuestionNotFound(NotFound):
+    """No question of that id within the caller's sight."""
+
+
+class WrongPostingState(Conflict):
+    """The posting is not in a state in which this can be done."""
+
+
+class PostingClosed(Conflict):
+    """The posting takes no bids: it is closed, awarded, or its last day is over."""
+
+
+class PostingChanged(Conflict):
+    """Another person changed the posting since it was read."""
+
+
+class BidChanged(Conflict):
+    """The bid was changed in another window since it was read."""
+
+
+class BidNotSent(Conflict):
+    """The bid was not sent, or was withdrawn."""
+
+
+class LinkTaken(Conflict):
+    """The personal link of a posting was used by another account."""
+
+
+class PostingQuestionAnswered(Conflict):
+    """The question has its answer."""
+
+
+class OwnPosting(Conflict):
+    """The caller is a member of the studio that posted it."""
+
+
+class PostingInvalid(Invalid):
+    """The posting does not hold together; `errors` names each field."""
+
+
+class BidInvalid(Invalid):
+    """The bid does not hold together; `errors` names each field."""
+
+
+class ScoresInvalid(Invalid):
+    """A score is not of one of the posting's headings."""

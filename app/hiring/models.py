@@ -1,0 +1,130 @@
+"""The tables of this room."""
+
+from datetime import date, datetime
+from typing import Any
+from uuid import UUID
+
+from sqlalchemy import BigInteger, ForeignKey, UniqueConstraint
+from sqlalchemy.orm import Mapped, mapped_column, relationship
+
+from app.accounts.models import MailedLink, Person
+from app.hiring.rules import AskedScope, BidState, PostingPhase, PostingState
+from app.kit import clock
+from app.kit.db import Base, new_id
+from app.projects.models import Project
+
+
+class Posting(Base):
+    """Work that a studio offers: what is asked for, when, and how it is open."""
+
+    __tablename__ = "hiring_postings"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    title: Mapped[str]
+    text: Mapped[str] = mapped_column(default="")
+    phase: Mapped[PostingPhase]
+    state: Mapped[PostingState] = mapped_column(default=PostingState.DRAFT)
+    revision: Mapped[int] = mapped_column(default=1)  # counts changes; a change names the one that was read
+    currency: Mapped[str]  # ISO 4217
+    price_minor: Mapped[int | None] = mapped_column(BigInteger)  # of an advisory phase, where the studio names it
+    budget_minor: Mapped[int | None] = mapped_column(BigInteger)
+    is_budget_shown: Mapped[bool] = mapped_column(default=False)
+    rate_floor_minor: Mapped[int | None] = mapped_column(BigInteger)  # an hour below it is pointed out to the team
+    scope: Mapped[AskedScope]
+    categories: Mapped[list[str]]
+    cue_ids: Mapped[list[str]]
+    lines: Mapped[list[dict[str, Any]]]  # counted from the list; fixed once the posting is open
+    headings: Mapped[list[str]]  # what the team scores
+    bids_until_on: Mapped[date | None]
+    work_from_on: Mapped[date | None]
+    work_to_on: Mapped[date | None]
+    secret_sha256: Mapped[str | None] = mapped_column(unique=True)  # of the link for everyone; None: there is none
+    created_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    opened_at: Mapped[datetime | None]
+    closed_at: Mapped[datetime | None]
+    awarded_bid_id: Mapped[UUID | None]
+    awarded_at: Mapped[datetime | None]
+    contract_id: Mapped[UUID | None]  # the draft that the award opened; a higher room's, so no foreign key
+    project: Mapped[Project] = relationship(lazy="raise")
+
+
+class Candidate(MailedLink, Base):
+    """A person who may bid on a posting: invited by mail, or come by its link."""
+
+    __tablename__ = "hiring_candidates"
+    __table_args__ = (UniqueConstraint("posting_id", "email"), UniqueConstraint("posting_id", "person_id"))
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    posting_id: Mapped[UUID] = mapped_column(ForeignKey("hiring_postings.id"))
+    email: Mapped[str]
+    person_id: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"), index=True)
+    invited_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: came by the link
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    expires_at: Mapped[datetime]
+    joined_at: Mapped[datetime | None]
+    revoked_at: Mapped[datetime | None]
+    posting: Mapped[Posting] = relationship(lazy="raise")
+    person: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[person_id])
+
+
+class Bid(Base):
+    """A designer's offer on a posting: as it is typed, and as it was sent last."""
+
+    __tablename__ = "hiring_bids"
+    __table_args__ = (UniqueConstraint("posting_id", "designer_id"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    posting_id: Mapped[UUID] = mapped_column(ForeignKey("hiring_postings.id"))
+    designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
+    state: Mapped[BidState] = mapped_column(default=BidState.DRAFT)
+    revision: Mapped[int] = mapped_column(default=0)
+    content: Mapped[dict[str, Any]]  # as the designer has it; the studio does not see it
+    sent: Mapped[dict[str, Any] | None]  # as the studio sees it
+    sent_at: Mapped[datetime | None]  # the first time: its place in the comparison
+    resent_at: Mapped[datetime | None]
+    changed_at: Mapped[datetime] = mapped_column(default=clock.now)
+    is_shortlisted: Mapped[bool] = mapped_column(default=False)
+    posting: Mapped[Posting] = relationship(lazy="raise")
+    designer: Mapped[Person] = relationship(lazy="raise")
+
+
+class PostingQuestion(Base):
+    """What a candidate asks about a posting, and the team's answer, for all or for one."""
+
+    __tablename__ = "hiring_questions"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    posting_id: Mapped[UUID] = mapped_column(ForeignKey("hiring_postings.id"), index=True)
+    text: Mapped[str]
+    asked_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    asked_at: Mapped[datetime] = mapped_column(default=clock.now)
+    answer: Mapped[str | None]
+    is_for_all: Mapped[bool] = mapped_column(default=False)
+    answered_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
+    answered_at: Mapped[datetime | None]
+    posting: Mapped[Posting] = relationship(lazy="raise")
+    asker: Mapped[Person] = relationship(lazy="raise", foreign_keys=[asked_by])
+
+
+class Score(Base):
+    """What one person of the team gives a bid under each heading, 1 to 5, with a note."""
+
+    __tablename__ = "hiring_scores"
+
+    bid_id: Mapped[UUID] = mapped_column(ForeignKey("hiring_bids.id"), primary_key=True)
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), primary_key=True)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    scores: Mapped[dict[str, Any]]  # by heading
+    note: Mapped[str] = mapped_column(default="")
+    changed_at: Mapped[datetime] = mapped_column(default=clock.now)
+    person: Mapped[Person] = relationship(lazy="raise")

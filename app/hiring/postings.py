@@ -1,0 +1,303 @@
+"""Postings: written, opened, closed, and who is asked."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from datetime import date, timedelta
+from typing import Any
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.authentication import new_secret, sha256_of
+from app.accounts.models import Person
+from app.accounts.rules import Actor, ensure_address
+from app.hiring import queries
+from app.hiring.access import PostingAccess, is_nda_open, posting_access, posting_for_team, today_of
+from app.hiring.errors import (
+    CandidateNotFound,
+    LinkTaken,
+    OwnPosting,
+    PostingChanged,
+    PostingInvalid,
+    PostingNotFound,
+    WrongPostingState,
+)
+from app.hiring.models import Candidate, Posting
+from app.hiring.rules import (
+    AskedScope,
+    PostingPhase,
+    PostingState,
+    asked_lines,
+    ensure_can_open,
+    ensure_dates_in_order,
+)
+from app.kit import clock
+from app.kit.db import bypass_row_policies, widen_reach
+from app.kit.errors import FieldProblem
+from app.kit.events import publish
+from app.kit.reach import Reach
+from app.projects.service import project_access
+
+LINK_LIFETIME = timedelta(days=90)
+
+
+@dataclass(frozen=True)
+class PostingFields:
+    """What a posting says."""
+
+    title: str
+    text: str
+    phase: PostingPhase
+    currency: str
+    price_minor: int | None
+    budget_minor: int | None
+    is_budget_shown: bool
+    rate_floor_minor: int | None
+    scope: AskedScope
+    categories: Sequence[str]
+    cue_ids: Sequence[UUID]
+    headings: Sequence[str]
+    bids_until_on: date | None
+    work_from_on: date | None
+    work_to_on: date | None
+
+
+FIXED_ONCE_OPEN = ("phase", "currency", "scope", "categories", "cue_ids")  # what bids are made on
+
+
+def postings_of(session: Session, actor: Actor, project_id: UUID) -> Sequence[Posting]:
+    """Return the postings of a project, newest first, for those who act for the studio."""
+    project_access(session, actor, project_id).ensure_may_speak()
+    return queries.postings_in(session, project_id)
+
+
+def create_posting(session: Session, actor: Actor, project_id: UUID, fields: PostingFields) -> UUID:
+    """Begin a posting as a draft, its lines counted from the list."""
+    access = project_access(session, actor, project_id)
+    access.ensure_may_speak()
+    posting = Posting(
+        studio_id=access.project.studio_id, project_id=project_id, state=PostingState.DRAFT, created_by=actor.person
+    )
+    _put(session, posting, fields)
+    session.add(posting)
+    session.flush()
+    return posting.id
+
+
+def change_posting(session: Session, actor: Actor, posting_id: UUID, fields: PostingFields, *, revision: int) -> None:
+    """Change a posting; what bids are made on is fixed once it is open."""
+    posting = posting_for_team(session, actor, posting_id)
+    if posting.revision != revision:
+        raise PostingChanged("someone changed this posting since you read it", fix="read it again, then save yours")
+    if posting.state is PostingState.AWARDED:
+        raise WrongPostingState("this posting is awarded")
+    if posting.state is not PostingState.DRAFT:
+        new = _as_stored(fields)
+        moved = [name for name in FIXED_ONCE_OPEN if new[name] != getattr(posting, name)]
+        if moved:
+            message = "is fixed once the posting is open, since bids are made on it"
+            errors = [FieldProblem(where=name, message=message) for name in moved]
+            raise PostingInvalid(f"{moved[0]} {message}", errors=errors, fix="write another posting for other sounds")
+    _put(session, posting, fields)
+    posting.revision += 1
+    session.flush()
+
+
+def _as_stored(fields: PostingFields) -> dict[str, Any]:
+    stored = vars(fields) | {"headings": list(dict.fromkeys(fields.headings))}
+    stored["categories"] = sorted(set(fields.categories)) if fields.scope is AskedScope.CATEGORIES else []
+    stored["cue_ids"] = sorted({str(one) for one in fields.cue_ids}) if fields.scope is AskedScope.CUES else []
+    return stored
+
+
+def _put(session: Session, posting: Posting, fields: PostingFields) -> None:
+    errors = ensure_dates_in_order(fields.work_from_on, fields.work_to_on, names=("work_from_on", "work_to_on"))
+    if errors:
+        raise PostingInvalid("; ".join(f"{one['where']} {one['message']}" for one in errors), errors=errors)
+    for name, value in _as_stored(fields).items():
+        setattr(posting, name, value)
+    if posting.state is PostingState.DRAFT:
+        posting.lines = _count(session, posting)
+
+
+def _count(session: Session, posting: Posting) -> list[dict[str, Any]]:
+    cues = queries.counted_cues(session, posting.project_id)
+    if posting.scope is AskedScope.CATEGORIES:
+        cues = [cue for cue in cues if cue.category in posting.categories]
+    elif posting.scope is AskedScope.CUES:
+        chosen = set(posting.cue_ids)
+        cues = [cue for cue in cues if cue.id in chosen]
+    return asked_lines(cues)
+
+
+def asked_cue_ids(session: Session, posting: Posting, keys: Sequence[str]) -> list[UUID]:
+    """Return the cues of a posting whose lines have these keys, in list order."""
+    chosen = set(posting.cue_ids) if posting.scope is AskedScope.CUES else None
+    return [
+        UUID(cue.id)
+        for cue in queries.counted_cues(session, posting.project_id)
+        if cue.category in keys and (chosen is None or cue.id in chosen)
+    ]
+
+
+def open_posting(session: Session, actor: Actor, posting_id: UUID) -> None:
+    """Take bids from now on, and mail those who were asked; a closed posting opens again."""
+    posting = posting_for_team(session, actor, posting_id)
+    is_first = posting.state is PostingState.DRAFT
+    if is_first:
+        posting.lines = _count(session, posting)
+    ensure_can_open(
+        posting.state,
+        lines=len(posting.lines),
+        phase=posting.phase,
+        until=posting.bids_until_on,
+        today=today_of(posting),
+    )
+    posting.state, posting.closed_at = PostingState.OPEN, None
+    posting.opened_at = posting.opened_at or clock.now()
+    posting.revision += 1
+    session.flush()
+    if is_first:
+        for candidate in queries.candidates_of(session, posting_id):
+            _mail(session, posting, candidate)
+
+
+def close_posting(session: Session, actor: Actor, posting_id: UUID) -> None:
+    """Take no more bids."""
+    posting = posting_for_team(session, actor, posting_id)
+    if posting.state is not PostingState.OPEN:
+        raise WrongPostingState(f"this posting is {posting.state.value}")
+    posting.state, posting.closed_at = PostingState.CLOSED, clock.now()
+    posting.revision += 1
+    session.flush()
+
+
+def invite(session: Session, actor: Actor, posting_id: UUID, email: str) -> None:
+    """Ask a person for a bid: by mail at once, or when the posting opens."""
+    posting = posting_for_team(session, actor, posting_id)
+    if posting.state is PostingState.AWARDED:
+        raise WrongPostingState("this posting is awarded")
+    address = ensure_address(email)
+    candidate = queries.candidate_by_address(session, posting_id, address)
+    if candidate is None:
+        candidate = Candidate(
+            studio_id=posting.studio_id, project_id=posting.project_id, posting_id=posting_id, email=address
+        )
+        session.add(candidate)
+    candidate.invited_by, candidate.revoked_at = actor.person, None
+    candidate.expires_at = clock.now() + LINK_LIFETIME
+    session.flush()
+    if posting.state is not PostingState.DRAFT:
+        _mail(session, posting, candidate)
+
+
+def _mail(session: Session, posting: Posting, candidate: Candidate) -> None:
+    if candidate.invited_by is None:
+        return
+    publish(
+        session,
+        "posting.shared",
+        studio_id=posting.studio_id,
+        project_id=posting.project_id,
+        recipient=candidate.email,
+        link_id=candidate.id,
+        subject_name=posting.title,
+        from_name=posting.project.studio.name,
+    )
+
+
+def withdraw_invitation(session: Session, actor: Actor, posting_id: UUID, candidate_id: UUID) -> None:
+    """Take a person off the posting: their link shows nothing any more, and they see the posting no longer."""
+    posting = posting_for_team(session, actor, posting_id)
+    for candidate in queries.candidates_of(session, posting.id):
+        if candidate.id == candidate_id:
+            candidate.revoked_at = clock.now()
+            session.flush()
+            return
+    raise CandidateNotFound(f"no candidate {candidate_id} of this posting")
+
+
+def make_link(session: Session, actor: Actor, posting_id: UUID) -> str:
+    """Return the secret of a new link for everyone; an earlier one stops working."""
+    posting = posting_for_team(session, actor, posting_id)
+    secret = new_secret()
+    posting.secret_sha256 = sha256_of(secret)
+    session.flush()
+    return secret
+
+
+def revoke_link(session: Session, actor: Actor, posting_id: UUID) -> None:
+    """Withdraw the link for everyone; who came by it stays."""
+    posting_for_team(session, actor, posting_id).secret_sha256 = None
+    session.flush()
+
+
+def posting_by_link(session: Session, secret: str) -> tuple[Posting, Candidate | None]:
+    """Return the posting behind a link, with its project and studio, and whose personal link it is.
+
+    Raises PostingNotFound for a link that is unknown, withdrawn or too old, and for a draft.
+    """
+    with bypass_row_policies(session):  # only the secret identifies the posting
+        found = queries.posting_by_secret(session, sha256_of(secret))
+    if found is None or found[0].state is PostingState.DRAFT:
+        raise PostingNotFound("this link is unknown, withdrawn or expired", fix="ask the studio for a new one")
+    return found
+
+
+def join(session: Session, actor: Actor, secret: str) -> UUID:
+    """Let the caller bid on the posting behind a link; a personal link belongs to the first account that uses it."""
+    posting, candidate = posting_by_link(session, secret)
+    if actor.roles_in(posting.studio_id):
+        raise OwnPosting("you are a member of the studio that posted this", fix="open it under Project, Postings")
+    with bypass_row_policies(session):  # the person who joins cannot see the project yet
+        person = session.get_one(Person, actor.person)
+        own = queries.candidate_by_person(session, posting.id, person.id)
+        if own is not None and own.revoked_at is None:
+            return posting.id
+        if candidate is not None and candidate.person_id is not None:
+            raise LinkTaken("another account has used this link", fix="sign in with that account, or ask the studio")
+        if own is not None:
+            raise PostingNotFound("the studio took you off this posting", fix="ask the studio")
+        if candidate is None:
+            candidate = queries.candidate_by_address(session, posting.id, person.email)
+        if candidate is None or candidate.revoked_at is not None:
+            candidate = candidate or Candidate(
+                studio_id=posting.studio_id,
+                project_id=posting.project_id,
+                posting_id=posting.id,
+                email=person.email,
+                expires_at=clock.now() + LINK_LIFETIME,
+            )
+            if candidate.revoked_at is not None:
+                raise PostingNotFound("the studio took you off this posting", fix="ask the studio")
+            session.add(candidate)
+        candidate.person_id, candidate.joined_at = person.id, clock.now()
+        session.flush()
+    return posting.id
+
+
+def preview(session: Session, actor: Actor, secret: str) -> tuple[Posting, bool]:
+    """Return the posting behind a link, and whether an NDA keeps what it asks for from the caller."""
+    posting, _ = posting_by_link(session, secret)
+    if actor.person_id is None:
+        return posting, posting.project.nda_needed
+    if actor.roles_in(posting.studio_id):
+        return posting, False
+    widen_reach(session, Reach(person_id=actor.person_id, project_id=posting.project_id))
+    return posting, is_nda_open(session, posting, actor.person_id)
+
+
+def candidate_postings(session: Session, actor: Actor) -> Sequence[Posting]:
+    """Return the postings that the caller may bid on, newest first."""
+    with bypass_row_policies(session):  # candidates are not engaged; the query keeps to the caller's own
+        return queries.postings_of_candidate(session, actor.person)
+
+
+def posting_seen(session: Session, actor: Actor, posting_id: UUID) -> PostingAccess:
+    """Return the caller's place at a posting: those who act for the studio, and candidates once it is open."""
+    access = posting_access(session, actor, posting_id)
+    if access.team is not None:
+        access.ensure_team()
+    elif access.posting.state is PostingState.DRAFT:
+        raise PostingNotFound(f"no posting {posting_id}")
+    return access

@@ -1,0 +1,327 @@
+"""Bodies that this room reads and answers."""
+
+from datetime import date, datetime
+from typing import Annotated
+from uuid import UUID
+
+from pydantic import Field, StringConstraints
+
+from app.accounts.schemas import Email, Line, PersonBrief, Prose
+from app.hiring.rules import (
+    DEFAULT_HEADINGS,
+    AskedScope,
+    BidLineKind,
+    BidState,
+    BidUnit,
+    PostingPhase,
+    PostingState,
+)
+from app.kit.http import LARGEST_NUMBER, Schema
+
+Currency = Annotated[str, StringConstraints(strip_whitespace=True, pattern="^[A-Z]{3}$")]
+Minor = Annotated[int, Field(ge=0, le=10**10)]  # of one line; its amount stays a whole number in every reader
+Hundredths = Annotated[int, Field(ge=0, le=10**6)]
+Revision = Annotated[int, Field(ge=0, le=LARGEST_NUMBER)]
+Key = Annotated[str, StringConstraints(strip_whitespace=False, max_length=200, pattern="^[^\\x00]*$")]
+Asked = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=2000, pattern="^[^\\x00]*$")]
+Heading = Annotated[Line, Field(max_length=60)]
+
+
+class PostingAdd(Schema):
+    """A posting to write."""
+
+    title: Line
+    text: Prose = ""
+    phase: PostingPhase = PostingPhase.PRODUCTION
+    currency: Currency = "USD"
+    price_minor: Minor | None = Field(default=None, description="Of an advisory phase: what the studio pays for it.")
+    budget_minor: Minor | None = None
+    is_budget_shown: bool = Field(default=False, description="Whether candidates see the budget.")
+    rate_floor_minor: Minor | None = Field(
+        default=None, description="An effective hourly rate below it is pointed out to the team."
+    )
+    scope: AskedScope = AskedScope.ALL
+    categories: Annotated[list[Key], Field(max_length=200)] = Field(default_factory=list)
+    cue_ids: Annotated[list[UUID], Field(max_length=5000)] = Field(default_factory=list)
+    headings: Annotated[list[Heading], Field(min_length=1, max_length=12)] = Field(
+        default_factory=lambda: list(DEFAULT_HEADINGS), description="What the team scores, 1 to 5 each."
+    )
+    bids_until_on: date | None = Field(default=None, description="The last day on which bids are taken.")
+    work_from_on: date | None = None
+    work_to_on: date | None = None
+
+
+class PostingChange(PostingAdd):
+    """A posting as it should be."""
+
+    revision: Revision = Field(description="The revision that was read.")
+
+
+class AskedLine(Schema):
+    """One line that every bid is made on, counted from the sound list."""
+
+    key: str = Field(description="The category; empty for cues without one.")
+    label: str
+    cues: int
+    files: int
+
+
+class CandidateRead(Schema):
+    """A person who may bid."""
+
+    id: UUID
+    email: str
+    person: PersonBrief | None = Field(description="Null until the link was opened with an account.")
+    is_invited: bool = Field(description="False where the person came by the posting's link.")
+    joined_at: datetime | None
+    created_at: datetime
+
+
+class PostingQuestionRead(Schema):
+    """What a candidate asks about a posting, and the answer."""
+
+    id: UUID
+    text: str
+    asked_by: PersonBrief | None = Field(description="Null where another candidate asked.")
+    asked_at: datetime
+    answer: str | None
+    is_for_all: bool
+    answered_at: datetime | None
+
+
+class BidLine(Schema):
+    """One line of a bid."""
+
+    key: Key = Field(description="The asked line's key; for an extra, words that tell it from others of its kind.")
+    kind: BidLineKind
+    unit: BidUnit
+    quantity_hundredths: Hundredths = Field(description="300 for three cues, 750 for seven and a half hours.")
+    price_minor: Minor = Field(description="For one cue, one hour, or the whole.")
+    note: Annotated[str, StringConstraints(strip_whitespace=True, max_length=500, pattern="^[^\\x00]*$")] = ""
+
+
+class BidContent(Schema):
+    """What a designer offers."""
+
+    lines: Annotated[list[BidLine], Field(max_length=100)]
+    hours_hundredths: Hundredths | None = Field(default=None, description="The whole work in hours: 16000 for 160.")
+    from_on: date | None = None
+    to_on: date | None = None
+    note: Prose = ""
+
+
+class BidWrite(BidContent):
+    """A designer's own bid, to keep as a draft."""
+
+    revision: Revision = Field(description="The revision that was read; 0 for a bid that begins.")
+
+
+class BidSend(Schema):
+    """A bid to send."""
+
+    revision: Revision = Field(description="The revision that was read: what is sent is what was seen.")
+
+
+class Clash(Schema):
+    """An offer or award elsewhere, in the days of this posting."""
+
+    title: str
+    is_awarded: bool
+    from_on: date
+    to_on: date
+
+
+class OwnBidRead(Schema):
+    """The caller's own bid."""
+
+    id: UUID
+    state: BidState
+    revision: int
+    content: BidContent
+    total_minor: int
+    missing: list[str] = Field(description="Asked lines that it does not offer.")
+    sent_at: datetime | None
+    resent_at: datetime | None
+    differs: bool = Field(description="Whether the draft differs from what was sent.")
+    is_awarded: bool
+
+
+class PostingSummary(Schema):
+    """A posting in a list."""
+
+    id: UUID
+    project_id: UUID
+    project_name: str
+    studio_name: str
+    title: str
+    phase: PostingPhase
+    state: PostingState
+    takes_bids: bool
+    bids_until_on: date | None
+    work_from_on: date | None
+    work_to_on: date | None
+    bids: int | None = Field(description="How many were sent; null for candidates.")
+    own_bid: BidState | None
+
+
+class PostingRead(Schema):
+    """A posting as the caller may see it."""
+
+    id: UUID
+    project_id: UUID
+    project_name: str
+    studio_name: str
+    title: str
+    state: PostingState
+    takes_bids: bool
+    bids_until_on: date | None
+    work_from_on: date | None
+    work_to_on: date | None
+    phase: PostingPhase
+    revision: int
+    currency: str
+    nda_open: bool = Field(description="An NDA comes first: until it is signed only title, dates and studio are shown.")
+    is_team: bool
+    text: str
+    price_minor: int | None
+    budget_minor: int | None = Field(description="Null where it is not shown to the caller, or not named.")
+    is_budget_shown: bool
+    rate_floor_minor: int | None = Field(description="For the team only.")
+    scope: AskedScope
+    categories: list[str]
+    cue_ids: list[UUID] = Field(description="For the team only.")
+    lines: list[AskedLine]
+    headings: list[str] = Field(description="For the team only.")
+    has_link: bool = Field(description="For the team: whether a link without an invitation is open.")
+    candidates: list[CandidateRead] = Field(description="For the team only.")
+    questions: list[PostingQuestionRead]
+    bids: int | None = Field(description="For the team: how many were sent.")
+    own_bid: OwnBidRead | None
+    clashes: list[Clash] = Field(description="For the candidate: offers and awards elsewhere in these days.")
+    opened_at: datetime | None
+    closed_at: datetime | None
+    awarded_at: datetime | None
+    contract_id: UUID | None = Field(description="For the team: the draft that the award opened.")
+
+
+class CandidateAdd(Schema):
+    """An address to invite."""
+
+    email: Email
+
+
+class PostingLink(Schema):
+    """The link of a posting; shown this once."""
+
+    url: str
+
+
+class PostingPreview(Schema):
+    """The page of a posting's link, before any account."""
+
+    studio_name: str
+    project_name: str = Field(description="Empty while an NDA comes first.")
+    title: str
+    state: PostingState
+    takes_bids: bool
+    phase: PostingPhase
+    nda_needed: bool
+    bids_until_on: date | None
+    work_from_on: date | None
+    work_to_on: date | None
+    text: str
+    currency: str
+    price_minor: int | None
+    budget_minor: int | None
+    lines: list[AskedLine]
+
+
+class PostingJoined(Schema):
+    """The posting that the caller may bid on from now on."""
+
+    posting_id: UUID
+
+
+class PostingQuestionAdd(Schema):
+    """A question about a posting."""
+
+    text: Asked
+
+
+class PostingQuestionAnswer(Schema):
+    """The answer to a question, for all candidates or for the one who asked."""
+
+    text: Asked
+    is_for_all: bool
+
+
+class ShortlistWrite(Schema):
+    """Whether a bid is on the shortlist."""
+
+    is_shortlisted: bool
+
+
+ScoreValue = Annotated[int, Field(ge=1, le=5)]
+
+
+class ScoresWrite(Schema):
+    """What the caller gives a bid under each heading."""
+
+    scores: Annotated[dict[str, ScoreValue], Field(max_length=12)]
+    note: Prose = ""
+
+
+class PersonScores(Schema):
+    """What one person of the team gave a bid."""
+
+    person: PersonBrief
+    scores: dict[str, int]
+    note: str
+
+
+class ComparedBid(Schema):
+    """One bid beside the others."""
+
+    id: UUID
+    designer: PersonBrief
+    is_shortlisted: bool
+    sent_at: datetime
+    resent_at: datetime | None
+    content: BidContent
+    amounts_minor: list[int] = Field(description="Of each line, in the order of the lines.")
+    total_minor: int
+    missing: list[str] = Field(description="Asked lines without an offer: the total is not comparable.")
+    hourly_rate_minor: int | None = Field(description="The total divided by the hours; null without hours.")
+    is_below_floor: bool
+    over_budget_minor: int | None = Field(description="Below zero: under it. Null where no budget is named.")
+    days_late: int | None = Field(description="How many days after the posting's last day the work ends.")
+    own_scores: PersonScores | None
+    others: list[PersonScores] | None = Field(description="Null until the caller has given every score of their own.")
+    scored_by: int = Field(description="How many people have scored it.")
+
+
+class BidComparison(Schema):
+    """The bids of a posting on the same lines; those shortlisted first, then the first sent first."""
+
+    posting_id: UUID
+    title: str
+    state: PostingState
+    currency: str
+    budget_minor: int | None
+    rate_floor_minor: int | None
+    work_from_on: date | None
+    work_to_on: date | None
+    headings: list[str]
+    lines: list[AskedLine]
+    bids: list[ComparedBid]
+    awarded_bid_id: UUID | None
+    contract_id: UUID | None
+    may_award: bool
+    pending: list[str] = Field(description="Who was invited and has not sent a bid: names, or addresses.")
+
+
+class PostingAwarded(Schema):
+    """The draft contract that an award opened."""
+
+    project_id: UUID
+    contract_id: UUID

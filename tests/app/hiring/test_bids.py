@@ -1,0 +1,244 @@
+"""Bids: drafts, sent ones, the comparison with the team's scores, and the award that opens a draft contract."""
+
+from typing import Any
+
+import pytest
+from fastapi.testclient import TestClient
+from httpx import Response
+from sqlalchemy import select
+
+from app.notifications.models import Mail
+from app.projects.models import Engagement
+from tests.app.hiring.test_postings import add_cues, join, mails_to, opened
+from tests.support.server import World
+
+DATES = {"work_from_on": "2027-01-04", "work_to_on": "2027-03-31"}
+
+
+def line(key: str, price_minor: int, quantity: int, **more: Any) -> dict[str, Any]:
+    return {
+        "key": key,
+        "kind": "asked",
+        "unit": "per_cue",
+        "quantity_hundredths": 100 * quantity,
+        "price_minor": price_minor,
+        **more,
+    }
+
+
+WHOLE = [line("footsteps", 27_000, 3), line("ui", 15_000, 1)]
+
+
+def save(by: TestClient, posting: dict[str, Any], lines: list[dict[str, Any]], **more: Any) -> Response:
+    body = {"lines": lines, "revision": 0, **more}
+    return by.put(f"/v1/postings/{posting['id']}/bid", json=body)
+
+
+def send(
+    world: World, posting: dict[str, Any], by: TestClient, lines: list[dict[str, Any]], **more: Any
+) -> dict[str, Any]:
+    """Join, save and send; return the posting as its candidate sees it."""
+    join(world, posting, by)
+    saved = save(by, posting, lines, **more)
+    assert saved.status_code == 200, saved.text
+    sent = by.post(f"/v1/postings/{posting['id']}/bid/send", json={"revision": saved.json()["own_bid"]["revision"]})
+    assert sent.status_code == 200, sent.text
+    return dict(sent.json())
+
+
+def compared(world: World, posting: dict[str, Any], by: TestClient | None = None) -> dict[str, Any]:
+    answer = (by or world.producer).get(f"/v1/postings/{posting['id']}/bids")
+    assert answer.status_code == 200, answer.text
+    return dict(answer.json())
+
+
+@pytest.fixture
+def posting(world: World) -> dict[str, Any]:
+    """An open posting for three footsteps and a click."""
+    add_cues(world)
+    return opened(world, budget_minor=90_000, rate_floor_minor=4_000, **DATES)
+
+
+@pytest.mark.both_databases
+def test_the_studio_sees_a_bid_once_it_is_sent_and_as_it_was_sent(world: World, posting: dict[str, Any]) -> None:
+    join(world, posting, world.other_designer)
+    draft = save(world.other_designer, posting, WHOLE, hours_hundredths=2_400).json()["own_bid"]
+    assert (draft["state"], draft["total_minor"], draft["missing"]) == ("draft", 96_000, [])
+    assert compared(world, posting)["bids"] == []
+    path = f"/v1/postings/{posting['id']}/bid"
+    sent = world.other_designer.post(f"{path}/send", json={"revision": 1}).json()["own_bid"]
+    assert (sent["state"], sent["differs"]) == ("sent", False)
+    typed = save(world.other_designer, posting, WHOLE[:1], revision=1).json()["own_bid"]
+    assert (typed["differs"], typed["total_minor"], typed["missing"]) == (True, 81_000, ["UI"])
+    (bid,) = compared(world, posting)["bids"]
+    assert (bid["total_minor"], bid["amounts_minor"], bid["missing"]) == (96_000, [81_000, 15_000], [])
+    assert (bid["hourly_rate_minor"], bid["is_below_floor"], bid["over_budget_minor"]) == (4_000, False, 6_000)
+    world.other_designer.post(f"{path}/send", json={"revision": 2})
+    (bid,) = compared(world, posting)["bids"]
+    assert (bid["total_minor"], bid["missing"], bid["resent_at"] is not None) == (81_000, ["UI"], True)
+    withdrawn = world.other_designer.post(f"{path}/withdraw").json()["own_bid"]
+    assert (withdrawn["state"], withdrawn["total_minor"]) == ("withdrawn", 81_000)
+    assert compared(world, posting)["bids"] == []
+    assert world.other_designer.post(f"{path}/withdraw").json()["code"] == "bid-not-sent"
+
+
+@pytest.mark.both_databases
+def test_a_designer_sees_their_own_bid_only(world: World, posting: dict[str, Any]) -> None:
+    send(world, posting, world.other_designer, WHOLE)
+    mine = send(world, posting, world.designer, WHOLE[:1])
+    assert mine["own_bid"]["total_minor"] == 81_000
+    assert (mine["bids"], mine["candidates"]) == (None, [])
+    (theirs,) = [one for one in compared(world, posting)["bids"] if one["total_minor"] == 96_000]
+    for by in (world.designer, world.other_designer):
+        assert by.get(f"/v1/postings/{posting['id']}/bids").status_code == 403
+    assert world.designer.put(f"/v1/bids/{theirs['id']}/shortlist", json={"is_shortlisted": True}).status_code == 404
+    assert world.producer.put(f"/v1/postings/{posting['id']}/bid", json={"lines": [], "revision": 0}).status_code == 403
+
+
+def test_what_does_not_fit_is_refused_with_its_place(world: World, posting: dict[str, Any]) -> None:
+    join(world, posting, world.other_designer)
+    wrong = [WHOLE[0], WHOLE[0], line("weapons", 1, 1)]
+    refused = save(world.other_designer, posting, wrong, from_on="2027-02-01", to_on="2027-01-01")
+    assert refused.status_code == 422
+    assert [one["where"] for one in refused.json()["errors"]] == ["lines.1", "lines.2", "to_on"]
+    empty = save(world.other_designer, posting, [], note="Later.")
+    assert empty.status_code == 200
+    path = f"/v1/postings/{posting['id']}/bid/send"
+    unsent = world.other_designer.post(path, json={"revision": 1})
+    assert (unsent.status_code, unsent.json()["code"]) == (422, "bid-invalid")
+    stale = save(world.other_designer, posting, WHOLE)
+    assert (stale.status_code, stale.json()["code"]) == (409, "bid-changed")
+    assert world.other_designer.post(path, json={"revision": 7}).json()["code"] == "bid-changed"
+
+
+def test_a_closed_posting_takes_no_bids_and_keeps_drafts(world: World, posting: dict[str, Any]) -> None:
+    join(world, posting, world.other_designer)
+    save(world.other_designer, posting, WHOLE)
+    world.producer.post(f"/v1/postings/{posting['id']}/close")
+    refused = world.other_designer.post(f"/v1/postings/{posting['id']}/bid/send", json={"revision": 1})
+    assert (refused.status_code, refused.json()["code"]) == (409, "posting-closed")
+    seen = world.other_designer.get(f"/v1/postings/{posting['id']}").json()
+    assert seen["own_bid"]["total_minor"] == 96_000
+
+
+def test_extras_and_hours_are_summed_and_rounded_once(world: World, posting: dict[str, Any]) -> None:
+    voice = line("Oath", 3_333, 0, kind="voice", unit="per_hour", quantity_hundredths=150)
+    send(world, posting, world.other_designer, [*WHOLE, voice], hours_hundredths=3_000, to_on="2027-04-21")
+    (bid,) = compared(world, posting)["bids"]
+    assert bid["amounts_minor"] == [81_000, 15_000, 5_000]  # 1.5 × 33.33 is 49.995
+    assert (bid["hourly_rate_minor"], bid["is_below_floor"], bid["days_late"]) == (3_367, True, 21)
+
+
+def test_the_shortlist_comes_first_then_who_sent_first_whatever_the_price(
+    world: World, posting: dict[str, Any]
+) -> None:
+    send(world, posting, world.designer, WHOLE)
+    send(world, posting, world.other_designer, [line("footsteps", 1, 3), line("ui", 1, 1)])
+    first, second = compared(world, posting)["bids"]
+    assert (first["total_minor"], second["total_minor"]) == (96_000, 4)
+    after = world.approver.put(f"/v1/bids/{second['id']}/shortlist", json={"is_shortlisted": True}).json()
+    assert [one["id"] for one in after["bids"]] == [second["id"], first["id"]]
+
+
+@pytest.mark.both_databases
+def test_the_others_scores_are_shown_after_ones_own(world: World, posting: dict[str, Any]) -> None:
+    send(world, posting, world.other_designer, WHOLE)
+    (bid,) = compared(world, posting)["bids"]
+    path = f"/v1/bids/{bid['id']}/scores"
+    whole = dict.fromkeys(posting["headings"], 4)
+    assert world.producer.put(path, json={"scores": whole, "note": "Fast."}).status_code == 200
+    (seen,) = compared(world, posting, world.approver)["bids"]
+    assert (seen["own_scores"], seen["others"], seen["scored_by"]) == (None, None, 1)
+    part = dict(list(whole.items())[:2])
+    (seen,) = world.approver.put(path, json={"scores": part}).json()["bids"]
+    assert (seen["own_scores"]["scores"], seen["others"]) == (part, None)
+    (seen,) = world.approver.put(path, json={"scores": whole}).json()["bids"]
+    assert [(one["person"]["name"], one["scores"], one["note"]) for one in seen["others"]] == [
+        ("Producer", whole, "Fast.")
+    ]
+    unknown = world.approver.put(path, json={"scores": {"Price": 5}})
+    assert (unknown.status_code, unknown.json()["code"]) == (422, "scores-invalid")
+    assert world.approver.put(path, json={"scores": {posting["headings"][0]: 6}}).status_code == 422
+    assert world.reviewer.put(path, json={"scores": whole}).status_code == 403
+
+
+def test_questions_are_answered_for_all_or_for_one(world: World, posting: dict[str, Any]) -> None:
+    for by in (world.designer, world.other_designer):
+        join(world, posting, by)
+    path = f"/v1/postings/{posting['id']}/questions"
+    world.designer.post(path, json={"text": "Is there a build?"})
+    asked = world.designer.post(path, json={"text": "May I bring a friend?"}).json()["questions"]
+    assert world.other_designer.get(f"/v1/postings/{posting['id']}").json()["questions"] == []
+    for question, is_for_all in zip(asked, (True, False), strict=True):
+        body = {"text": "Yes.", "is_for_all": is_for_all}
+        assert world.approver.post(f"/v1/posting-questions/{question['id']}/answer", json=body).status_code == 200
+        again = world.approver.post(f"/v1/posting-questions/{question['id']}/answer", json=body)
+        assert again.json()["code"] == "posting-question-answered"
+    (seen,) = world.other_designer.get(f"/v1/postings/{posting['id']}").json()["questions"]
+    assert (seen["text"], seen["answer"], seen["asked_by"]) == ("Is there a build?", "Yes.", None)
+    assert len(world.designer.get(f"/v1/postings/{posting['id']}").json()["questions"]) == 2
+    world.server.wait_for_jobs()
+    assert len(mails_to(world, f"{world.other_designer_id}@example.test")) == 1
+
+
+def test_what_one_offered_elsewhere_in_these_days_is_shown(world: World, posting: dict[str, Any]) -> None:
+    elsewhere = World(world.server)
+    add_cues(elsewhere)
+    other = opened(elsewhere, title="Another game", work_from_on="2027-03-01", work_to_on="2027-05-01")
+    later = opened(elsewhere, title="Later", work_from_on="2027-06-01", work_to_on="2027-07-01")
+    for one in (other, later):
+        send(elsewhere, one, world.other_designer, WHOLE)
+    join(world, posting, world.other_designer)
+    seen = world.other_designer.get(f"/v1/postings/{posting['id']}").json()
+    assert seen["clashes"] == [
+        {"title": "Another game", "is_awarded": False, "from_on": "2027-03-01", "to_on": "2027-05-01"}
+    ]
+    assert world.producer.get(f"/v1/postings/{posting['id']}").json()["clashes"] == []
+
+
+@pytest.mark.both_databases
+def test_an_award_opens_a_draft_with_the_bids_figures(world: World, posting: dict[str, Any]) -> None:
+    voice = line("Oath", 20_000, 1, kind="voice", unit="flat")
+    send(world, posting, world.other_designer, [*WHOLE, voice], to_on="2027-03-01")
+    send(world, posting, world.designer, WHOLE)
+    chosen = compared(world, posting)["bids"][0]
+    path = f"/v1/bids/{chosen['id']}/award"
+    assert world.approver.post(path).status_code == 403
+    awarded = world.producer.post(path)
+    assert awarded.status_code == 201, awarded.text
+    contract_id = awarded.json()["contract_id"]
+    contract = world.producer.get(f"/v1/contracts/{contract_id}").json()
+    assert (contract["state"], contract["title"], contract["currency"]) == ("draft", "Effects for Alpha", "USD")
+    assert contract["designer"]["id"] == str(world.other_designer_id)
+    plan = world.producer.get(f"/v1/contracts/{contract_id}/milestones").json()
+    assert [(one["name"], one["amount_minor"], one["due_on"], len(one["cues"])) for one in plan["milestones"]] == [
+        ("Footsteps", 81_000, "2027-03-01", 3),
+        ("UI", 15_000, "2027-03-01", 1),
+        ("Oath", 20_000, "2027-03-01", 0),
+    ]
+    engaged = select(Engagement).where(Engagement.designer_id == world.other_designer_id)
+    assert world.server.in_database(lambda session: session.scalars(engaged).one()).kind == "contract"
+    seen = world.producer.get(f"/v1/postings/{posting['id']}").json()
+    assert (seen["state"], seen["contract_id"]) == ("awarded", contract_id)
+    assert world.producer.post(path).json()["code"] == "wrong-posting-state"
+    assert world.other_designer.get(f"/v1/postings/{posting['id']}").json()["own_bid"]["is_awarded"]
+    lost = world.designer.get(f"/v1/postings/{posting['id']}").json()
+    assert (lost["own_bid"]["is_awarded"], lost["contract_id"]) == (False, None)
+    world.server.wait_for_jobs()
+    (kind,) = mails_to(world, f"{world.designer_id}@example.test")
+    assert kind.subject == "Effects for Alpha: another bid was chosen"
+    assert "Thank you for your bid" in kind.lines[0]
+    subjects = [mail.subject for mail in mails_to(world, f"{world.other_designer_id}@example.test")]
+    assert "Effects for Alpha: your bid was chosen" in subjects
+
+
+def test_mails_about_bids_carry_no_figures(world: World, posting: dict[str, Any]) -> None:
+    send(world, posting, world.other_designer, WHOLE)
+    world.server.wait_for_jobs()
+    found = select(Mail).where(Mail.studio_id == world.studio_id, Mail.topic.contains("bids:"))
+    mails = world.server.in_database(lambda session: session.scalars(found).all())
+    assert {mail.recipient for mail in mails} == {
+        f"{world.producer_id}@example.test",
+        f"{world.approver_id}@example.test",
+    }
+    assert all("960" not in each for mail in mails for each in mail.lines)

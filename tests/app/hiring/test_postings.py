@@ -1,0 +1,243 @@
+"""Postings: written, opened to invited people or by a link, seen as far as an NDA lets."""
+
+from datetime import timedelta
+from typing import Any
+
+import pytest
+from fastapi.testclient import TestClient
+from httpx import Response
+from sqlalchemy import select
+
+from app.hiring.models import Candidate
+from app.kit import clock
+from app.notifications.models import Mail
+from app.projects.models import Engagement, Project
+from app.projects.rules import EngagementKind
+from app.sound_lists.models import Cue
+from app.sound_lists.rules import CueState
+from tests.support.server import World
+
+DAY = timedelta(days=1)
+
+
+def add_cues(world: World) -> list[str]:
+    """Add three footsteps, a click of the interface and one sound that was cut."""
+    rows = [("footsteps", 4), ("footsteps", 4), ("footsteps", 2), ("ui", 1)]
+
+    def add(session: Any) -> list[str]:
+        of = {"studio_id": world.studio_id, "project_id": world.project_id}
+        cues = [
+            Cue(**of, number=n, position=n, name=f"Cue {n}", file_name=f"cue_{n}", category=category, variations=files)
+            for n, (category, files) in enumerate(rows, start=1)
+        ]
+        cues.append(Cue(**of, number=9, position=9, name="Cut", file_name="cut", category="ui", state=CueState.CUT))
+        cues[-1].cut_at = clock.now()
+        session.add_all(cues)
+        session.flush()
+        return [str(cue.id) for cue in cues]
+
+    return list(world.server.in_database(add))
+
+
+def create(world: World, by: TestClient | None = None, **fields: Any) -> Response:
+    body = {"title": "Effects for Alpha", **fields}
+    return (by or world.producer).post(f"/v1/projects/{world.project_id}/postings", json=body)
+
+
+def opened(world: World, **fields: Any) -> dict[str, Any]:
+    posting = create(world, **fields).json()
+    answer = world.producer.post(f"/v1/postings/{posting['id']}/open")
+    assert answer.status_code == 200, answer.text
+    return dict(answer.json())
+
+
+def link_of(world: World, posting: dict[str, Any]) -> str:
+    answer = world.producer.post(f"/v1/postings/{posting['id']}/link")
+    assert answer.status_code == 201, answer.text
+    return str(answer.json()["url"]).rpartition("/")[2]
+
+
+def join(world: World, posting: dict[str, Any], by: TestClient) -> str:
+    """Let a person come by the posting's link."""
+    secret = link_of(world, posting)
+    answer = by.post(f"/v1/posting-links/{secret}/join")
+    assert answer.status_code == 200, answer.text
+    assert answer.json() == {"posting_id": posting["id"]}
+    return secret
+
+
+def ask_for_nda(world: World, *, accepted_by: Any = None) -> None:
+    def change(session: Any) -> None:
+        session.get_one(Project, world.project_id).nda_needed = True
+        if accepted_by is not None:
+            session.add(
+                Engagement(
+                    studio_id=world.studio_id,
+                    project_id=world.project_id,
+                    designer_id=accepted_by,
+                    kind=EngagementKind.ADVISORY,
+                    nda_accepted_at=clock.now(),
+                    nda_sha256="0" * 64,
+                )
+            )
+
+    world.server.in_database(change)
+
+
+def test_what_is_asked_for_is_counted_from_the_list(world: World) -> None:
+    cues = add_cues(world)
+    everything = create(world).json()
+    assert everything["lines"] == [
+        {"key": "footsteps", "label": "Footsteps", "cues": 3, "files": 10},
+        {"key": "ui", "label": "UI", "cues": 1, "files": 1},
+    ]
+    one_category = create(world, scope="categories", categories=["ui"]).json()
+    assert one_category["lines"] == [{"key": "ui", "label": "UI", "cues": 1, "files": 1}]
+    chosen = create(world, scope="cues", cue_ids=[cues[0], cues[3]]).json()
+    assert [(line["key"], line["files"]) for line in chosen["lines"]] == [("footsteps", 4), ("ui", 1)]
+    assert everything["state"] == "draft"
+    assert everything["headings"][0] == "Quality of work"
+
+
+def test_a_posting_opens_closes_and_opens_again(world: World) -> None:
+    empty = create(world).json()
+    refused = world.producer.post(f"/v1/postings/{empty['id']}/open")
+    assert (refused.status_code, refused.json()["errors"]) == (
+        422,
+        [{"where": "scope", "message": "asks for no cue of the list"}],
+    )
+    add_cues(world)
+    posting = opened(world)
+    assert (posting["state"], posting["takes_bids"]) == ("open", True)
+    path = f"/v1/postings/{posting['id']}"
+    assert world.producer.post(f"{path}/open").json()["code"] == "wrong-posting-state"
+    closed = world.approver.post(f"{path}/close").json()
+    assert (closed["state"], closed["takes_bids"]) == ("closed", False)
+    assert closed["closed_at"] is not None
+    assert world.producer.post(f"{path}/close").status_code == 409
+    again = world.producer.post(f"{path}/open").json()
+    assert (again["state"], again["closed_at"]) == ("open", None)
+
+
+def test_its_last_day_closes_it_and_a_day_that_is_over_cannot_open_it(world: World) -> None:
+    add_cues(world)
+    today = clock.now().date()
+    past = create(world, bids_until_on=str(today - 2 * DAY)).json()
+    refused = world.producer.post(f"/v1/postings/{past['id']}/open")
+    assert refused.json()["errors"] == [{"where": "bids_until_on", "message": "is over"}]
+    assert opened(world, bids_until_on=str(today + DAY))["takes_bids"]
+    backwards = create(world, work_from_on=str(today), work_to_on=str(today - DAY))
+    assert (backwards.status_code, backwards.json()["errors"][0]["where"]) == (422, "work_to_on")
+
+
+def test_what_bids_are_made_on_is_fixed_once_open_and_the_rest_changes(world: World) -> None:
+    add_cues(world)
+    posting = opened(world)
+    path = f"/v1/postings/{posting['id']}"
+    body = {"title": "Effects", "text": "For Alpha.", "revision": posting["revision"]}
+    changed = world.producer.put(path, json=body)
+    assert (changed.status_code, changed.json()["text"]) == (200, "For Alpha.")
+    stale = world.producer.put(path, json=body)
+    assert (stale.status_code, stale.json()["code"]) == (409, "posting-changed")
+    body |= {"revision": changed.json()["revision"], "scope": "categories", "categories": ["ui"]}
+    moved = world.producer.put(path, json=body)
+    assert (moved.status_code, {one["where"] for one in moved.json()["errors"]}) == (422, {"scope", "categories"})
+
+
+def test_invited_people_are_mailed_once_it_is_open(world: World) -> None:
+    add_cues(world)
+    posting = create(world).json()
+    path = f"/v1/postings/{posting['id']}"
+    asked = world.producer.post(f"{path}/candidates", json={"email": "First@Example.test"})
+    assert asked.status_code == 201, asked.text
+    assert [one["email"] for one in asked.json()["candidates"]] == ["first@example.test"]
+    world.server.wait_for_jobs()
+    assert mails_to(world, "first@example.test") == []
+    world.producer.post(f"{path}/open")
+    second = world.producer.post(f"{path}/candidates", json={"email": "second@example.test"}).json()
+    world.server.wait_for_jobs()
+    (mail,) = mails_to(world, "second@example.test")
+    assert mail.subject == "Test studio asks you for a bid: Effects for Alpha"
+    assert len(mails_to(world, "first@example.test")) == 1
+    secret = str(mail.link).rpartition("/")[2]
+    assert world.nobody.get(f"/v1/posting-links/{secret}").json()["title"] == "Effects for Alpha"
+    taken = world.other_designer.post(f"/v1/posting-links/{secret}/join")
+    assert taken.status_code == 200
+    assert world.designer.post(f"/v1/posting-links/{secret}/join").json()["code"] == "link-taken"
+    withdrawn = world.producer.delete(f"{path}/candidates/{second['candidates'][1]['id']}")
+    assert withdrawn.status_code == 204
+    assert world.nobody.get(f"/v1/posting-links/{secret}").status_code == 404
+    assert world.other_designer.get(path).status_code == 404
+
+
+def mails_to(world: World, address: str) -> list[Mail]:
+    found = select(Mail).where(Mail.recipient == address, Mail.studio_id == world.studio_id)
+    return list(world.server.in_database(lambda session: session.scalars(found).all()))
+
+
+@pytest.mark.both_databases
+def test_a_link_shows_it_to_everyone_until_it_is_revoked(world: World) -> None:
+    add_cues(world)
+    draft = create(world).json()
+    assert world.nobody.get(f"/v1/posting-links/{link_of(world, draft)}").status_code == 404
+    posting = opened(world, text="Three months.", budget_minor=800_000, rate_floor_minor=4_000)
+    secret = link_of(world, posting)
+    seen = world.nobody.get(f"/v1/posting-links/{secret}").json()
+    assert (seen["text"], seen["budget_minor"], len(seen["lines"])) == ("Three months.", None, 2)
+    assert world.nobody.post(f"/v1/posting-links/{secret}/join").status_code == 401
+    assert world.other_designer.get(f"/v1/postings/{posting['id']}").status_code == 404
+    assert world.other_designer.post(f"/v1/posting-links/{secret}/join").status_code == 200
+    whole = world.other_designer.get(f"/v1/postings/{posting['id']}").json()
+    assert (whole["is_team"], whole["lines"], whole["budget_minor"]) == (False, posting["lines"], None)
+    assert (whole["rate_floor_minor"], whole["candidates"], whole["headings"]) == (None, [], [])
+    (listed,) = world.other_designer.get("/v1/postings").json()
+    assert (listed["title"], listed["own_bid"], listed["bids"]) == ("Effects for Alpha", None, None)
+    assert world.producer.post(f"/v1/posting-links/{secret}/join").json()["code"] == "own-posting"
+    assert world.producer.delete(f"/v1/postings/{posting['id']}/link").status_code == 204
+    assert world.nobody.get(f"/v1/posting-links/{secret}").status_code == 404
+    assert world.other_designer.get(f"/v1/postings/{posting['id']}").status_code == 200
+
+
+@pytest.mark.both_databases
+def test_behind_the_nda_only_title_dates_and_studio_are_shown(world: World) -> None:
+    add_cues(world)
+    ask_for_nda(world)
+    posting = opened(world, text="Secret.", budget_minor=1, is_budget_shown=True, work_from_on="2027-01-04")
+    secret = join(world, posting, world.other_designer)
+    for seen in (
+        world.nobody.get(f"/v1/posting-links/{secret}").json(),
+        world.other_designer.get(f"/v1/posting-links/{secret}").json(),
+        world.other_designer.get(f"/v1/postings/{posting['id']}").json(),
+    ):
+        assert (seen["title"], seen["work_from_on"]) == ("Effects for Alpha", "2027-01-04")
+        assert (seen["studio_name"], seen["project_name"], seen["text"]) == ("Test studio", "", "")
+        assert (seen["lines"], seen["budget_minor"]) == ([], None)
+    asked = world.other_designer.post(f"/v1/postings/{posting['id']}/questions", json={"text": "What is it?"})
+    assert (asked.status_code, asked.json()["code"]) == (403, "nda-needed")
+    ask_for_nda(world, accepted_by=world.other_designer_id)
+    whole = world.other_designer.get(f"/v1/postings/{posting['id']}").json()
+    assert (whole["text"], whole["nda_open"], whole["budget_minor"]) == ("Secret.", False, 1)
+
+
+def test_who_only_reviews_writes_and_sees_no_posting(world: World) -> None:
+    add_cues(world)
+    posting = opened(world)
+    assert create(world, world.reviewer).status_code == 403
+    assert world.reviewer.get(f"/v1/postings/{posting['id']}").status_code == 403
+    assert world.reviewer.get(f"/v1/projects/{world.project_id}/postings").status_code == 403
+    assert world.stranger.get(f"/v1/postings/{posting['id']}").status_code == 404
+    (listed,) = world.producer.get(f"/v1/projects/{world.project_id}/postings").json()
+    assert (listed["state"], listed["bids"]) == ("open", 0)
+
+
+def test_the_only_link_of_a_posting_is_the_newest(world: World) -> None:
+    add_cues(world)
+    posting = opened(world)
+    first, second = link_of(world, posting), link_of(world, posting)
+    assert world.nobody.get(f"/v1/posting-links/{first}").status_code == 404
+    assert world.nobody.get(f"/v1/posting-links/{second}").status_code == 200
+    join(world, posting, world.other_designer)
+    candidates = select(Candidate).where(Candidate.person_id == world.other_designer_id)
+    kept = world.server.in_database(lambda session: session.scalars(candidates).all())
+    assert len(kept) == 1
+    join(world, posting, world.other_designer)
