@@ -17,7 +17,7 @@ import audio_checks
 from app.accounts.authentication import CSRF_HEADER, DEMO_COOKIE, DEMO_SECRET, csrf_token
 from app.accounts.models import Membership, Person, Studio
 from app.accounts.rules import Role, Scope
-from app.demo import cues
+from app.demo import brief, cues
 from app.demo.sounds import DemoSound, demo_sounds, warp_in_stem
 from app.kit import clock
 from app.kit.runtime import Runtime
@@ -131,6 +131,7 @@ class _Maker:
     def make(self) -> tuple[str, str]:
         """Go through the story of the project so far; return the project's id and its build's token."""
         self._create_project()
+        self._write_brief()
         self._invite_designer()
         self._post_list()
         self._agree_on_contract()
@@ -200,6 +201,14 @@ class _Maker:
                 "based_on_version": 1,
             }
             producer.ask("PUT", f"/projects/{self._project}/spec", json=dry)
+
+    def _write_brief(self) -> None:
+        path = f"/projects/{self._project}/brief"
+        if self._producer.ask("GET", path)["newest_version"]:
+            return
+        written = self._producer.ask("PATCH", path, json={"revision": 0, "answers": brief.changes()})
+        body = {"revision": written["revision"], "note": "As agreed in the first call."}
+        self._producer.ask("POST", f"{path}/versions", once="demo-brief", json=body)
 
     def _invite_designer(self) -> None:
         project = self._producer.ask("GET", f"/projects/{self._project}")
