@@ -17,7 +17,7 @@ ANSWERS: dict[str, Any] = {
     "silence": "some",
     "music_style": "Low strings and brass, slow; drums in battle only.",
     "music_ducks": "voice",
-    "priority": ["shield hit", "red alert", "missile launch", "the captain's oath"],
+    "priority": ["shield hit", "red alert", "missile launch", "the oath"],
     "voice": "calls",
     "voice_people": "The studio writes and casts; the sound designer records and directs.",
     "narration": "no",
