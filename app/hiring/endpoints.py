@@ -150,7 +150,7 @@ def revoke_posting_link(posting_id: UUID, session: DbSession, actor: Actor = all
 
 @router.get("/posting-links/{secret}", responses=problems(PostingNotFound))
 def preview_posting(secret: str, session: DbSession, actor: Actor = allows(Audience.ANYONE)) -> PostingPreview:
-    """Show a posting to whoever has its link: all of it, or title, dates and studio while an NDA comes first."""
+    """Show a posting to everyone who has its link: all of it, or title, dates and studio while an NDA comes first."""
     posting, is_closed = postings.preview(session, actor, secret)
     return preview(posting, is_closed=is_closed)
 

@@ -92,7 +92,7 @@ class PostingQuestionRead(Schema):
 class BidLine(Schema):
     """One line of a bid."""
 
-    key: Key = Field(description="The asked line's key; for an extra, words that tell it from others of its kind.")
+    key: Key = Field(description="The asked line's key; for an extra, what it is for.")
     kind: BidLineKind
     unit: BidUnit
     quantity_hundredths: Hundredths = Field(description="300 for three cues, 750 for seven and a half hours.")

@@ -1690,7 +1690,7 @@ export interface paths {
         };
         /**
          * Preview Posting
-         * @description Show a posting to whoever has its link: all of it, or title, dates and studio while an NDA comes first.
+         * @description Show a posting to everyone who has its link: all of it, or title, dates and studio while an NDA comes first.
          */
         get: operations["preview_posting"];
         put?: never;
@@ -6018,7 +6018,7 @@ export interface components {
         BidLine: {
             /**
              * Key
-             * @description The asked line's key; for an extra, words that tell it from others of its kind.
+             * @description The asked line's key; for an extra, what it is for.
              */
             key: string;
             kind: components["schemas"]["BidLineKind"];

@@ -9,6 +9,7 @@ import { checkRoutes } from '@/features/checks/routes'
 import { contractRoutes, verifyRoutes } from '@/features/contracts/routes'
 import { deskRoutes } from '@/features/desk/routes'
 import { gameFilesRoutes } from '@/features/game-files/routes'
+import { hiringRoutes, postingLinkRoutes } from '@/features/hiring/routes'
 import { invitationRoutes } from '@/features/invitation/routes'
 import { moneyRoutes } from '@/features/money/routes'
 import { operationRoutes } from '@/features/operations/routes'
@@ -26,11 +27,18 @@ import { guestRoute, nowhereRoute, rootRoute, shellRoute } from './roots'
 import type { Session } from './session'
 
 const pages = [
-  guestRoute.addChildren([...accountGuestRoutes, ...invitationRoutes, ...checkRoutes, ...verifyRoutes]),
+  guestRoute.addChildren([
+    ...accountGuestRoutes,
+    ...invitationRoutes,
+    ...postingLinkRoutes,
+    ...checkRoutes,
+    ...verifyRoutes,
+  ]),
   shellRoute.addChildren([
     ...todayRoutes,
     ...projectRoutes,
     ...briefRoutes,
+    ...hiringRoutes,
     ...moneyRoutes,
     ...gameFilesRoutes,
     ...reviewRoutes,

@@ -92,6 +92,7 @@ export function placesOf({ side, project, isParty }: ShellData): Place[] {
     return [{ label: 'Brief', path: `${at}/brief`, also: ['questions', 'platforms', 'scenes'] }, ...money]
   return [
     { label: 'Invite a designer or an approver', path: `${at}/people`, also: ['people', 'team', 'hire', 'members'] },
+    ...(isParty ? [{ label: 'Postings and bids', path: `${at}/postings`, also: ['hire', 'bid', 'award', 'job'] }] : []),
     { label: 'Import or paste cues', path: `${at}/sound-list/import`, also: ['sheet', 'csv', 'excel', 'add'] },
     { label: 'Brief', path: `${at}/brief`, also: ['questions', 'platforms', 'scenes', 'kickoff'] },
     { label: 'Start from a kit', path: `${at}/sound-list/kits`, also: ['starter', 'template', 'genre'] },

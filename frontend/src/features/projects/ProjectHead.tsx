@@ -87,6 +87,11 @@ export function ProjectHead({ project, members = 0 }: ProjectHeadProps) {
             People
           </Link>
         )}
+        {mine.is_team && speaks(project) && (
+          <Link className="link" to={`/projects/${projectId}/postings` as LinkProps['to']}>
+            Postings
+          </Link>
+        )}
         {(!mine.is_team || speaks(project)) && (
           <Link className="link" to={`/projects/${projectId}/money` as LinkProps['to']}>
             Money

@@ -1,0 +1,79 @@
+import { money } from '@/money/words'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { day } from '@/ui/format'
+import { Row, Rows } from '@/ui/Rows'
+
+import type { AskedLine, PostingPreview } from './api'
+import classes from './Hiring.module.css'
+import { countOfLine, period } from './words'
+
+type Shown = Pick<
+  PostingPreview,
+  | 'title'
+  | 'studio_name'
+  | 'project_name'
+  | 'text'
+  | 'phase'
+  | 'takes_bids'
+  | 'bids_until_on'
+  | 'work_from_on'
+  | 'work_to_on'
+  | 'currency'
+  | 'price_minor'
+  | 'budget_minor'
+  | 'lines'
+>
+
+/** What a posting offers, as a designer reads it; behind an NDA only title, dates and studio. */
+export function PostingFacts({ posting, ndaOpen }: { posting: Shown; ndaOpen: boolean }) {
+  const { title, studio_name: studio, project_name: project, text, currency } = posting
+  const until = posting.bids_until_on ? ` until ${day(posting.bids_until_on)}` : ''
+  return (
+    <>
+      <div>
+        <h1>{title}</h1>
+        <p className="mid">
+          {project ? `${studio}, ${project}. ` : `${studio}. `}
+          {posting.takes_bids ? `Bids are taken${until}. ` : 'No bids are taken now. '}
+          {`Work: ${period(posting.work_from_on, posting.work_to_on)}.`}
+        </p>
+      </div>
+      {ndaOpen ? (
+        <EmptyState head="An NDA comes first">
+          The studio shows what it asks for once you have signed its NDA. It invites you to the project and sends the
+          NDA; you then find it under Contract.
+        </EmptyState>
+      ) : (
+        <>
+          {text && <p className={classes.text}>{text}</p>}
+          {posting.phase === 'advisory' && (
+            <p>
+              {posting.price_minor === null
+                ? 'This is advice before production.'
+                : `This is advice before production, for ${money(posting.price_minor, currency)}.`}
+            </p>
+          )}
+          {posting.budget_minor !== null && <p>{`Budget: ${money(posting.budget_minor, currency)}.`}</p>}
+          {posting.lines.length > 0 && <AskedCard lines={posting.lines} />}
+        </>
+      )}
+    </>
+  )
+}
+
+export function AskedCard({ lines }: { lines: readonly AskedLine[] }) {
+  return (
+    <Card aria-labelledby="asked">
+      <CardHead id="asked" title="Asked for" count={lines.reduce((sum, { cues }) => sum + cues, 0)} note="cues" />
+      <Rows>
+        {lines.map((line) => (
+          <Row key={line.key}>
+            <span className="grow">{line.label}</span>
+            <span className="mid">{countOfLine(line)}</span>
+          </Row>
+        ))}
+      </Rows>
+    </Card>
+  )
+}

@@ -1,0 +1,127 @@
+import { TextInput } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+import { Link, useNavigate, useParams } from '@tanstack/react-router'
+import type { FormEvent } from 'react'
+
+import { DraftNote, useDraft } from '@/app/drafts'
+import { useTitle } from '@/app/title'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { day, plural } from '@/ui/format'
+import { Row, Rows } from '@/ui/Rows'
+
+import { type PostingAdd, type PostingSummary, postingsQuery, useCreatePosting } from './api'
+import classes from './Hiring.module.css'
+import { Refusal } from './Refusal'
+import { STATE_WORDS } from './words'
+
+/** The postings of a project, and the beginning of another. */
+export function PostingsPage() {
+  useTitle('Postings')
+  const { projectId } = useParams({ from: '/shell/projects/$projectId/postings' })
+  const { data: postings, error } = useQuery(postingsQuery(projectId))
+  return (
+    <div className="page page-narrow stack" aria-busy={!postings && error === null}>
+      <div>
+        <h1>Postings</h1>
+        <p className="mid">
+          Offer work of this project to designers, compare their bids, and award one. You can also{' '}
+          <Link className="link" to="/projects/$projectId/people" params={{ projectId }}>
+            invite a designer directly
+          </Link>
+          .
+        </p>
+      </div>
+      <Refusal error={error} />
+      {postings && (
+        <>
+          <Card aria-labelledby="postings">
+            <CardHead id="postings" title="All postings" count={postings.length} />
+            {postings.length === 0 ? (
+              <EmptyState head="No posting yet" level={3}>
+                A posting counts what it asks for from the sound list. Nobody sees it before you open it.
+              </EmptyState>
+            ) : (
+              <Rows>
+                {postings.map((posting) => (
+                  <Row key={posting.id}>
+                    <Link
+                      className="link grow"
+                      to="/projects/$projectId/postings/$postingId"
+                      params={{ projectId, postingId: posting.id }}
+                    >
+                      {posting.title}
+                    </Link>
+                    <span className="mid">{standOf(posting)}</span>
+                    <span>{plural(posting.bids ?? 0, 'bid')}</span>
+                  </Row>
+                ))}
+              </Rows>
+            )}
+          </Card>
+          <NewPosting projectId={projectId} />
+        </>
+      )}
+    </div>
+  )
+}
+
+function standOf({ state, takes_bids: takesBids, bids_until_on: until }: PostingSummary): string {
+  if (state !== 'open') return STATE_WORDS[state]
+  if (!takesBids) return 'Its last day is over'
+  return until ? `Open until ${day(until)}` : 'Open'
+}
+
+/** A posting to begin from: all cues of the list, and the headings that the server begins with. */
+const newPosting = (title: string): PostingAdd => ({
+  title,
+  text: '',
+  phase: 'production',
+  currency: 'USD',
+  is_budget_shown: false,
+  scope: 'all',
+})
+
+function NewPosting({ projectId }: { projectId: string }) {
+  const [title, setTitle, draft] = useDraft(`posting:${projectId}`, '')
+  const create = useCreatePosting(projectId)
+  const navigate = useNavigate()
+  const send = (event: FormEvent) => {
+    event.preventDefault()
+    if (create.isPending || title.trim() === '') return
+    create.mutate(newPosting(title), {
+      onSuccess: ({ id }) => {
+        draft.discard()
+        void navigate({ to: '/projects/$projectId/postings/$postingId', params: { projectId, postingId: id } })
+      },
+    })
+  }
+  return (
+    <Card aria-labelledby="new-posting">
+      <CardHead id="new-posting" title="New posting" />
+      <form onSubmit={send} noValidate className={classes.body} aria-label="New posting">
+        <DraftNote draft={draft} />
+        <TextInput
+          label="Title"
+          description="What designers read first, such as Effects for Alpha."
+          value={title}
+          maxLength={120}
+          onChange={({ currentTarget }) => setTitle(currentTarget.value)}
+        />
+        <Refusal error={create.error} />
+        <div>
+          <Button
+            type="submit"
+            variant="primary"
+            icon="plus"
+            disabled={title.trim() === ''}
+            aria-busy={create.isPending}
+          >
+            Write the posting
+          </Button>
+        </div>
+      </form>
+    </Card>
+  )
+}

@@ -1,0 +1,190 @@
+import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
+
+import { answered, api } from '@/api'
+import type { components } from '@/api/schema.gen'
+
+type Schemas = components['schemas']
+export type Posting = Schemas['PostingRead']
+export type PostingSummary = Schemas['PostingSummary']
+export type PostingAdd = Schemas['PostingAdd']
+export type PostingPreview = Schemas['PostingPreview']
+export type Comparison = Schemas['BidComparison']
+export type ComparedBid = Schemas['ComparedBid']
+export type BidLine = Schemas['BidLine']
+export type BidContent = Schemas['BidContent']
+export type AskedLine = Schemas['AskedLine']
+
+const at = (postingId: string) => ({ params: { path: { posting_id: postingId } } })
+
+export const postingsQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: ['postings', projectId],
+    queryFn: () =>
+      answered(api.GET('/v1/projects/{project_id}/postings', { params: { path: { project_id: projectId } } })),
+  })
+
+export const postingQuery = (postingId: string) =>
+  queryOptions({
+    queryKey: ['posting', postingId],
+    queryFn: () => answered(api.GET('/v1/postings/{posting_id}', at(postingId))),
+  })
+
+export const comparisonQuery = (postingId: string) =>
+  queryOptions({
+    queryKey: ['bids', postingId],
+    queryFn: () => answered(api.GET('/v1/postings/{posting_id}/bids', at(postingId))),
+  })
+
+export const linkQuery = (secret: string) =>
+  queryOptions({
+    queryKey: ['posting-link', secret],
+    queryFn: () => answered(api.GET('/v1/posting-links/{secret}', { params: { path: { secret } } })),
+  })
+
+/** The current person, if signed in; the request also gives the page the token that its writes carry. */
+export const visitorQuery = queryOptions({
+  queryKey: ['visitor'],
+  queryFn: async () => {
+    const session = await answered(api.GET('/v1/session'))
+    return session.signed_in ? await answered(api.GET('/v1/me')) : null
+  },
+})
+
+export const useJoin = (secret: string) =>
+  useMutation({
+    mutationFn: () => answered(api.POST('/v1/posting-links/{secret}/join', { params: { path: { secret } } })),
+  })
+
+export function useCreatePosting(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: PostingAdd) =>
+      answered(api.POST('/v1/projects/{project_id}/postings', { params: { path: { project_id: projectId } }, body })),
+    onSuccess: () => client.invalidateQueries({ queryKey: ['postings', projectId] }),
+  })
+}
+
+/** A change of one posting, whose answer is the posting as it stands. */
+function usePostingChange<T>(postingId: string, change: (value: T) => Promise<Posting>) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: change,
+    onSuccess: (posting) => {
+      client.setQueryData(postingQuery(postingId).queryKey, posting)
+      return client.invalidateQueries({ queryKey: ['postings', posting.project_id] })
+    },
+  })
+}
+
+export const useSavePosting = (postingId: string) =>
+  usePostingChange(postingId, (body: PostingAdd & { revision: number }) =>
+    answered(api.PUT('/v1/postings/{posting_id}', { ...at(postingId), body })),
+  )
+
+export const useMovePosting = (postingId: string) =>
+  usePostingChange(postingId, (to: 'open' | 'close') =>
+    answered(
+      to === 'open'
+        ? api.POST('/v1/postings/{posting_id}/open', at(postingId))
+        : api.POST('/v1/postings/{posting_id}/close', at(postingId)),
+    ),
+  )
+
+export const useInvite = (postingId: string) =>
+  usePostingChange(postingId, (email: string) =>
+    answered(api.POST('/v1/postings/{posting_id}/candidates', { ...at(postingId), body: { email } })),
+  )
+
+export function useWithdrawCandidate(postingId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (candidateId: string) =>
+      answered(
+        api.DELETE('/v1/postings/{posting_id}/candidates/{candidate_id}', {
+          params: { path: { posting_id: postingId, candidate_id: candidateId } },
+        }),
+      ),
+    onSuccess: () => client.invalidateQueries({ queryKey: ['posting', postingId] }),
+  })
+}
+
+export function useMakeLink(postingId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: () => answered(api.POST('/v1/postings/{posting_id}/link', at(postingId))),
+    onSuccess: () => client.invalidateQueries({ queryKey: ['posting', postingId] }),
+  })
+}
+
+export function useRevokeLink(postingId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: () => answered(api.DELETE('/v1/postings/{posting_id}/link', at(postingId))),
+    onSuccess: () => client.invalidateQueries({ queryKey: ['posting', postingId] }),
+  })
+}
+
+export const useAnswer = (postingId: string) =>
+  usePostingChange(postingId, ({ id, text, forAll }: { id: string; text: string; forAll: boolean }) =>
+    answered(
+      api.POST('/v1/posting-questions/{posting_question_id}/answer', {
+        params: { path: { posting_question_id: id } },
+        body: { text, is_for_all: forAll },
+      }),
+    ),
+  )
+
+export const useAsk = (postingId: string) =>
+  usePostingChange(postingId, (text: string) =>
+    answered(api.POST('/v1/postings/{posting_id}/questions', { ...at(postingId), body: { text } })),
+  )
+
+export const useSaveBid = (postingId: string) =>
+  usePostingChange(postingId, (body: BidContent & { revision: number }) =>
+    answered(api.PUT('/v1/postings/{posting_id}/bid', { ...at(postingId), body })),
+  )
+
+export const useSendBid = (postingId: string) =>
+  usePostingChange(postingId, (revision: number) =>
+    answered(api.POST('/v1/postings/{posting_id}/bid/send', { ...at(postingId), body: { revision } })),
+  )
+
+export const useWithdrawBid = (postingId: string) =>
+  usePostingChange<undefined>(postingId, () =>
+    answered(api.POST('/v1/postings/{posting_id}/bid/withdraw', at(postingId))),
+  )
+
+/** A change of one bid, whose answer is the comparison as it stands. */
+function useBidChange<T>(postingId: string, change: (value: T) => Promise<Comparison>) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: change,
+    onSuccess: (comparison) => client.setQueryData(comparisonQuery(postingId).queryKey, comparison),
+  })
+}
+
+export const useShortlist = (postingId: string) =>
+  useBidChange(postingId, ({ id, on }: { id: string; on: boolean }) =>
+    answered(
+      api.PUT('/v1/bids/{bid_id}/shortlist', { params: { path: { bid_id: id } }, body: { is_shortlisted: on } }),
+    ),
+  )
+
+export const useScore = (postingId: string) =>
+  useBidChange(postingId, ({ id, ...body }: { id: string; scores: Record<string, number>; note: string }) =>
+    answered(api.PUT('/v1/bids/{bid_id}/scores', { params: { path: { bid_id: id } }, body })),
+  )
+
+export function useAward(postingId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (bidId: string) =>
+      answered(api.POST('/v1/bids/{bid_id}/award', { params: { path: { bid_id: bidId } } })),
+    onSuccess: () =>
+      Promise.all(
+        [['bids', postingId], ['posting', postingId], ['postings'], ['next-steps'], ['project']].map((queryKey) =>
+          client.invalidateQueries({ queryKey }),
+        ),
+      ),
+  })
+}

@@ -1,0 +1,99 @@
+import { amount, minorOf } from '@/money/words'
+
+import type { AskedLine, BidContent, BidLine } from './api'
+
+/** One line of the form, as it is typed. */
+export interface TypedLine {
+  key: string
+  kind: BidLine['kind']
+  unit: BidLine['unit']
+  quantity: string
+  price: string
+  note: string
+  /** Off: the line is not offered. */
+  isOffered: boolean
+}
+
+export interface TypedBid {
+  lines: TypedLine[]
+  hours: string
+  from: string
+  to: string
+  note: string
+}
+
+/** "7.5" in hundredths; null where it is no figure with at most two decimals. */
+export function hundredthsOf(typed: string): number | null {
+  const found = /^(\d{1,4})(?:\.(\d{1,2}))?$/.exec(typed.trim())
+  return found ? Number(found[1]) * 100 + Number((found[2] ?? '').padEnd(2, '0')) : null
+}
+
+const shown = (hundredths: number): string => String(hundredths / 100)
+
+/** The form of a bid: every asked line, offered or not, and the extras. */
+export function typedBid(asked: readonly AskedLine[], bid: BidContent | null, currency: string): TypedBid {
+  const typed = (line: BidLine): TypedLine => ({
+    key: line.key,
+    kind: line.kind,
+    unit: line.unit,
+    quantity: shown(line.quantity_hundredths),
+    price: amount(line.price_minor, currency),
+    note: line.note ?? '',
+    isOffered: true,
+  })
+  const lines = bid?.lines ?? []
+  const rows = asked.map((one): TypedLine => {
+    const offered = lines.find(({ kind, key }) => kind === 'asked' && key === one.key)
+    if (offered) return typed(offered)
+    return {
+      key: one.key,
+      kind: 'asked',
+      unit: 'per_cue',
+      quantity: String(one.cues),
+      price: '',
+      note: '',
+      isOffered: bid === null,
+    }
+  })
+  return {
+    lines: [...rows, ...lines.filter(({ kind }) => kind !== 'asked').map(typed)],
+    hours: typeof bid?.hours_hundredths === 'number' ? shown(bid.hours_hundredths) : '',
+    from: bid?.from_on ?? '',
+    to: bid?.to_on ?? '',
+    note: bid?.note ?? '',
+  }
+}
+
+/** What is typed as it is sent, or what cannot be read. */
+export function contentOf(typed: TypedBid, currency: string): { content: BidContent } | { wrong: string } {
+  const lines: BidLine[] = []
+  for (const { key, kind, unit, quantity, price, note, isOffered } of typed.lines) {
+    if (!isOffered) continue
+    const count = unit === 'flat' ? 100 : hundredthsOf(quantity)
+    const minor = minorOf(price, currency)
+    const name = key || kind
+    if (count === null) return { wrong: `Enter how many for ${name}, such as 3 or 7.5.` }
+    if (minor === null || minor < 0) return { wrong: `Enter a price in ${currency} for ${name}, such as 270.00.` }
+    lines.push({ key, kind, unit, quantity_hundredths: count, price_minor: minor, note })
+  }
+  const hours = typed.hours.trim() === '' ? null : hundredthsOf(typed.hours)
+  if (typed.hours.trim() !== '' && hours === null) return { wrong: 'Enter the hours, such as 160.' }
+  return {
+    content: {
+      lines,
+      hours_hundredths: hours,
+      from_on: typed.from || null,
+      to_on: typed.to || null,
+      note: typed.note,
+    },
+  }
+}
+
+/** The sum of the lines that can be read; each is rounded once, as the server does. */
+export const totalOf = (typed: TypedBid, currency: string): number =>
+  typed.lines
+    .filter(({ isOffered }) => isOffered)
+    .reduce((sum, { unit, quantity, price }) => {
+      const count = unit === 'flat' ? 100 : (hundredthsOf(quantity) ?? 0)
+      return sum + Math.floor((count * (minorOf(price, currency) ?? 0) + 50) / 100)
+    }, 0)

@@ -1,0 +1,306 @@
+import { screen, waitFor, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import axe from 'axe-core'
+import { expect, test } from 'vitest'
+
+import { openApp } from '@/test/openApp'
+import { answer, type Asked, refusal, serve, wrote } from '@/test/server'
+import { ListServer } from '@/test/soundList'
+
+import type { ComparedBid, Comparison, Posting } from './api'
+import { contentOf, hundredthsOf, totalOf, typedBid } from './bid'
+
+const LINES = [
+  { key: 'footsteps', label: 'Footsteps', cues: 3, files: 10 },
+  { key: 'ui', label: 'UI', cues: 1, files: 1 },
+]
+const HEADINGS = ['Quality of work', 'Reliability']
+
+const aPosting = (more: Partial<Posting> = {}): Posting => ({
+  id: 'p1',
+  project_id: 'shield-wing',
+  project_name: 'Shield Wing',
+  studio_name: 'Test studio',
+  title: 'Effects for Alpha',
+  state: 'open',
+  takes_bids: true,
+  bids_until_on: null,
+  work_from_on: '2027-01-04',
+  work_to_on: '2027-03-31',
+  phase: 'production',
+  revision: 2,
+  currency: 'USD',
+  nda_open: false,
+  is_team: true,
+  text: 'Three months.',
+  price_minor: null,
+  budget_minor: null,
+  is_budget_shown: false,
+  rate_floor_minor: null,
+  scope: 'all',
+  categories: [],
+  cue_ids: [],
+  lines: LINES,
+  headings: HEADINGS,
+  has_link: false,
+  candidates: [],
+  questions: [],
+  bids: 0,
+  own_bid: null,
+  clashes: [],
+  opened_at: '2026-11-25T10:00:00Z',
+  closed_at: null,
+  awarded_at: null,
+  contract_id: null,
+  ...more,
+})
+
+const aBid = (id: string, name: string, more: Partial<ComparedBid> = {}): ComparedBid => ({
+  id,
+  designer: { id: `d-${id}`, name },
+  is_shortlisted: false,
+  sent_at: '2026-11-25T10:00:00Z',
+  resent_at: null,
+  content: {
+    lines: [
+      { key: 'footsteps', kind: 'asked', unit: 'per_cue', quantity_hundredths: 300, price_minor: 27000, note: '' },
+      { key: 'ui', kind: 'asked', unit: 'flat', quantity_hundredths: 100, price_minor: 15000, note: '' },
+    ],
+    hours_hundredths: 2400,
+    from_on: null,
+    to_on: null,
+    note: '',
+  },
+  amounts_minor: [81000, 15000],
+  total_minor: 96000,
+  missing: [],
+  hourly_rate_minor: 4000,
+  is_below_floor: false,
+  over_budget_minor: 6000,
+  days_late: null,
+  own_scores: null,
+  others: null,
+  scored_by: 1,
+  ...more,
+})
+
+const compared = (bids: ComparedBid[]): Comparison => ({
+  posting_id: 'p1',
+  title: 'Effects for Alpha',
+  state: 'closed',
+  currency: 'USD',
+  budget_minor: 90000,
+  rate_floor_minor: 4500,
+  work_from_on: '2027-01-04',
+  work_to_on: '2027-03-31',
+  headings: HEADINGS,
+  lines: LINES,
+  bids,
+  awarded_bid_id: null,
+  contract_id: null,
+  may_award: true,
+  pending: [],
+})
+
+const second = aBid('b2', 'Sound designer B', {
+  content: { ...aBid('', '').content, lines: aBid('', '').content.lines.slice(0, 1) },
+  amounts_minor: [81000],
+  total_minor: 81000,
+  missing: ['UI'],
+  hourly_rate_minor: 3375,
+  is_below_floor: true,
+})
+
+function bidsOpened() {
+  const server = new ListServer([], {}, 'team')
+  const path = server.path.replace('/sound-list', '')
+  server.answers['GET /v1/postings/p1/bids'] = compared([aBid('b1', 'Sound designer A'), second])
+  const app = openApp(`${path}/postings/p1/bids`)
+  return { server, app, path }
+}
+
+test('bids stand on the same lines, and a total without a line names it', async () => {
+  bidsOpened()
+  expect(await screen.findByRole('heading', { name: '2 bids on Effects for Alpha' })).toBeVisible()
+  const total = screen.getByRole('row', { name: /^Total/ })
+  expect(total).toHaveTextContent('$960.00$60.00 over the budget')
+  expect(total).toHaveTextContent('$810.00without UI: not comparable')
+  expect(screen.getByRole('row', { name: /^UI, 1 cue/ })).toHaveTextContent('not offered')
+  expect(screen.getByRole('row', { name: /^Hours/ })).toHaveTextContent('$33.75 an hour, your floor is $45.00')
+  expect(screen.getByRole('row', { name: /^Reliability/ })).toHaveTextContent('Score it to see the team’s')
+})
+
+test('by keys: choose a bid, shortlist it, score it; an award asks first and names who is thanked', async () => {
+  const { server, app, path } = bidsOpened()
+  await screen.findByRole('heading', { name: '2 bids on Effects for Alpha' })
+  server.answers['PUT /v1/bids/b2/shortlist'] = compared([
+    { ...second, is_shortlisted: true },
+    aBid('b1', 'Sound designer A'),
+  ])
+  server.answers['PUT /v1/bids/b2/scores'] = ({ body }: Asked) =>
+    compared([
+      {
+        ...second,
+        own_scores: {
+          person: { id: 'x1', name: 'Producer' },
+          ...(body as { scores: Record<string, number>; note: string }),
+        },
+        others: [{ person: { id: 'x2', name: 'Audio director' }, scores: { Reliability: 3 }, note: 'Slow to answer.' }],
+        scored_by: 2,
+      },
+      aBid('b1', 'Sound designer A'),
+    ])
+  server.answers['POST /v1/bids/b2/award'] = answer({ project_id: 'shield-wing', contract_id: 'c9' }, 201)
+  await userEvent.keyboard('2l')
+  await waitFor(() =>
+    expect(wrote(server.asked, 'PUT /v1/bids/b2/shortlist')[0]?.body).toEqual({ is_shortlisted: true }),
+  )
+  await userEvent.keyboard('s')
+  const quality = screen.getByRole('combobox', { name: 'Quality of work' })
+  expect(quality).toHaveFocus()
+  await userEvent.selectOptions(quality, '4')
+  await userEvent.selectOptions(screen.getByRole('combobox', { name: 'Reliability' }), '5')
+  await userEvent.click(screen.getByRole('button', { name: 'Save scores' }))
+  expect(await screen.findByText('Slow to answer.')).toBeVisible()
+  expect(screen.getByRole('row', { name: /^Reliability/ })).toHaveTextContent('4.0Producer 5, Audio director 3')
+  ;(document.activeElement as HTMLElement).blur()
+  await userEvent.keyboard('{Shift>}{Enter}{/Shift}')
+  const dialog = await screen.findByRole('dialog')
+  expect(dialog).toHaveTextContent('Sound designer A: thanked')
+  expect(dialog).toHaveTextContent('A draft contract over $810.00 opens. Nothing is signed.')
+  expect(dialog).toHaveTextContent('This bid is without UI.')
+  expect(wrote(server.asked, 'POST /v1/bids/b2/award')).toHaveLength(0)
+  await userEvent.click(within(dialog).getByRole('button', { name: 'Award' }))
+  await waitFor(() => expect(app.at()).toBe(`${path}/contracts/c9/draft`))
+})
+
+test('a producer writes a posting, saves it and opens it', async () => {
+  const server = new ListServer([], {}, 'team')
+  const path = server.path.replace('/sound-list', '')
+  const at = server.at
+  server.answers[`GET ${at}/postings`] = []
+  server.answers[`POST ${at}/postings`] = answer(aPosting({ state: 'draft' }), 201)
+  server.answers['GET /v1/postings/p1'] = aPosting({ state: 'draft' })
+  server.answers['PUT /v1/postings/p1'] = aPosting({ state: 'draft', revision: 3, budget_minor: 800000 })
+  server.answers['POST /v1/postings/p1/open'] = aPosting()
+  const app = openApp(`${path}/postings`)
+  expect(await screen.findByRole('heading', { name: 'No posting yet' })).toBeVisible()
+  await userEvent.type(screen.getByRole('textbox', { name: 'Title' }), 'Effects for Alpha')
+  await userEvent.click(screen.getByRole('button', { name: 'Write the posting' }))
+  await waitFor(() => expect(app.at()).toBe(`${path}/postings/p1`))
+  await userEvent.type(await screen.findByRole('textbox', { name: 'Budget' }), '8,000')
+  await userEvent.click(screen.getByRole('button', { name: 'Save' }))
+  await waitFor(() =>
+    expect(wrote(server.asked, 'PUT /v1/postings/p1')[0]?.body).toMatchObject({
+      budget_minor: 800000,
+      scope: 'all',
+      headings: HEADINGS,
+      revision: 2,
+    }),
+  )
+  await userEvent.click(await screen.findByRole('button', { name: 'Open for bids' }))
+  expect(await screen.findByRole('button', { name: 'Close' })).toBeVisible()
+})
+
+function bidOpened(more: Partial<Posting> = {}) {
+  const server = new ListServer([], {}, 'designer')
+  const seen = aPosting({ is_team: false, headings: [], bids: null, ...more })
+  server.answers['GET /v1/postings/p1'] = seen
+  openApp('/postings/p1')
+  return { server, seen }
+}
+
+test('a designer bids on the asked lines; what cannot be read is said, and what was typed is kept', async () => {
+  const { server, seen } = bidOpened()
+  await screen.findByRole('heading', { name: 'Your bid' })
+  const footsteps = screen.getByRole('group', { name: 'Footsteps' })
+  expect(within(footsteps).getByRole('textbox', { name: 'How many' })).toHaveValue('3')
+  await userEvent.type(within(footsteps).getByRole('textbox', { name: 'Price, USD' }), '270')
+  await userEvent.click(screen.getByRole('button', { name: /^Send/ }))
+  expect(await screen.findByRole('alert')).toHaveTextContent('Enter a price in USD for ui, such as 270.00.')
+  expect(wrote(server.asked, 'PUT /v1/postings/p1/bid')).toHaveLength(0)
+  await userEvent.click(screen.getByRole('checkbox', { name: 'UI' }))
+  expect(screen.getByText('Total $810.00')).toBeVisible()
+  expect(screen.getByText('without UI')).toBeVisible()
+  const own = {
+    id: 'b1',
+    state: 'draft' as const,
+    revision: 1,
+    content: { ...aBid('', '').content, lines: aBid('', '').content.lines.slice(0, 1) },
+    total_minor: 81000,
+    missing: ['UI'],
+    sent_at: null,
+    resent_at: null,
+    differs: false,
+    is_awarded: false,
+  }
+  server.answers['PUT /v1/postings/p1/bid'] = { ...seen, own_bid: own }
+  server.answers['POST /v1/postings/p1/bid/send'] = { ...seen, own_bid: { ...own, state: 'sent' } }
+  await userEvent.keyboard('{Control>}{Enter}{/Control}')
+  await waitFor(() => expect(wrote(server.asked, 'POST /v1/postings/p1/bid/send')[0]?.body).toEqual({ revision: 1 }))
+  expect(wrote(server.asked, 'PUT /v1/postings/p1/bid')[0]?.body).toMatchObject({
+    revision: 0,
+    lines: [{ key: 'footsteps', quantity_hundredths: 300, price_minor: 27000 }],
+  })
+  expect(await screen.findByRole('button', { name: /Send again/ })).toBeVisible()
+})
+
+test('a closed posting takes no bid, and an NDA leaves title, dates and studio', async () => {
+  bidOpened({ takes_bids: false, state: 'closed' })
+  expect(await screen.findByText('This posting takes no bids now. What you have typed is kept.')).toBeVisible()
+  expect(screen.getByRole('button', { name: 'Save draft' })).toBeDisabled()
+})
+
+test('behind the NDA there is no form', async () => {
+  bidOpened({ nda_open: true, lines: [], text: '', project_name: '' })
+  expect(await screen.findByRole('heading', { name: 'An NDA comes first' })).toBeVisible()
+  expect(screen.queryByRole('heading', { name: 'Your bid' })).not.toBeInTheDocument()
+})
+
+test('the link shows the posting to everyone and leads to sign-in and back', async () => {
+  serve({
+    'GET /v1/session': { signed_in: false, demo: false },
+    'GET /v1/posting-links/abc': {
+      ...aPosting({ project_name: 'Shield Wing' }),
+      nda_needed: false,
+    },
+  })
+  openApp('/posting/abc')
+  expect(await screen.findByRole('heading', { name: 'Effects for Alpha' })).toBeVisible()
+  expect(screen.getByText('3 cues, 10 files')).toBeVisible()
+  expect(await screen.findByRole('link', { name: 'Sign in' })).toHaveAttribute('href', '/sign-in?next=%2Fposting%2Fabc')
+})
+
+test('a link that was revoked says what to do', async () => {
+  serve({
+    'GET /v1/session': { signed_in: false, demo: false },
+    'GET /v1/posting-links/abc': refusal(404, 'posting-not-found', 'this link is unknown, withdrawn or expired', {
+      fix: 'Ask the studio for a new one.',
+    }),
+  })
+  openApp('/posting/abc')
+  expect(await screen.findByRole('alert')).toHaveTextContent('This link is unknown, withdrawn or expired.')
+})
+
+test('hundredths and sums are exact', () => {
+  expect([
+    hundredthsOf('7.5'),
+    hundredthsOf('3'),
+    hundredthsOf('0.05'),
+    hundredthsOf('x'),
+    hundredthsOf('1.005'),
+  ]).toEqual([750, 300, 5, null, null])
+  const typed = typedBid(LINES, null, 'USD')
+  typed.lines = [
+    { key: 'Oath', kind: 'voice', unit: 'per_hour', quantity: '1.5', price: '33.33', note: '', isOffered: true },
+  ]
+  expect(totalOf(typed, 'USD')).toBe(5000)
+  expect(contentOf({ ...typed, hours: 'many' }, 'USD')).toEqual({ wrong: 'Enter the hours, such as 160.' })
+})
+
+test('the pages have no fault that a machine can find', async () => {
+  bidsOpened()
+  await screen.findByRole('heading', { name: '2 bids on Effects for Alpha' })
+  const { violations } = await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })
+  expect(violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html}`)).toEqual([])
+})
