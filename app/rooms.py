@@ -17,6 +17,7 @@ from app.amendments.endpoints import router as amendments
 from app.briefs.endpoints import router as briefs
 from app.builds.clearance_endpoints import router as clearance
 from app.builds.endpoints import router as builds
+from app.builds.handover_endpoints import router as handovers
 from app.builds.manifest_endpoints import router as manifests
 from app.conformance.endpoints import router as conformance
 from app.dashboards.endpoints import router as dashboards
@@ -66,6 +67,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     reviews,
     builds,
     clearance,
+    handovers,
     manifests,
     dashboards,
     events,

@@ -112,10 +112,11 @@ def download_pack(
     files = packs.pack_files(
         runtime.store, pack, masters=masters, allow_missing=allow_missing, placeholders=with_placeholders
     )
-    return _zip(f"{pack.project.name} {pack.target}.zip", [file.entry for file in files])
+    return stream_zip(f"{pack.project.name} {pack.target}.zip", [file.entry for file in files])
 
 
-def _zip(name: str, entries: Sequence[Entry]) -> StreamingResponse:
+def stream_zip(name: str, entries: Sequence[Entry]) -> StreamingResponse:
+    """Return a ZIP under a name, its length known beforehand."""
     return StreamingResponse(
         zip_bytes(entries),
         media_type="application/zip",
@@ -298,7 +299,7 @@ def download_sealed_pack(
 ) -> StreamingResponse:
     """Stream a pack that was handed out, the same bytes each time."""
     pack = sealing.visible_sealed(session, actor, pack_id)
-    return _zip(f"{pack.target} {pack.number}.zip", sealing.sealed_entries(session, runtime.store, pack))
+    return stream_zip(f"{pack.target} {pack.number}.zip", sealing.sealed_entries(session, runtime.store, pack))
 
 
 @router.post(

@@ -11,6 +11,10 @@ class NothingAccepted(Conflict):
     """No cue is accepted yet, so there is nothing to pack."""
 
 
+class ContractNotEnded(Conflict):
+    """A handover pack is made once the contract has ended."""
+
+
 class PackIncomplete(Conflict):
     """An accepted sound has no game file for the target."""
 

@@ -331,8 +331,8 @@ def pack_files(
     ensure_stored(store, studio_id, [file.entry for file in files])
     rows = key_rows(pack, masters=masters)
     keys = {KEY_CSV: key_csv(rows), KEY_XLSX: key_xlsx(rows), KEY_PDF: key_pdf(rows, title=title_of(pack))}
-    entries = [*(file.entry for file in files), *(_in_memory(path, content) for path, content in keys.items())]
-    entries.append(_in_memory(SUMS, sums({entry.path: entry.sha256 for entry in entries})))
+    entries = [*(file.entry for file in files), *(memory_entry(path, content) for path, content in keys.items())]
+    entries.append(memory_entry(SUMS, sums({entry.path: entry.sha256 for entry in entries})))
     return [*files, *(Packed(entry, FileKind.KEY) for entry in entries[len(files) :])]
 
 
@@ -363,7 +363,8 @@ def ensure_packable(pack: Pack, *, allow_missing: bool, placeholders: bool) -> N
         )
 
 
-def _in_memory(path: str, content: bytes) -> Entry:
+def memory_entry(path: str, content: bytes) -> Entry:
+    """Return a small file as a ZIP takes it."""
     return Entry(path, len(content), hashlib.sha256(content).hexdigest(), partial(io.BytesIO, content))
 
 

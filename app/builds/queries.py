@@ -2,12 +2,14 @@
 
 from collections import defaultdict
 from collections.abc import Collection, Sequence
+from datetime import datetime
 from typing import Any, NamedTuple
 from uuid import UUID
 
 from sqlalchemy import ColumnElement, func, select
 from sqlalchemy.orm import Session, defer, joinedload, undefer
 
+from app.accounts.models import Person
 from app.agreements.models import Contract, ContractCue
 from app.builds.models import Build, Fingerprint, PackedFile, PlaceholderFile, SealedPack
 from app.builds.rules import FileKind, PackState
@@ -17,6 +19,7 @@ from app.kit.in_array import in_array
 from app.projects.models import Engagement, Project
 from app.projects.rules import EngagementKind
 from app.renders.models import Render
+from app.reviews.models import ChangeRequest, Comment
 from app.sound_lists.models import Cue, Stem
 from app.sound_lists.rules import CueState
 from audio_checks import FINGERPRINT_VERSION
@@ -233,6 +236,45 @@ def contracts_of_cues(session: Session, cue_ids: Collection[UUID]) -> Sequence[t
         .order_by(Contract.number)
     )
     return [(covered, contract) for covered, contract in rows]
+
+
+class RemarkRow(NamedTuple):
+    """A change request that was sent, or a comment that is not resolved, with the file it is on."""
+
+    cue_id: UUID
+    file_name: str
+    start_s: float | None
+    author: str
+    created_at: datetime
+    text: str
+    is_request: bool
+
+
+def open_remarks(session: Session, cue_ids: Collection[UUID], designer_id: UUID) -> list[RemarkRow]:
+    """Return what was asked of a designer's takes of cues and said of them, change requests first, in order."""
+    of_takes = (in_array(Take.cue_id, cue_ids), Take.designer_id == designer_id)
+    requests = session.execute(
+        select(
+            Take.cue_id,
+            Take.file_name,
+            ChangeRequest.start_s,
+            Person.name,
+            ChangeRequest.created_at,
+            ChangeRequest.text,
+        )
+        .join(ChangeRequest, ChangeRequest.take_id == Take.id)
+        .join(Person, Person.id == ChangeRequest.written_by)
+        .where(*of_takes, ChangeRequest.feedback_id.is_not(None))
+        .order_by(ChangeRequest.id)
+    ).all()
+    comments = session.execute(
+        select(Take.cue_id, Take.file_name, Comment.start_s, Person.name, Comment.created_at, Comment.text)
+        .join(Comment, Comment.take_id == Take.id)
+        .join(Person, Person.id == Comment.written_by)
+        .where(*of_takes, Comment.resolved_at.is_(None))
+        .order_by(Comment.id)
+    ).all()
+    return [RemarkRow(*row, True) for row in requests] + [RemarkRow(*row, False) for row in comments]
 
 
 def in_house_designers(session: Session, project_id: UUID) -> set[UUID]:

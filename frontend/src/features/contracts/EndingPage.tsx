@@ -48,6 +48,7 @@ export function EndingPage() {
         <div className="stack">
           {ending.may.give_notice && <GiveNotice ending={ending} />}
           {ending.notice && <Signing ending={ending} />}
+          {ending.state === 'settled' && ending.my_party === 'studio' && <Handover contractId={ending.contract_id} />}
           <Before ending={ending} />
         </div>
       </div>
@@ -218,6 +219,27 @@ function Sum({
       </td>
       <td className={classes.number}>{strong ? <strong>{one(minor)}</strong> : one(minor)}</td>
     </tr>
+  )
+}
+
+/** What the next designer begins with, for the studio, once the contract has ended. */
+function Handover({ contractId }: { contractId: string }) {
+  return (
+    <Card aria-labelledby="handover">
+      <CardHead id="handover" title="Handover pack" note="for the next designer" />
+      <div className={classes.form}>
+        <p>
+          Approved masters with their hashes and sources, each cue with its state, files still to deliver, open rounds
+          with their comments, open questions, palette and brief. It contains no amounts, no hours and no reason for the
+          ending.
+        </p>
+        <div className="row wrap">
+          <ButtonLink icon="download" href={`/v1/contracts/${contractId}/handover`} download>
+            Download handover pack
+          </ButtonLink>
+        </div>
+      </div>
+    </Card>
   )
 }
 

@@ -173,6 +173,23 @@ test('a statement is agreed to by its hash, under a name; a refusal is shown', a
   expect(await screen.findByRole('heading', { name: 'Settlement' })).toBeVisible()
 })
 
+test.each([
+  ['studio', 'settled', 1],
+  ['designer', 'settled', 0],
+  ['studio', 'notice', 0],
+])('for the %s of a contract that is %s there are %i handover packs', async (party, state, packs) => {
+  serve(
+    given({ 'GET /v1/contracts/c1/ending': { ...GIVEN, my_party: party, state, settled_at: '2026-11-18T09:00:00Z' } }),
+  )
+  openApp('/projects/p1/contracts/c1/ending')
+  await screen.findByRole('region', { name: 'Settlement statement' })
+  const links = screen.queryAllByRole('link', { name: 'Download handover pack' })
+  expect(links.map((link) => link.getAttribute('href'))).toEqual(
+    Array.from({ length: packs }, () => '/v1/contracts/c1/handover'),
+  )
+  expect((await axe.run(document.body)).violations.map(({ id }) => id)).toEqual([])
+})
+
 test('a change order shows what it changes, and is signed by its hash', async () => {
   const { asked, answers } = serve(given({ 'GET /v1/contracts/c1/change-orders': ORDERS }))
   answers['POST /v1/contracts/c1/change-orders/1/accept'] = { ...ORDERS, orders: [{ ...ORDER, may: {} }] }

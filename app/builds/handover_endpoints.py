@@ -1,0 +1,32 @@
+"""The endpoint of handover packs."""
+
+from uuid import UUID
+
+from fastapi.responses import StreamingResponse
+
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience
+from app.agreements.errors import ContractNotFound, SamePersonOnBothSides
+from app.builds.endpoints import BINARY, stream_zip
+from app.builds.errors import BlobDamaged, ContractNotEnded
+from app.builds.handover import handover_pack
+from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
+from app.projects.errors import ProducerNeeded
+
+router = Router(prefix="/v1", tags=["builds"], route_class=Route)
+
+
+@router.get(
+    "/contracts/{contract_id}/handover",
+    response_class=StreamingResponse,
+    responses={
+        **problems(ContractNotFound, ProducerNeeded, SamePersonOnBothSides, ContractNotEnded, BlobDamaged),
+        200: {"content": {"application/zip": BINARY}},
+    },
+)
+def download_handover(
+    contract_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Audience.PRODUCER)
+) -> StreamingResponse:
+    """Stream what the next designer needs of a contract that has ended: approved masters, cues, brief, open rounds."""
+    name, entries = handover_pack(session, runtime.store, actor, contract_id)
+    return stream_zip(name, entries)

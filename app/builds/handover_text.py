@@ -1,0 +1,148 @@
+"""What a handover pack says: one page to read, and the cues as a table; nothing of money, hours or reasons."""
+
+import csv
+import io
+from collections.abc import Sequence
+from dataclasses import dataclass, field, fields
+
+from app.sound_lists.rules import spreadsheet_safe
+
+
+@dataclass(frozen=True)
+class HandedFile:
+    """One approved master in the pack, or the reason why it is not in it."""
+
+    path: str
+    sha256: str
+    version: int | None
+    sources: str
+    left_out: str = ""
+
+
+@dataclass(frozen=True)
+class HandedRemark:
+    """What was asked of a cue in review, or said of it."""
+
+    file_name: str
+    at_s: float | None
+    by: str
+    on: str  # the day
+    text: str
+    is_request: bool  # a change request; else a comment
+
+
+@dataclass(frozen=True)
+class HandedCue:
+    """One cue of the contract, and how far the work on it was."""
+
+    label: str
+    name: str
+    category: str
+    description: str
+    variations: int
+    is_palette: bool
+    state: str
+    files: Sequence[HandedFile] = ()
+    owed: Sequence[str] = ()  # names of files that have no approved version
+    remarks: Sequence[HandedRemark] = ()
+    questions: Sequence[str] = ()
+
+
+@dataclass(frozen=True)
+class Handover:
+    """All that a handover pack says."""
+
+    project: str
+    contract: str
+    cues: Sequence[HandedCue]
+    palette: Sequence[HandedFile] = ()  # of other contracts
+    brief: Sequence[tuple[str, str]] = ()  # question and answer
+    open_brief: Sequence[str] = ()  # questions of the brief without an answer
+
+
+@dataclass(frozen=True)
+class CueRow:
+    """One row of the table: a file of a cue."""
+
+    cue: str
+    name: str
+    category: str
+    description: str
+    state: str
+    palette: str
+    file: str
+    version: int | None = None
+    sha256: str = ""
+    sources: str = ""
+    note: str = ""
+
+    @property
+    def cells(self) -> list[str | int | None]:
+        """The row's cells, none of which a spreadsheet takes for a formula."""
+        values = [getattr(self, column.name) for column in fields(self)]
+        return [spreadsheet_safe(value) if isinstance(value, str) else value for value in values]
+
+
+def cue_table(handover: Handover) -> bytes:
+    """Return the cues of a handover as CSV, one row a file, those owed included."""
+    out = io.StringIO(newline="")
+    writer = csv.writer(out)
+    writer.writerow([column.name for column in fields(CueRow)])
+    writer.writerows(row.cells for cue in handover.cues for row in _rows(cue))
+    return ("\ufeff" + out.getvalue()).encode()
+
+
+def _rows(cue: HandedCue) -> list[CueRow]:
+    facts = (cue.label, cue.name, cue.category, cue.description, cue.state, "yes" if cue.is_palette else "no")
+    rows = [CueRow(*facts, one.path, one.version, one.sha256, one.sources, one.left_out) for one in cue.files]
+    return rows + [CueRow(*facts, name, note="no approved version yet") for name in cue.owed]
+
+
+@dataclass
+class _Page:
+    lines: list[str] = field(default_factory=list)
+
+    def section(self, title: str, lines: Sequence[str], otherwise: str) -> None:
+        self.lines += [f"## {title}", "", *(lines or [otherwise]), ""]
+
+
+def read_me(handover: Handover) -> bytes:
+    """Return the page that the next designer begins with, in Markdown."""
+    cues = handover.cues
+    files = [one for cue in cues for one in cue.files]
+    page = _Page([f"# Handover of {handover.contract}, {handover.project}", ""])
+    page.section("Cues", [_cue_line(cue) for cue in cues], "The contract covered no cue.")
+    page.section(
+        "Approved files", [_file_line(one) for one in files], "No cue of the contract has an approved version."
+    )
+    owed = [f"- {name} ({cue.label} {cue.name})" for cue in cues for name in cue.owed]
+    page.section("Files still to deliver", owed, "None: every variation has its approved version.")
+    remarks = [line for cue in cues if cue.remarks for line in _remark_lines(cue)]
+    page.section("Open rounds", remarks, "No cue without an approved version has a change request or an open comment.")
+    questions = [f"- {cue.label} {cue.name}: {text}" for cue in cues for text in cue.questions]
+    page.section("Open questions", questions, "No question on these cues is open.")
+    page.section("Palette of other contracts", [_file_line(one) for one in handover.palette], "None.")
+    brief = [line for question, answer in handover.brief for line in (f"### {question}", "", answer, "")]
+    page.section("Brief", brief, "The project has no brief.")
+    if handover.open_brief:
+        page.section("Open points of the brief", [f"- {text}" for text in handover.open_brief], "")
+    return "\n".join(page.lines).encode()
+
+
+def _cue_line(cue: HandedCue) -> str:
+    palette = ", palette" if cue.is_palette else ""
+    return f"- {cue.label} {cue.name}: {cue.state}{palette}"
+
+
+def _file_line(one: HandedFile) -> str:
+    left_out = f", not in this pack: {one.left_out}" if one.left_out else ""
+    return f"- {one.path}, SHA-256 {one.sha256}; {one.sources or 'sources not stated'}{left_out}"
+
+
+def _remark_lines(cue: HandedCue) -> list[str]:
+    lines = [f"### {cue.label} {cue.name}", ""]
+    for one in cue.remarks:
+        at = "" if one.at_s is None else f" at {one.at_s:.2f} s"
+        kind = "Change requested" if one.is_request else "Comment"
+        lines.append(f"- {kind}, {one.file_name}{at}, {one.by}, {one.on}: {' '.join(one.text.split())}")
+    return [*lines, ""]

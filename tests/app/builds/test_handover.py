@@ -1,0 +1,102 @@
+"""The handover pack of a contract that has ended: what the next designer needs, and nothing of money."""
+
+import csv
+import hashlib
+import io
+import zipfile
+from typing import Any
+from uuid import UUID
+
+import pytest
+
+from tests.app.builds.approved import sound
+from tests.app.money.agreed import Agreed, milestone
+from tests.app.reviews.making import body_of, refused
+from tests.support.deliver import add_cues, deliver, open_delivery
+from tests.support.server import World
+
+REASON = "The budget is gone"
+CUES = ("laser", "shield", "warp")
+
+
+class Half:
+    """Three cues under contract: one approved, one with a change requested and a question, one not begun."""
+
+    def __init__(self, world: World, **terms: Any) -> None:
+        self.world = world
+        self.agreed = Agreed(world, terms={"notice_days": 14} | terms)
+        listed = add_cues(world, *({"name": name, "file_name": name, "palette": name == "laser"} for name in CUES))
+        self.cues = [UUID(cue["id"]) for cue in listed]
+        self.agreed.agree(milestone("Alpha", *self.cues, amount_minor=29_997))
+        delivery_id = open_delivery(world)
+        self.masters = [sound(seed) for seed in (1, 2)]
+        self.takes = [
+            UUID(deliver(world, f"{name}.wav", master, delivery_id=delivery_id)["id"])
+            for name, master in zip(CUES[:2], self.masters, strict=True)
+        ]
+        world.server.wait_for_jobs()
+        stated = world.designer.put(f"/v1/takes/{self.takes[0]}/sources", json={"from_scratch": True})
+        assert stated.status_code == 200, stated.text
+        self.agreed.approve(self.takes[0])
+        self.agreed.draft(self.takes[1], note="a duller clank", start_s=0.1)
+        self.agreed.send()
+        asked = world.designer.post(f"/v1/cues/{self.cues[2]}/questions", json={"text": "Which ship warps in?"})
+        assert asked.status_code == 201, asked.text
+
+    def end(self) -> None:
+        at = f"/v1/contracts/{self.agreed.contract_id}/ending"
+        body_of(self.world.producer.post(f"{at}/notice", json={"reason": REASON}))
+        for by, name in ((self.world.producer, "Producer"), (self.world.designer, "Designer")):
+            seen = body_of(by.get(at))["statement_sha256"]
+            body_of(by.post(f"{at}/agree", json={"name": name, "text_sha256": seen}))
+
+    def pack(self, by: str = "producer") -> Any:
+        return getattr(self.world, by).get(f"/v1/contracts/{self.agreed.contract_id}/handover")
+
+
+def test_it_has_what_the_next_designer_needs_and_nothing_of_money(world: World) -> None:
+    half = Half(world)
+    half.end()
+    answer = half.pack()
+    assert answer.status_code == 200, answer.text
+    assert int(answer.headers["content-length"]) == len(answer.content)
+    with zipfile.ZipFile(io.BytesIO(answer.content)) as archive:
+        assert archive.testzip() is None
+        assert archive.namelist() == ["masters/laser.wav", "cues.csv", "README.md", "SHA256SUMS"]
+        assert archive.read("masters/laser.wav") == half.masters[0]
+        table, text, summed = (archive.read(name).decode("utf-8-sig") for name in archive.namelist()[1:])
+    sha256 = hashlib.sha256(half.masters[0]).hexdigest()
+    assert f"{sha256}  masters/laser.wav" in summed
+    rows = [(row["name"], row["state"], row["file"], row["sha256"]) for row in csv.DictReader(io.StringIO(table))]
+    assert rows == [
+        ("laser", "accepted", "masters/laser.wav", sha256),
+        ("shield", "in work", "shield", ""),
+        ("warp", "not begun", "warp", ""),
+    ]
+    assert "laser: accepted, palette" in text
+    assert f"- masters/laser.wav, SHA-256 {sha256}; made from scratch" in text
+    assert "Change requested, shield.wav at 0.10 s, Audio director" in text
+    assert "a duller clank" in text
+    assert "warp: Which ship warps in?" in text
+    for secret in (REASON, "USD", "299", "99.99", "99,99"):
+        assert secret not in text.replace(sha256, "") + table.replace(sha256, "")
+
+
+def test_it_comes_once_the_contract_has_ended_and_to_producers_only(world: World) -> None:
+    half = Half(world)
+    assert refused(half.pack()) == (409, "contract-not-ended")
+    half.end()
+    assert refused(half.pack("reviewer")) == (404, "contract-not-found")
+    assert refused(half.pack("designer"))[0] == 403
+    assert half.pack().status_code == 200
+
+
+@pytest.mark.parametrize("downloads_open", ["when_paid", "at_once"])
+def test_masters_that_are_not_paid_are_named_and_left_out(world: World, downloads_open: str) -> None:
+    half = Half(world, downloads_open=downloads_open)
+    half.end()
+    with zipfile.ZipFile(io.BytesIO(half.pack().content)) as archive:
+        text = archive.read("README.md").decode()
+        is_closed = downloads_open == "when_paid"
+        assert ("masters/laser.wav" in archive.namelist()) is not is_closed
+        assert ("not in this pack: its files open by payment" in text) is is_closed
