@@ -27,7 +27,7 @@ export function BidPage() {
   useTitle(posting?.title ?? 'Posting')
   if (error) {
     return (
-      <div className="page page-narrow stack">
+      <div className={`page stack ${classes.sheet}`}>
         <h1>Posting</h1>
         <Refusal error={error} />
       </div>
@@ -36,7 +36,7 @@ export function BidPage() {
   if (posting === undefined) return <div className="page" aria-busy="true" />
   if (posting.is_team) {
     return (
-      <div className="page page-narrow stack">
+      <div className={`page stack ${classes.sheet}`}>
         <h1>{posting.title}</h1>
         <p>
           Your studio posted this.{' '}
@@ -52,7 +52,7 @@ export function BidPage() {
     )
   }
   return (
-    <div className="page page-narrow stack">
+    <div className={`page stack ${classes.sheet}`}>
       <PostingFacts posting={posting} ndaOpen={posting.nda_open} />
       {posting.clashes.length > 0 && <Clashes posting={posting} />}
       {!posting.nda_open && (

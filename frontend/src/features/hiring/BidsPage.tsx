@@ -374,22 +374,26 @@ function AwardDialog({ comparison, bid, projectId, onClose }: AwardDialogProps) 
   }
   return (
     <Dialog title={`Award ${comparison.title} to ${bid.designer.name}?`} opened onClose={onClose}>
-      <p>{`${bid.designer.name} is told that the bid was chosen, and joins the project.`}</p>
-      {others.length > 0 && <p>{`${others.join(', ')}: thanked, and told that another bid was chosen.`}</p>}
-      <p>{`A draft contract over ${money(bid.total_minor, comparison.currency)} opens. Nothing is signed.`}</p>
-      {bid.missing.length > 0 && (
-        <p className="tone-warn">
-          <span className="toned">{`This bid is without ${bid.missing.join(', ')}.`}</span>
-        </p>
-      )}
-      <Refusal error={award.error} />
-      <div className="row end">
-        <Button data-autofocus onClick={onClose}>
-          Not yet
-        </Button>
-        <Button variant="primary" aria-busy={award.isPending} onClick={send}>
-          Award
-        </Button>
+      <div className={classes.dialog}>
+        <p>{`${bid.designer.name} gets an email that the bid was chosen, and joins the project.`}</p>
+        {others.length > 0 && (
+          <p>{`${others.join(', ')}: thanked by email, and informed that another bid was chosen.`}</p>
+        )}
+        <p>{`A draft contract over ${money(bid.total_minor, comparison.currency)} opens. Nothing is signed.`}</p>
+        {bid.missing.length > 0 && (
+          <p className="tone-warn">
+            <span className="toned">{`This bid is without ${bid.missing.join(', ')}.`}</span>
+          </p>
+        )}
+        <Refusal error={award.error} />
+        <div className="row">
+          <Button data-autofocus onClick={onClose}>
+            Not yet
+          </Button>
+          <Button variant="primary" aria-busy={award.isPending} onClick={send}>
+            Award
+          </Button>
+        </div>
       </div>
     </Dialog>
   )

@@ -5,6 +5,7 @@ import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 
 import { linkQuery, useJoin, visitorQuery } from './api'
+import classes from './Hiring.module.css'
 import { PostingFacts } from './PostingFacts'
 import { Refusal } from './Refusal'
 
@@ -18,7 +19,7 @@ export function PostingLinkPage() {
   const join = useJoin(secret)
   if (error) {
     return (
-      <div className="page page-narrow stack">
+      <div className={`page stack ${classes.sheet}`}>
         <h1>Posting</h1>
         <Refusal error={error} />
       </div>
@@ -30,7 +31,7 @@ export function PostingLinkPage() {
       onSuccess: ({ posting_id: postingId }) => void navigate({ to: '/postings/$postingId', params: { postingId } }),
     })
   return (
-    <div className="page page-narrow stack">
+    <div className={`page stack ${classes.sheet}`}>
       <PostingFacts posting={posting} ndaOpen={posting.nda_needed} />
       <Refusal error={join.error} />
       {visitor ? (

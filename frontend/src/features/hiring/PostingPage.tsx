@@ -37,7 +37,7 @@ export function PostingPage() {
   useTitle(posting?.title ?? 'Posting')
   if (error) {
     return (
-      <div className="page page-narrow stack">
+      <div className={`page stack ${classes.sheet}`}>
         <h1>Posting</h1>
         <Refusal error={error} />
       </div>
@@ -45,7 +45,7 @@ export function PostingPage() {
   }
   if (posting === undefined) return <div className="page" aria-busy="true" />
   return (
-    <div className="page page-narrow stack">
+    <div className={`page stack ${classes.sheet}`}>
       <Head posting={posting} projectId={projectId} />
       <AskedCard lines={posting.lines} />
       {posting.state !== 'awarded' && <Fields key={posting.revision} posting={posting} />}

@@ -22,7 +22,7 @@ export function PostingsPage() {
   const { projectId } = useParams({ from: '/shell/projects/$projectId/postings' })
   const { data: postings, error } = useQuery(postingsQuery(projectId))
   return (
-    <div className="page page-narrow stack" aria-busy={!postings && error === null}>
+    <div className={`page stack ${classes.sheet}`} aria-busy={!postings && error === null}>
       <div>
         <h1>Postings</h1>
         <p className="mid">
