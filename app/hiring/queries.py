@@ -1,7 +1,6 @@
 """Postings and bids within the caller's reach."""
 
 from collections.abc import Collection, Sequence
-from datetime import datetime
 from uuid import UUID
 
 from sqlalchemy import exists, func, or_, select
@@ -201,29 +200,3 @@ def scores_of(session: Session, bid_ids: Collection[UUID]) -> Sequence[Score]:
 def lock_posting(session: Session, posting_id: UUID) -> None:
     """Lock a posting until the transaction ends."""
     session.execute(select(Posting.id).where(Posting.id == posting_id).with_for_update(key_share=True))
-
-
-def bids_to_compare(session: Session, project_id: UUID) -> Sequence[tuple[Posting, int, datetime | None]]:
-    """Return the postings with bids and without an award: how many bids, and since when the first."""
-    rows = session.execute(
-        select(Posting, func.count(), func.min(Bid.sent_at))
-        .join(Bid, Bid.posting_id == Posting.id)
-        .where(
-            Posting.project_id == project_id,
-            Posting.state.in_((PostingState.OPEN, PostingState.CLOSED)),
-            Bid.state == BidState.SENT,
-        )
-        .group_by(Posting.id)
-    )
-    return [(posting, count, since) for posting, count, since in rows]
-
-
-def open_questions(session: Session, project_id: UUID) -> Sequence[tuple[Posting, int, datetime]]:
-    """Return the postings with questions that have no answer: how many, and since when the first."""
-    rows = session.execute(
-        select(Posting, func.count(), func.min(PostingQuestion.asked_at))
-        .join(PostingQuestion, PostingQuestion.posting_id == Posting.id)
-        .where(Posting.project_id == project_id, PostingQuestion.answered_at.is_(None))
-        .group_by(Posting.id)
-    )
-    return [(posting, count, since) for posting, count, since in rows]
