@@ -241,7 +241,7 @@ def contracts_of_cues(session: Session, cue_ids: Collection[UUID]) -> Sequence[t
 class RemarkRow(NamedTuple):
     """A change request that was sent, or a comment that is not resolved, with the file it is on."""
 
-    cue_id: UUID
+    cue_id: UUID | None
     file_name: str
     start_s: float | None
     author: str
