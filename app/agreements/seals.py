@@ -1,4 +1,4 @@
-"""Sealing the text that all have signed, and telling of any file whether it is a sealed one, untouched."""
+"""Seal the text that all have signed, and find out of any file whether it is a sealed one, untouched."""
 
 import hashlib
 from collections.abc import Sequence

@@ -28,7 +28,7 @@ ANY = UUID(int=0)
 
 
 def _anyone(_session: Session, _actor: Actor, _whose: UUID) -> None:
-    """Permit everybody to have a file read; how often is limited by place."""
+    """Permit anyone to have a file read; how often is limited by network."""
 
 
 async def _sent(request: Request) -> tuple[bytes, str]:

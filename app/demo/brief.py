@@ -1,4 +1,4 @@
-"""The brief of the demo project: what its designer was told before the first sound."""
+"""The brief of the demo project, which its designer read before making the first sound."""
 
 from typing import Any
 

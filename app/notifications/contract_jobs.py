@@ -171,7 +171,7 @@ def mail_heads(runtime: Runtime, _payload: Payload) -> None:
             notifier = Notifier(runtime, session, project, f"head:{contract_id}:{contract.record_length}")
             line = (
                 f"{contract.title}: its audit trail has {contract.record_length} entries. Keep this email: with it, "
-                f"`soundlist verify --head` finds entries that were taken away or written anew.\n\n{json.dumps(head)}"
+                f"`soundlist verify --head` finds entries that were taken away or rewritten.\n\n{json.dumps(head)}"
             )
             for recipient in recipients:
                 notifier.notify(

@@ -6,6 +6,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 NO_REQUEST = (
     "app/*/*jobs.py",
+    "app/agreements/seals.py",
     "app/conformance/checking.py",
     "app/worker.py",
     "app/cli/*.py",
@@ -16,6 +17,7 @@ BEFORE_ANYBODY_IS_KNOWN = {
     "app/accounts/authentication.py": "finds out who comes, by the secret that was sent",
     "app/accounts/people.py": "finds whose address and password these are; people are global",
     "app/accounts/policies.py": "notes after the answer that a token was used",
+    "app/agreements/verify_endpoints.py": "looks for the seal of a file, which is shown to anyone who has that file",
     "app/accounts/request_limits.py": "counts tries, also those of requests that are refused",
 }
 SERVERS_OWN_TABLES = {
