@@ -84,7 +84,7 @@ function ofStudio({ studio }: Pace): Line[] {
 const ofCosts = ({ costs }: Pace): Line[] =>
   costs.flatMap(({ currency, per_kept_minor: each, to_finish_minor: rest }) => [
     ...(each === null ? [] : [{ word: 'Cost of a kept sound', value: money(each, currency) }]),
-    ...(rest === null || rest === 0 ? [] : [{ word: 'Agreed and still to come', value: money(rest, currency) }]),
+    ...(rest === null || rest === 0 ? [] : [{ word: 'Left to accept', value: money(rest, currency) }]),
   ])
 
 /** Early warning, the same for both sides: how the work goes, and how the studio does its own part. */

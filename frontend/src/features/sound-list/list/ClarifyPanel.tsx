@@ -62,7 +62,7 @@ export function ClarifyPanel({ cue, projectId, questions, onClose }: ClarifyPane
       ))}
       {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
       <div className={classes.acts}>
-        <span className="small dim">Answers are added to the description. Nothing waits for them.</span>
+        <span className="small dim">Each answer is added to the description. Unclear cues can be delivered all the same.</span>
         <Button className="end" keys="Escape" onClick={onClose}>
           Close
         </Button>
