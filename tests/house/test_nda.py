@@ -19,7 +19,17 @@ from tests.support.server import RunningServer
 # sign-ins, say nothing of the project.
 BEFORE_NDA = {"read_project", "read_next_steps", "list_contracts", "see_upload", "cancel_upload", "end_my_sign_in"}
 OF_THE_PROJECT = (ONE_DESIGNERS - CONTRACTS) | {
-    *("project_id", "cue_id", "question_id", "follow_up_id", "batch_id", "pack_id", "build_id", "engagement_id", "token_id"),
+    *(
+        "project_id",
+        "cue_id",
+        "question_id",
+        "follow_up_id",
+        "batch_id",
+        "pack_id",
+        "build_id",
+        "engagement_id",
+        "token_id",
+    ),
 }
 
 

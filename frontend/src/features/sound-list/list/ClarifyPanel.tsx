@@ -62,7 +62,9 @@ export function ClarifyPanel({ cue, projectId, questions, onClose }: ClarifyPane
       ))}
       {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
       <div className={classes.acts}>
-        <span className="small dim">Each answer is added to the description. Unclear cues can be delivered all the same.</span>
+        <span className="small dim">
+          Each answer is added to the description. Unclear cues can be delivered all the same.
+        </span>
         <Button className="end" keys="Escape" onClick={onClose}>
           Close
         </Button>
