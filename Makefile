@@ -37,8 +37,9 @@ test: .make/s3  ## Set up and pass every test; two parts at a time, for much in 
 	@$(MAKE) --no-print-directory --keep-going --jobs=$(PARALLEL_JOBS) $(PARTS:%=parallel-%) || { cat .make/*.failed 2>/dev/null; exit 1; }
 	@tail -q -n 1 .make/unit.log .make/unit-postgres.log
 
-test-all: test  ## The same, then every test of rooms and journeys on PostgreSQL and S3 too
+test-all: test  ## The same, then every test of rooms and journeys on PostgreSQL and S3 too, and the long walks in the browser
 	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres --store s3 tests/app tests/journeys
+	@cd frontend && LONG_WALKS=1 npm run --silent e2e -- judging leaving
 
 beside-unit-postgres: beside-unit  # which records what PostgreSQL has to be sent
 parallel-%: setup .make/postgresql .make/browser .make/librosa

@@ -22,8 +22,8 @@ export default defineConfig({
         'tray.spec.ts',
         'live.spec.ts',
         'walk.spec.ts',
-        'judging.spec.ts',
-        'leaving.spec.ts',
+        // Minutes each, beside other tests: `make test-all` walks them.
+        ...(process.env.LONG_WALKS ? ['judging.spec.ts', 'leaving.spec.ts'] : []),
       ],
     },
     { name: 'parts', testMatch: 'parts.spec.ts' },

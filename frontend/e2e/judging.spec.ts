@@ -113,6 +113,7 @@ test('an approver judges 60 versions by keys alone', async ({ server: { url }, b
     await expect(page.getByLabel(/^Message to the designer/)).toBeInViewport({ ratio: 1 })
     await expect(page.getByRole('button', { name: 'Send 2 changes to the designer' })).toBeInViewport({ ratio: 1 })
     await page.screenshot({ path: testInfo.outputPath('sending-narrow.png') })
+    await expect(page.getByLabel(/^Message to the designer/)).toBeFocused()
     await approver.press('Enter')
     await toast('2 changes sent.')
     await approver.press('Escape')
