@@ -64,16 +64,18 @@ class Lexicon:
 
     facts: dict[Fact, frozenset[str]]
     kinds: tuple[Kind, ...]
-    any_fact: frozenset[str]
     pairs: frozenset[str]  # of two words, joined by "-"
-    vague: frozenset[str]
-    verbs: frozenset[str]
-    things: frozenset[str]
-    people: frozenset[str]
-    named: frozenset[str]
-    unsaid: frozenset[str]
-    any_material: frozenset[str]
-    any_size: frozenset[str]
+    words: dict[str, frozenset[str]]  # by what they are: vague, verbs, things, ...
+
+
+@dataclass(frozen=True)
+class Word:
+    """What the lexicon knows of one word, looked up once."""
+
+    forms: frozenset[str]
+    facts: frozenset[Fact]  # that it says
+    kinds: frozenset[int]  # that it speaks of, by their places
+    lists: frozenset[str]  # of the lexicon that it stands in
 
 
 @cache
@@ -97,9 +99,8 @@ def lexicon() -> Lexicon:
     return Lexicon(
         facts,
         kinds,
-        any_fact=frozenset().union(*facts.values()),
         pairs=frozenset(word for kind in kinds for word in kind.words if "-" in word),
-        **{name: frozenset(text.split()) for name, text in read["words"].items()},
+        words={name: frozenset(text.split()) for name, text in read["words"].items()},
     )
 
 
@@ -124,21 +125,21 @@ ENDINGS = (
 @lru_cache(CACHED)
 def questions(name: str, category: str, description: str, loop: bool, has_length: bool) -> tuple[Question, ...]:
     """Return what a request leaves open, the most needed first: none where a designer can begin."""
-    words = lexicon()
-    named, said = _tokens(name), _tokens(description)
-    kind = _kind_of(named, said, category)
-    said_all = [*named, *said]
-    is_unsaid = any(one & words.unsaid for one in said)
-    things = [one for one in said if _is_thing(one, kind)]
-    if not is_unsaid:
-        things += [one for one in named if (one & words.things or not said) and _is_thing(one, kind)]
+    named, said = _words(name), _words(description)
+    place = _place_of_kind(named, said, category)
+    kind = None if place is None else lexicon().kinds[place]
+    every = [*named, *said]
+    things = [word for word in said if _is_thing(word, place)]
+    if not any("unsaid" in word.lists for word in said):
+        things += [word for word in named if ("things" in word.lists or not said) and _is_thing(word, place)]
     found = {Fact(match[1].lower()) for match in STATED.finditer(description)}
-    found |= {fact for fact, of_fact in words.facts.items() if _speaks_of(fact, of_fact, said_all, kind)}
+    for word in every:
+        found |= word.facts - BY_KIND if place in word.kinds else word.facts
     if things:
         found.add(Fact.SOURCE)
-    if any(not one & words.any_size for one in things):
+    if any("any_size" not in word.lists for word in things):
         found.add(Fact.SIZE)
-    if any(not one & words.any_material for one in things):
+    if any("any_material" not in word.lists for word in things):
         found.add(Fact.MATERIAL)
     if loop:
         found |= {Fact.LOOP, Fact.LENGTH}
@@ -148,52 +149,44 @@ def questions(name: str, category: str, description: str, loop: bool, has_length
             found.add(Fact.LOOP)
     if kind and kind.loops and things:  # a thing says which place it is, and several what it is like there
         found |= {Fact.PLACE, Fact.MOOD} if len(things) > 1 else {Fact.PLACE}
-    if len({min(one) for one in said_all if _is_informative(one, kind)}) >= ENOUGH_WORDS:
+    if len({word.forms for word in every if _is_informative(word, place)}) >= ENOUGH_WORDS:
         return ()
     needs = kind.needs if kind else () if things or found else NAMELESS
     needless = "vague" if things else "named"
     return tuple(one for one in needs if one.fact not in found and one.only_if != needless)[:MAX_QUESTIONS]
 
 
-def _kind_of(named: Collection[frozenset[str]], said: Collection[frozenset[str]], category: str) -> Kind | None:
-    kinds = lexicon().kinds
-    for tokens in (named, said):
-        for kind in kinds:
-            if any(one & kind.words for one in tokens):
-                return kind
-    return next((kind for kind in kinds if category.lower() in kind.categories), None)
+def _place_of_kind(named: Collection[Word], said: Collection[Word], category: str) -> int | None:
+    """Return the place of the first kind that the name speaks of, else the description, else the category."""
+    for words in (named, said):
+        if places := frozenset[int]().union(*(word.kinds for word in words)):
+            return min(places)
+    category = category.lower()
+    return next((place for place, kind in enumerate(lexicon().kinds) if category in kind.categories), None)
 
 
-def _is_thing(token: frozenset[str], kind: Kind | None) -> bool:
+def _is_thing(word: Word, place: int | None) -> bool:
     """Whether a word names something of its own: no word of a fact, of the kind, or of nothing in particular."""
-    words = lexicon()
-    if token & words.people:
-        return bool(kind and kind.by_people)
-    if token & (words.named | words.things):
+    if "people" in word.lists:
+        return place is not None and lexicon().kinds[place].by_people
+    if word.lists & {"named", "things"}:
         return True
-    if max(map(len, token)) < SHORTEST_THING:
+    if word.lists & {"vague", "verbs"} or max(map(len, word.forms)) < SHORTEST_THING:
         return False
-    if token & (words.vague | words.verbs) or (kind and token & kind.words and not token & words.any_size):
-        return False
-    return bool(token & words.any_size) or not (
-        token & words.any_fact or any(one.endswith(("ing", "ed")) for one in token)
-    )
+    if "any_size" in word.lists:
+        return True
+    return not (place in word.kinds or word.facts or any(form.endswith(("ing", "ed")) for form in word.forms))
 
 
-def _is_informative(token: frozenset[str], kind: Kind | None) -> bool:
+def _is_informative(word: Word, place: int | None) -> bool:
     """Whether a word says anything of the sound beyond its kind."""
-    return _is_thing(token, kind) or bool(token & lexicon().any_fact and not (kind and token & kind.words))
+    return _is_thing(word, place) or bool(word.facts and place not in word.kinds)
 
 
-def _speaks_of(fact: Fact, of_fact: frozenset[str], tokens: Collection[frozenset[str]], kind: Kind | None) -> bool:
-    return any(one & of_fact and not (kind and fact in BY_KIND and one & kind.words) for one in tokens)
-
-
-def _tokens(text: str) -> list[frozenset[str]]:
-    """Return each word as the forms under which a list may have it."""
+def _words(text: str) -> list[Word]:
     found = list(_found_words(text))
-    pairs = [frozenset({f"{one}-{other}"}) for one, other in pairwise(found)]
-    return [*map(_forms, found), *(pair for pair in pairs if pair & lexicon().pairs)]
+    pairs = (f"{one}-{other}" for one, other in pairwise(found))
+    return [*map(_word, found), *(_word(pair) for pair in pairs if pair in lexicon().pairs)]
 
 
 def _found_words(text: str) -> Iterator[str]:
@@ -207,6 +200,17 @@ def _found_words(text: str) -> Iterator[str]:
 
 
 @lru_cache(CACHED)
+def _word(text: str) -> Word:
+    """Return what the lexicon knows of a word, under any form that it may have there."""
+    known, forms = lexicon(), _forms(text)
+    return Word(
+        forms,
+        frozenset(fact for fact, words in known.facts.items() if forms & words),
+        frozenset(place for place, kind in enumerate(known.kinds) if forms & kind.words),
+        frozenset(name for name, words in known.words.items() if forms & words),
+    )
+
+
 def _forms(word: str) -> frozenset[str]:
     forms = {word}
     for ending, instead in ENDINGS:
