@@ -7,7 +7,7 @@ import { wav } from './sounds'
 
 const PASSWORD = 'quiet reactor hum'
 
-/** A form that people fill in, and what tells that it was sent. */
+/** A form that people fill in, and what shows that it was sent. */
 interface Typed {
   name: string
   path: string
@@ -82,7 +82,7 @@ async function leaveAndSend(page: Page, form: Typed): Promise<void> {
   await page.goto(form.path)
   await form.open?.()
   await expect(page.getByText('Draft restored')).toBeHidden()
-  if (!form.keeps) await expect(form.field, `${form.name} begins anew`).not.toHaveValue(form.then)
+  if (!form.keeps) await expect(form.field, `${form.name} starts empty`).not.toHaveValue(form.then)
 }
 
 test('whatever is typed is there again, however a form is left', async ({ server: { url }, browser }) => {

@@ -216,7 +216,7 @@ def on_command_line(monkeypatch: pytest.MonkeyPatch, world: World, *args: str) -
     return CliRunner().invoke(cli, ["verify", *args])
 
 
-def test_the_command_tells_of_a_pdf(
+def test_the_command_reports_on_a_pdf(
     world: World, sealed: bytes, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = tmp_path / "contract.pdf"

@@ -110,8 +110,8 @@ def test_only_those_who_see_the_contract_read_its_invoice(world: World) -> None:
     work = Work(world, "laser")
     work.approve()
     invoice = work.agreed.invoice(full_number="INV-2026-014")
-    told = work.master(by="reviewer").json()["detail"]
-    assert told == "this file cannot be downloaded: its files open by payment, and it is not paid yet"
+    detail = work.master(by="reviewer").json()["detail"]
+    assert detail == "this file cannot be downloaded: its files open by payment, and it is not paid yet"
     assert invoice["full_number"] not in str(work.sounds(by="reviewer"))
 
 

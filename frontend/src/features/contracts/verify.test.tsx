@@ -25,7 +25,7 @@ const BINDS = {
 const NOBODY = { 'GET /v1/session': { signed_in: false, demo: false, person: null } }
 const choose = async () => userEvent.upload(await screen.findByLabelText(/^PDF of the contract/), PDF)
 
-test('anyone is told that a contract is untouched, and what it binds', async () => {
+test('anyone can see that a contract is untouched, and what it binds', async () => {
   const verified = { verdict: 'untouched', file_sha256: 'b'.repeat(64), binds: BINDS }
   serve({ ...NOBODY, 'POST /v1/verify': verified })
   openApp('/verify')

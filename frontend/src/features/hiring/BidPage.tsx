@@ -1,11 +1,9 @@
 import { Checkbox, Textarea, TextInput } from '@mantine/core'
-import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 import { useState } from 'react'
 
 import { DraftNote, useDraft } from '@/app/drafts'
 import { useHotkeys } from '@/app/keys'
-import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
 import { money } from '@/money/words'
 import { Button } from '@/ui/Button'
@@ -13,27 +11,19 @@ import { Card, CardHead } from '@/ui/Card'
 import { day } from '@/ui/format'
 import { Select } from '@/ui/Select'
 
-import { type BidLine, type Posting, postingQuery, useAsk, useSaveBid, useSendBid, useWithdrawBid } from './api'
+import { type BidLine, type Posting, useAsk, useSaveBid, useSendBid, useWithdrawBid } from './api'
 import { contentOf, totalOf, type TypedLine, typedBid } from './bid'
 import classes from './Hiring.module.css'
 import { PostingFacts } from './PostingFacts'
 import { Refusal } from './Refusal'
+import { usePosting } from './usePosting'
 import { EXTRA_WORDS, UNIT_WORDS } from './words'
 
 /** A posting as a designer sees it, with their own bid. */
 export function BidPage() {
   const { postingId } = useParams({ from: '/shell/postings/$postingId' })
-  const { data: posting, error } = useQuery(postingQuery(postingId))
-  useTitle(posting?.title ?? 'Posting')
-  if (error) {
-    return (
-      <div className={`page stack ${classes.sheet}`}>
-        <h1>Posting</h1>
-        <Refusal error={error} />
-      </div>
-    )
-  }
-  if (posting === undefined) return <div className="page" aria-busy="true" />
+  const { posting, missing } = usePosting(postingId)
+  if (posting === undefined) return missing
   if (posting.is_team) {
     return (
       <div className={`page stack ${classes.sheet}`}>

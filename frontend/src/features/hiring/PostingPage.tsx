@@ -1,10 +1,8 @@
 import { Checkbox, Textarea, TextInput } from '@mantine/core'
-import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 import { type FormEvent, useState } from 'react'
 
 import { DraftNote, useDraft } from '@/app/drafts'
-import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
 import { amount, minorOf } from '@/money/words'
 import { Button } from '@/ui/Button'
@@ -16,8 +14,6 @@ import { Select } from '@/ui/Select'
 
 import {
   type Posting,
-  postingQuery,
-  useAnswer,
   useInvite,
   useMakeLink,
   useMovePosting,
@@ -27,23 +23,16 @@ import {
 } from './api'
 import classes from './Hiring.module.css'
 import { AskedCard } from './PostingFacts'
+import { QuestionsCard } from './QuestionsCard'
 import { Refusal } from './Refusal'
+import { usePosting } from './usePosting'
 import { STATE_WORDS } from './words'
 
 /** One posting as the studio writes it: what it says, who is asked, and what they ask. */
 export function PostingPage() {
   const { projectId, postingId } = useParams({ from: '/shell/projects/$projectId/postings/$postingId' })
-  const { data: posting, error } = useQuery(postingQuery(postingId))
-  useTitle(posting?.title ?? 'Posting')
-  if (error) {
-    return (
-      <div className={`page stack ${classes.sheet}`}>
-        <h1>Posting</h1>
-        <Refusal error={error} />
-      </div>
-    )
-  }
-  if (posting === undefined) return <div className="page" aria-busy="true" />
+  const { posting, missing } = usePosting(postingId)
+  if (posting === undefined) return missing
   return (
     <div className={`page stack ${classes.sheet}`}>
       <Head posting={posting} projectId={projectId} />
@@ -359,58 +348,5 @@ function PeopleCard({ posting }: { posting: Posting }) {
         </div>
       )}
     </Card>
-  )
-}
-
-function QuestionsCard({ posting }: { posting: Posting }) {
-  return (
-    <Card aria-labelledby="questions">
-      <CardHead id="questions" title="Questions" count={posting.questions.length} />
-      {posting.questions.length === 0 && (
-        <EmptyState head="No question yet" level={3}>
-          What designers ask appears here, and you get an email.
-        </EmptyState>
-      )}
-      {posting.questions.map(({ id, text, asked_by: by, answer, is_for_all: forAll }) => (
-        <div key={id} className={classes.body}>
-          <p>
-            <span className="strong">{by?.name}</span> {text}
-          </p>
-          {answer === null ? (
-            <AnswerForm postingId={posting.id} id={id} />
-          ) : (
-            <p className="mid">{`${answer} (${forAll ? 'for all' : 'for who asked'})`}</p>
-          )}
-        </div>
-      ))}
-    </Card>
-  )
-}
-
-function AnswerForm({ postingId, id }: { postingId: string; id: string }) {
-  const [text, setText, draft] = useDraft(`posting-answer:${id}`, '')
-  const answer = useAnswer(postingId)
-  const send = (forAll: boolean) => {
-    if (answer.isPending || text.trim() === '') return
-    answer.mutate({ id, text, forAll }, { onSuccess: () => draft.discard() })
-  }
-  return (
-    <>
-      <Textarea
-        label="Answer"
-        value={text}
-        maxLength={2000}
-        onChange={({ currentTarget }) => setText(currentTarget.value)}
-      />
-      <Refusal error={answer.error} />
-      <div className="row wrap">
-        <Button disabled={text.trim() === ''} onClick={() => send(true)}>
-          Answer for all
-        </Button>
-        <Button variant="quiet" disabled={text.trim() === ''} onClick={() => send(false)}>
-          Answer this one only
-        </Button>
-      </div>
-    </>
   )
 }
