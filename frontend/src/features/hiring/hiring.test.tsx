@@ -3,11 +3,12 @@ import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
 import { expect, test } from 'vitest'
 
+import { queryClient } from '@/api/queryClient'
 import { openApp } from '@/test/openApp'
 import { answer, type Asked, refusal, serve, wrote } from '@/test/server'
 import { ListServer } from '@/test/soundList'
 
-import type { ComparedBid, Comparison, Posting } from './api'
+import { type ComparedBid, type Comparison, type Posting, postingQuery } from './api'
 import { contentOf, hundredthsOf, totalOf, typedBid } from './bid'
 
 const LINES = [
@@ -303,4 +304,16 @@ test('the pages have no fault that a machine can find', async () => {
   await screen.findByRole('heading', { name: '2 bids on Effects for Alpha' })
   const { violations } = await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })
   expect(violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html}`)).toEqual([])
+})
+
+test('a posting stays on the page while the server is away', async () => {
+  const server = new ListServer([], {}, 'team')
+  const path = server.path.replace('/sound-list', '')
+  server.answers['GET /v1/postings/p1'] = aPosting()
+  openApp(`${path}/postings/p1`)
+  expect(await screen.findByRole('heading', { name: 'Effects for Alpha' })).toBeVisible()
+  server.answers['GET /v1/postings/p1'] = refusal(503, 'database-unavailable', 'the database does not answer')
+  await queryClient.refetchQueries({ queryKey: postingQuery('p1').queryKey })
+  expect(queryClient.getQueryState(postingQuery('p1').queryKey)?.status).toBe('error')
+  expect(screen.getByRole('heading', { name: 'Effects for Alpha' })).toBeVisible()
 })
