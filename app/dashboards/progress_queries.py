@@ -230,19 +230,19 @@ def current_findings(
 @cache
 def _current_findings(is_own: bool) -> Select[UUID | None, Any]:
     findings = CheckRun.report["findings"]
-    newer = aliased(Take)
-    is_answered = exists().where(
-        newer.cue_id == Take.cue_id,
-        newer.variation == Take.variation,
-        newer.number > Take.number,
-        newer.state != TakeState.SET_ASIDE,
-        *([newer.designer_id == Take.designer_id] if is_own else []),
+    each = aliased(Take)
+    newest = (
+        select(each.cue_id, each.variation, func.max(each.number).label("number"))
+        .where(in_array(each.cue_id, "cue_ids"), each.state != TakeState.SET_ASIDE)
+        .where(*([each.designer_id == bindparam("designer_id")] if is_own else []))
+        .group_by(each.cue_id, each.variation)
     )
+    is_newest = tuple_(Take.cue_id, Take.variation, Take.number).in_(newest)
     return (
         _owned(select(Take.cue_id, findings), is_own)
         .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
         .where(in_array(Take.cue_id, "cue_ids"), Take.state.not_in((TakeState.SET_ASIDE, TakeState.CHANGE_REQUESTED)))
-        .where(or_(Take.state.not_in((TakeState.RETURNED, TakeState.UNJUDGED)), ~is_answered))
+        .where(or_(Take.state.not_in((TakeState.RETURNED, TakeState.UNJUDGED)), is_newest))
         .where(findings.as_string() != "[]")
         .order_by(Take.received_at, Take.id)
     )

@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 
 from app import rooms
+from app.accounts import rate_limits
 from app.accounts.rules import Audience
 from app.kit import bodies, uvicorn_internals
 from app.kit.bodies import SMALL_BODY_BYTES
@@ -99,15 +100,31 @@ def test_a_large_sheet_of_somebody_known_is_read(world: World):
     assert len(json.dumps(body)) > MIB
 
 
-def test_nobody_unknown_may_send_more_than_the_default():
+def test_nobody_unknown_may_send_more_than_the_default_but_a_pdf_to_verify():
     routes = [route for router in rooms.ROUTERS for route in api_routes(router.routes)]
     large = [route for route in routes if isinstance(route, SingleThreadRoute) and route.body_limit > SMALL_BODY_BYTES]
     assert len(large) > 10
     for route in large:
         policy = policy_of(route)
         assert policy is not None
+        if route.name == "verify_pdf":  # it counts the tries of a place, and then reads
+            assert not route.reads_body
+            continue
         assert policy.audience is not Audience.ANYONE, route.name
         assert route.authentication is not None, route.name
+
+
+def test_a_place_that_verified_too_many_pdfs_is_refused_before_another_is_read(
+    port: int, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr(rate_limits, "VERIFICATIONS_FROM_NETWORK", rate_limits.Limit("files verified", 1, 600))
+    with connected(port) as line:
+        line.sendall(head("POST", "/v1/verify", "Content-Length: 6", "Connection: close") + b"no PDF")
+        assert answer_on(line)[0] == 200
+    with connected(port) as line:
+        line.sendall(head("POST", "/v1/verify", f"Content-Length: {4 * MIB}", "Connection: close"))  # and no body
+        status, problem, _ = answer_on(line)
+    assert (status, problem["code"]) == (429, "too-many-attempts")
 
 
 def test_a_refused_body_costs_no_more_than_the_limit(port: int):

@@ -1,4 +1,4 @@
-import { screen, waitFor, within } from '@testing-library/react'
+import { act, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
 import { expect, test } from 'vitest'
@@ -313,7 +313,10 @@ test('a posting stays on the page while the server is away', async () => {
   openApp(`${path}/postings/p1`)
   expect(await screen.findByRole('heading', { name: 'Effects for Alpha' })).toBeVisible()
   server.answers['GET /v1/postings/p1'] = refusal(503, 'database-unavailable', 'the database does not answer')
-  await queryClient.refetchQueries({ queryKey: postingQuery('p1').queryKey })
+  await act(async () => {
+    await queryClient.refetchQueries({ queryKey: postingQuery('p1').queryKey })
+    await new Promise((resolve) => setTimeout(resolve)) // what watches the query is told one turn later
+  })
   expect(queryClient.getQueryState(postingQuery('p1').queryKey)?.status).toBe('error')
   expect(screen.getByRole('heading', { name: 'Effects for Alpha' })).toBeVisible()
 })
