@@ -1,9 +1,10 @@
 """A browser that listens for changes, on a connection of its own."""
 
 import json
+import socket
 import threading
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -64,5 +65,8 @@ def listening_for_changes(address: str, cookies: Any, **headers: str) -> Iterato
         try:
             yield listener
         finally:
-            answer.close()
+            line = answer.extensions["network_stream"].get_extra_info("socket")
+            with suppress(OSError):
+                line.shutdown(socket.SHUT_RDWR)  # which wakes the thread: closing alone would leave it waiting
             thread.join(5)
+            answer.close()
