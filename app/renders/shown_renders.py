@@ -15,6 +15,9 @@ from app.renders.models import Picture, Render
 from app.renders.queries import current
 from app.renders.rules import RenderState
 
+LEVELS = tuple(
+    Render.measurements[name].as_float() for name in ("true_peak_dbtp", "integrated_lufs", "short_loudness_lufs")
+)
 PICTURE = (Picture.id, Picture.duration_s, Picture.peaks_sha256, Picture.spectrum_sha256, Picture.preview_sha256)
 
 
@@ -40,7 +43,13 @@ class ShownRender(NamedTuple):
     state: RenderState
     refusal: str | None
     attenuation_db: float | None
+    true_peak_dbtp: float | None
+    integrated_lufs: float | None
+    short_loudness_lufs: float | None
     picture: ShownPicture | None
+
+
+FACTS = len(ShownRender._fields) - 1  # columns before those of the picture
 
 
 def shown_renders(
@@ -49,14 +58,15 @@ def shown_renders(
     """Return the current render of each target of the newest spec, by take (its cue loaded); None: not made yet."""
     rows = session.execute(_shown_renders(), {"take_ids": [take.id for take in takes]})
     stored = {
-        (take_id, target, key): ShownRender(id_, state, refusal, attenuation_db, ShownPicture.read(*picture))
-        for take_id, target, key, id_, state, refusal, attenuation_db, *picture in rows
+        (take_id, target, key): ShownRender(*facts[:FACTS], picture=ShownPicture.read(*facts[FACTS:]))
+        for take_id, target, key, *facts in rows
     }
     return current(specs, takes, stored)
 
 
 @cache  # built once: that takes longer than to send it
 def _shown_renders() -> Select[*tuple[Any, ...]]:
-    shown = (Render.take_id, Render.target, Render.key, Render.id, Render.state, Render.refusal, Render.attenuation_db)
+    names = (Render.take_id, Render.target, Render.key)
+    facts = (Render.id, Render.state, Render.refusal, Render.attenuation_db, *LEVELS)
     drawn = and_(Picture.studio_id == Render.studio_id, Picture.sound_sha256 == Render.sha256)
-    return select(*shown, *PICTURE).outerjoin(Picture, drawn).where(in_array(Render.take_id, "take_ids"))
+    return select(*names, *facts, *PICTURE).outerjoin(Picture, drawn).where(in_array(Render.take_id, "take_ids"))

@@ -174,6 +174,8 @@ def review_take(one: TakeOnReview, prefix: str, words: dict[UUID, SetFinding]) -
                 state=render.state.value if render else "waiting",
                 refusal=render.refusal if render else None,
                 attenuation_db=render.attenuation_db if render else None,
+                loudness_lufs=_first(render.integrated_lufs, render.short_loudness_lufs) if render else None,
+                true_peak_dbtp=render.true_peak_dbtp if render else None,
             )
             for target, render in one.renders.items()
         ],

@@ -52,6 +52,8 @@ class ReviewRender(SoundBrief):
     state: RenderState | Literal["waiting"]
     refusal: str | None
     attenuation_db: float | None
+    loudness_lufs: float | None = Field(description="Measured of the file, as the take's own is.")
+    true_peak_dbtp: float | None
 
 
 class ChangeRequestRead(Schema):

@@ -12798,6 +12798,13 @@ export interface components {
             refusal: string | null;
             /** Attenuation Db */
             attenuation_db: number | null;
+            /**
+             * Loudness Lufs
+             * @description Measured of the file, as the take's own is.
+             */
+            loudness_lufs: number | null;
+            /** True Peak Dbtp */
+            true_peak_dbtp: number | null;
         };
         /**
          * ReviewTake

@@ -221,6 +221,15 @@ describe('switching', () => {
   })
 })
 
+test('a sound that is selected again at another gain goes on at that gain', async () => {
+  const made = await playing(B)
+  context.currentTime = 0.1
+  await made.select({ ...B, matchGainDb: -20 })
+  expect(last()?.gain.value).toBeCloseTo(0.1, 9)
+  expect(last()?.stoppedAtS).toBeNull()
+  expect(context.started).toHaveLength(1)
+})
+
 describe('backwards', () => {
   test('it plays the samples in reverse from where it stands, and its place runs back', async () => {
     const made = await playing(A)

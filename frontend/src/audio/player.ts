@@ -94,7 +94,11 @@ export class Player implements Clock {
    */
   async select(source: Source, laterS = 0): Promise<void> {
     this.#leaveSet()
-    if (this.#source?.id === source.id && this.#source.url === source.url) return
+    if (this.#source?.id === source.id && this.#source.url === source.url) {
+      this.#source = source
+      if (this.#sounding) this.#ramp(this.#sounding.gain, this.#gainOf(source))
+      return
+    }
     const wasPlaying = this.isPlaying()
     this.#source = source
     this.#notify({ sourceId: source.id, error: null })

@@ -2,19 +2,19 @@ import { expect, test } from 'vitest'
 
 import { aFinding, aTake } from '@/test/review'
 
-import { inOrder, letterOf, matchGainDb, oddOne, soundOf, targetsOf } from './hearing'
+import { inOrder, letterOf, matchGains, oddOne, sourceOf, soundOf, targetsOf } from './hearing'
 
-const loud = (id: string, variation: number, lufs: number | null) => aTake(id, { variation, loudness_lufs: lufs })
-
-test('a take 2.1 LU above the first comes down by 2.1 dB', () => {
-  expect(matchGainDb(loud('b', 1, -13.9), loud('a', 1, -16))).toBeCloseTo(-2.1, 6)
-  expect(matchGainDb(loud('a', 1, -16), loud('a', 1, -16))).toBe(0)
-})
-
-test('what was not measured is left as sent, and no gain passes 24 dB', () => {
-  expect(matchGainDb(loud('b', 1, null), loud('a', 1, -16))).toBe(0)
-  expect(matchGainDb(loud('b', 1, -16), undefined)).toBe(0)
-  expect(matchGainDb(loud('b', 1, -70), loud('a', 1, -16))).toBe(24)
+test('takes are heard at the loudness of the first, and no true peak passes −1 dBTP', () => {
+  const takes = [
+    aTake('a', { loudness_lufs: -16, true_peak_dbtp: -6 }),
+    aTake('b', { loudness_lufs: -13.9, true_peak_dbtp: -2 }),
+    aTake('c', { loudness_lufs: -20, true_peak_dbtp: -2 }),
+  ]
+  // Lifted by 4 dB the last would reach +2 dBTP: all come down by 3 dB.
+  const gains = matchGains(takes)
+  expect([...gains.values()].map((db) => Number(db.toFixed(6)))).toEqual([-3, -5.1, 1])
+  expect(takes.map((take) => sourceOf(take, 'master', gains)?.matchGainDb?.toFixed(1))).toEqual(['-3.0', '-5.1', '1.0'])
+  expect(takes[1] && sourceOf(takes[1], 'master')?.matchGainDb).toBe(0)
 })
 
 const out = [aFinding({ check: 'variation-set', code: 'variation-set:level' })]
@@ -41,6 +41,8 @@ test('letters follow the order of delivery within a variation', () => {
 test('a target is heard from its own file, and its refusal is kept', () => {
   const game = {
     id: null,
+    loudness_lufs: -19,
+    true_peak_dbtp: -2,
     picture_id: null,
     thumb: null,
     spectrum_url: null,
@@ -63,6 +65,8 @@ test('a target is heard from its own file, and its refusal is kept', () => {
   })
   expect(targetsOf([take])).toEqual(['master', 'game', 'handheld'])
   expect(soundOf(take, 'game')).toMatchObject({ previewUrl: '/game', durationS: 0.79, attenuationDb: 0.4 })
+  expect(soundOf(take, 'game').level).toEqual({ loudnessLufs: -19, truePeakDbtp: -2 })
+  expect(soundOf(take, 'master').level).toEqual({ loudnessLufs: -16, truePeakDbtp: -1 })
   expect(soundOf(take, 'handheld')).toMatchObject({ previewUrl: null, refusal: 'too low a rate' })
   expect(soundOf(take, 'master').previewUrl).toBe('/v1/sounds/a/preview')
 })

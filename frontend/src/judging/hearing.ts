@@ -1,10 +1,9 @@
 import type { Source } from '@/audio'
 
 import type { ReviewTake } from './api'
+import { type Level, matchedGainsDb } from './levels'
 
 export const MASTER = 'master'
-/** More than this is no matching of levels but another sound. */
-const MAX_GAIN_DB = 24
 
 /** Where one take can be heard and seen, as master or as the game file of a target. */
 export interface Sound {
@@ -16,6 +15,7 @@ export interface Sound {
   refusal: string | null
   /** How far the game file came down to keep below the limit. */
   attenuationDb: number | null
+  level: Level
 }
 
 export const LETTERS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ'
@@ -27,7 +27,7 @@ export function targetsOf(takes: readonly ReviewTake[]): string[] {
 
 export function soundOf(take: ReviewTake, target: string): Sound {
   const render = take.renders.find((one) => one.target === target)
-  const { duration_s, preview_url, peaks_url, spectrum_url } = render ?? take
+  const { duration_s, preview_url, peaks_url, spectrum_url, loudness_lufs, true_peak_dbtp } = render ?? take
   return {
     durationS: duration_s ?? take.duration_s ?? secondsOf(take.facts.duration_s),
     previewUrl: preview_url,
@@ -35,24 +35,27 @@ export function soundOf(take: ReviewTake, target: string): Sound {
     spectrumUrl: spectrum_url,
     refusal: render?.refusal ?? null,
     attenuationDb: render?.attenuation_db ?? null,
+    level: { loudnessLufs: loudness_lufs, truePeakDbtp: true_peak_dbtp },
   }
 }
 
 const secondsOf = (value: unknown): number => (typeof value === 'number' ? value : 0)
 
-/** What brings a take to the loudness of the first one; 0 where one of them is not known. */
-export function matchGainDb(take: ReviewTake, reference: ReviewTake | undefined): number {
-  const own = take.loudness_lufs
-  const wanted = reference?.loudness_lufs
-  if (own === null || wanted === null || wanted === undefined) return 0
-  return Math.max(-MAX_GAIN_DB, Math.min(MAX_GAIN_DB, wanted - own))
+/** The gains at which takes are heard at one loudness, in dB, by take. */
+export type Gains = ReadonlyMap<string, number>
+export const AS_SENT: Gains = new Map()
+
+/** What brings takes to the loudness of the first one, and no true peak over the limit. */
+export function matchGains(takes: readonly ReviewTake[], target: string = MASTER): Gains {
+  const gains = matchedGainsDb(takes.map((take) => soundOf(take, target).level))
+  return new Map(takes.map(({ id }, index) => [id, gains[index] ?? 0]))
 }
 
 /** What the player is given for a take; null where there is nothing to hear. */
-export function sourceOf(take: ReviewTake, target: string, reference?: ReviewTake): Source | null {
+export function sourceOf(take: ReviewTake, target: string, gains: Gains = AS_SENT): Source | null {
   const { previewUrl } = soundOf(take, target)
   if (previewUrl === null) return null
-  return { id: `${take.id} ${target}`, url: previewUrl, matchGainDb: matchGainDb(take, reference) }
+  return { id: `${take.id} ${target}`, url: previewUrl, matchGainDb: gains.get(take.id) ?? 0 }
 }
 
 /** Variations first, then the order in which they were delivered. */

@@ -4,7 +4,7 @@ import { useEffect, useMemo } from 'react'
 import type { Player, Source } from '@/audio'
 
 import type { QueueItem, ReviewTake } from './api'
-import { MASTER, sourceOf } from './hearing'
+import { AS_SENT, type Gains, MASTER, sourceOf } from './hearing'
 
 /** Keep the selected take in the player, from the start of every cue and silent until it is asked for. */
 export function useHearing(
@@ -12,7 +12,7 @@ export function useHearing(
   cueId: string | undefined,
   take: ReviewTake | undefined,
   target: string = MASTER,
-  reference?: ReviewTake,
+  gains: Gains = AS_SENT,
 ): Source | null {
   useEffect(() => {
     player.pause()
@@ -21,7 +21,7 @@ export function useHearing(
     player.seek(0)
   }, [player, cueId])
 
-  const source = useMemo(() => (take ? sourceOf(take, target, reference) : null), [take, target, reference])
+  const source = useMemo(() => (take ? sourceOf(take, target, gains) : null), [take, target, gains])
   useEffect(() => {
     if (source === null) player.pause()
     else void player.select(source)

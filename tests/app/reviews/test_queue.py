@@ -40,6 +40,8 @@ def test_a_real_take_waits_with_all_that_its_card_shows(world: World) -> None:
         assert world.reviewer.get(address).status_code == 200
     assert [(one["target"], one["state"]) for one in take["renders"]] == [("game", "made"), ("handheld", "made")]
     assert all(world.reviewer.get(one["preview_url"]).status_code == 200 for one in take["renders"])
+    assert [one["loudness_lufs"] for one in take["renders"]] == pytest.approx([-9.0, -9.0], abs=0.1)
+    assert [one["true_peak_dbtp"] for one in take["renders"]] == pytest.approx([-6.0, -6.0], abs=0.1)
 
 
 def test_oldest_first_and_grouped_by_cue(stage: Stage) -> None:

@@ -1,4 +1,4 @@
-import { useEffect, useState } from 'react'
+import { useEffect, useMemo, useState } from 'react'
 import { flushSync } from 'react-dom'
 
 import { keepDraft, keptDraft } from '@/app/drafts'
@@ -6,7 +6,8 @@ import { showToast } from '@/app/toast'
 import { type Player, type PlayerState, spotOf } from '@/audio'
 import type { CueReview, ReviewTake } from '@/judging/api'
 import { isWholeSet, pickedOfSet } from '@/judging/choice'
-import { soundOf, sourceOf, targetsOf } from '@/judging/hearing'
+import { inOrder, matchGains, soundOf, sourceOf, targetsOf } from '@/judging/hearing'
+import { matchedWords } from '@/judging/levels'
 import { useHearing } from '@/judging/useHearing'
 import type { Judge } from '@/judging/useJudge'
 import { takeName } from '@/judging/words'
@@ -64,8 +65,13 @@ export function CueRoom(props: CueRoomProps) {
   const askedBefore = review.change_requests.filter(
     ({ take_id, sent_at }) => take_id === before?.id && sent_at !== null,
   )
-  const reference = heard[0]
-  const source = useHearing(player, cue.id, hand, target, blind ? undefined : reference)
+  // Blind or not, the order is that of delivery: the first of these says how loud all are.
+  const compared = useMemo(
+    () => [...new Set([...inOrder(heard), before, hand])].filter((take) => take !== undefined),
+    [heard, before, hand],
+  )
+  const gains = useMemo(() => matchGains(compared, target), [compared, target])
+  const source = useHearing(player, cue.id, hand, target, gains)
   const targets = targetsOf(review.takes)
 
   const { startS } = props
@@ -135,7 +141,7 @@ export function CueRoom(props: CueRoomProps) {
     player.pause()
     takes.toggleBlind()
   }
-  const asGame = () => void player.playAsGame(heard.flatMap((take) => sourceOf(take, target, reference) ?? []))
+  const asGame = () => void player.playAsGame(heard.flatMap((take) => sourceOf(take, target, gains) ?? []))
   const setEnd = (end: 'startS' | 'endS') => {
     if (hand === undefined) return
     const { durationS } = soundOf(hand, target)
@@ -165,7 +171,14 @@ export function CueRoom(props: CueRoomProps) {
           onQueue={props.onQueue}
         />
         {!isSet && heard.length > 1 && (
-          <TakeCards takes={heard} handId={hand?.id} nameOf={nameOf} blind={blind !== null} onChoose={choose} />
+          <TakeCards
+            takes={heard}
+            gains={gains}
+            handId={hand?.id}
+            nameOf={nameOf}
+            blind={blind !== null}
+            onChoose={choose}
+          />
         )}
         {isSet && heard.length > 0 && (
           <SetRows takes={heard} handId={hand?.id} nameOf={nameOf} picked={picked} onChoose={choose} cue={cue} />
@@ -205,6 +218,11 @@ export function CueRoom(props: CueRoomProps) {
             silent={source === null ? whySilent(hand, target) : null}
             onNext={heard.length > 1 ? () => stepTake(1) : before ? flip : undefined}
             nextWords={before && current ? `${before.number} ⇄ ${current.number}` : nextWords(heard, hand, nameOf)}
+            matchedSays={
+              blind
+                ? ''
+                : matchedWords(compared.map((take) => ({ name: nameOf(take), gainDb: gains.get(take.id) ?? 0 })))
+            }
             blind={canBlind ? { on: blind !== null, toggle: toggleBlind } : undefined}
             asGame={isSet && heard.length > 1 ? asGame : undefined}
             takeId={hand.id}

@@ -186,6 +186,20 @@ describe('alternates', () => {
     expect(alternate('A')).toHaveTextContent('version 1')
   })
 
+  test('levels are matched without a true peak over −1 dBTP, and m lets each be heard as delivered', async () => {
+    const takes = [
+      aTake('a', { alternate: 1, number: 1, loudness_lufs: -16, true_peak_dbtp: -3 }),
+      aTake('b', { alternate: 2, number: 2, loudness_lufs: -20, true_peak_dbtp: -2 }),
+    ]
+    tell(aReview(anItem({ id: 'shield', name: 'shield_hit' }, takes)))
+    await opened()
+    expect(screen.getByText('matched: A −3.0 dB, B +1.0 dB')).toBeVisible()
+    expect(alternate('B')).toHaveTextContent('+1.0 dB')
+    await userEvent.keyboard('m')
+    expect(screen.queryByText(/^matched:/)).toBeNull()
+    expect(screen.getByRole('button', { name: /^Match level/ })).toHaveAttribute('aria-pressed', 'false')
+  })
+
   test('older versions can be heard, and get no verdict', async () => {
     const old = aTake('old', { number: 3, state: 'change_requested' })
     tell(aReview(shield, { takes: [...shield.takes, old] }))

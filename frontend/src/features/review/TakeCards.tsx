@@ -1,12 +1,14 @@
 import { TakeCard } from '@/audio'
 import type { ReviewTake } from '@/judging/api'
-import { MASTER, matchGainDb, soundOf } from '@/judging/hearing'
+import { type Gains, MASTER, soundOf } from '@/judging/hearing'
 import { gain, length } from '@/ui/format'
 
 import classes from './Review.module.css'
 
 interface TakeCardsProps {
   takes: readonly ReviewTake[]
+  /** What brings each to the same level. */
+  gains: Gains
   handId: string | undefined
   nameOf: (take: ReviewTake) => string
   /** Letters are shuffled; shape, length and gain stay hidden until the pick. */
@@ -15,7 +17,7 @@ interface TakeCardsProps {
 }
 
 /** Alternates side by side: one is picked, the others are kept. */
-export function TakeCards({ takes, handId, nameOf, blind, onChoose }: TakeCardsProps) {
+export function TakeCards({ takes, gains, handId, nameOf, blind, onChoose }: TakeCardsProps) {
   return (
     <div className={classes.cards} role="group" aria-label="Alternates">
       {takes.map((take, index) => (
@@ -28,7 +30,7 @@ export function TakeCards({ takes, handId, nameOf, blind, onChoose }: TakeCardsP
           blind={blind}
           facts={[
             length(soundOf(take, MASTER).durationS),
-            gain(matchGainDb(take, takes[0])),
+            gain(gains.get(take.id) ?? 0),
             take.draft_change ? (
               <span key="change" className="tone-change toned">
                 draft change

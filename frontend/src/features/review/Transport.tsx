@@ -16,6 +16,8 @@ interface TransportProps {
   silent: string | null
   onNext?: () => void
   nextWords: string
+  /** How levels are matched: "matched: A −3.2 dB, B −9.1 dB". */
+  matchedSays: string
   blind?: { on: boolean; toggle: () => void }
   asGame?: () => void
   takeId: string
@@ -29,6 +31,7 @@ export function Transport({
   silent,
   onNext,
   nextWords,
+  matchedSays,
   blind,
   asGame,
   takeId,
@@ -106,6 +109,7 @@ export function Transport({
       >
         Match level
       </HotkeyButton>
+      {playing.matched && matchedSays && <span className="small dim nowrap">{matchedSays}</span>}
       {blind && (
         <HotkeyButton keys="d" keyLabel="Compare blind" keyGroup="Review" pressed={blind.on} onPress={blind.toggle}>
           Blind

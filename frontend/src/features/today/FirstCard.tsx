@@ -1,6 +1,6 @@
 import { useMediaQuery } from '@mantine/hooks'
 import { Link, useNavigate } from '@tanstack/react-router'
-import { useState } from 'react'
+import { useMemo, useState } from 'react'
 import { flushSync } from 'react-dom'
 
 import { HotkeyButton, useHotkeys } from '@/app/keys'
@@ -8,7 +8,8 @@ import { type Player, type PlayerState, TakeCard, Waveform } from '@/audio'
 import { type QueueItem, type ReviewTake } from '@/judging/api'
 import { ChangeForm } from '@/judging/ChangeForm'
 import { isWholeSet, pickedOfSet } from '@/judging/choice'
-import { MASTER, matchGainDb, soundOf, sourceOf } from '@/judging/hearing'
+import { type Gains, MASTER, matchGains, soundOf, sourceOf } from '@/judging/hearing'
+import { loweredWords } from '@/judging/levels'
 import { useHearing } from '@/judging/useHearing'
 import type { Judge } from '@/judging/useJudge'
 import { asked, asks, heardTakes, takeName } from '@/judging/words'
@@ -49,7 +50,8 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
   const narrow = useMediaQuery('(max-width: 760px)')
   const { cue } = item
   const [changing, setChanging] = useState(false)
-  const source = useHearing(player, cue.id, hand, MASTER, takes[0])
+  const gains = useMemo(() => matchGains(takes), [takes])
+  const source = useHearing(player, cue.id, hand, MASTER, gains)
   const peaks = usePeaks(hand?.peaks_url)
   const sound = soundOf(hand, MASTER)
   const name = takeName(hand, cue, takes)
@@ -66,7 +68,7 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
   }
   const openReview = () =>
     void navigate({ to: '/projects/$projectId/review/$cueId', params: { projectId, cueId: cue.id } })
-  const asGame = () => void player.playAsGame(takes.flatMap((take) => sourceOf(take, MASTER, takes[0]) ?? []))
+  const asGame = () => void player.playAsGame(takes.flatMap((take) => sourceOf(take, MASTER, gains) ?? []))
 
   useHotkeys([
     { keys: 'Enter', label: 'Open in review', group: 'Today', run: openReview },
@@ -128,7 +130,7 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
               letter={takeName(take, cue, takes).replace('_', '')}
               peaks={take.thumb}
               inHand={take.id === hand.id}
-              facts={[`${length(soundOf(take, MASTER).durationS)}, ${gain(matchGainDb(take, takes[0]))}`]}
+              facts={[`${length(soundOf(take, MASTER).durationS)}, ${gain(gains.get(take.id) ?? 0)}`]}
               onPick={() => onChoose(take.id)}
             />
           ))}
@@ -185,7 +187,7 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
           </Button>
         )}
         <span className={`small dim wide-only end ${classes.says}`}>
-          {mayApprove ? levelsWords(takes) : 'The approver decides. You can comment.'}
+          {mayApprove ? levelsWords(takes, gains) : 'The approver decides. You can comment.'}
         </span>
       </div>
       {judge.refusal && (
@@ -221,7 +223,7 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
 
 const stopped = (text: string): string => (/[.!?]$/.test(text) ? text : `${text}.`)
 
-const levelsWords = (takes: readonly ReviewTake[]): string =>
+const levelsWords = (takes: readonly ReviewTake[], gains: Gains): string =>
   takes.length > 1 && takes.every(({ loudness_lufs }) => loudness_lufs !== null)
-    ? 'Levels matched to the first, within 0.5 LU'
+    ? loweredWords([...gains.values()])
     : ''
