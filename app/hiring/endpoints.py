@@ -2,17 +2,29 @@
 
 from uuid import UUID
 
-from fastapi import APIRouter
+from fastapi import APIRouter, Request, Response
 
-from app.accounts.errors import BadAddress, TooManyAttempts
+from app.accounts.authentication import sha256_of
+from app.accounts.browser_sign_ins import sign_in_browser
+from app.accounts.errors import BadAddress, NameNeeded, PasswordTooWeak, SignInNeeded, TooManyAttempts
+from app.accounts.models import Person
 from app.accounts.policies import allows
-from app.accounts.request_limits import RateLimitedRoute, UnsavedResponseRoute, ensure_invitation_allowed
-from app.accounts.rules import Actor, Audience
-from app.hiring import postings, queries
+from app.accounts.request_limits import (
+    DeferredSession,
+    RateLimitedRoute,
+    UnsavedResponseRoute,
+    ensure_invitation_allowed,
+    ensure_mail_allowed,
+    ensure_sign_in_allowed,
+)
+from app.accounts.rules import Actor, Audience, normalised_email
+from app.accounts.schemas import InvitationAccept, PersonRead
+from app.hiring import links, postings, queries
 from app.hiring.errors import (
     CandidateNotFound,
     LinkTaken,
     OwnPosting,
+    PersonalLinkNeeded,
     PostingChanged,
     PostingInvalid,
     PostingNotFound,
@@ -151,14 +163,49 @@ def revoke_posting_link(posting_id: UUID, session: DbSession, actor: Actor = all
 @router.get("/posting-links/{secret}", responses=problems(PostingNotFound))
 def preview_posting(secret: str, session: DbSession, actor: Actor = allows(Audience.ANYONE)) -> PostingPreview:
     """Show a posting to everyone who has its link: all of it, or title, dates and studio while an NDA comes first."""
-    posting, is_closed = postings.preview(session, actor, secret)
-    return preview(posting, is_closed=is_closed)
+    posting, candidate, is_closed = links.preview(session, actor, secret)
+    return preview(session, posting, candidate, is_closed=is_closed)
+
+
+@_unsaved_router.post(
+    "/posting-links/{secret}/ask", status_code=202, responses=problems(PostingNotFound, BadAddress, TooManyAttempts)
+)
+def ask_for_posting_link(
+    secret: str, body: CandidateAdd, request: Request, begin: DeferredSession, _actor: Actor = allows(Audience.ANYONE)
+) -> None:
+    """Mail a link of one's own, by which a person makes an account and bids; the same answer for every address."""
+    ensure_mail_allowed(request, normalised_email(body.email))
+    with begin() as session:
+        links.ask_for_link(session, secret, body.email)
+
+
+@_unsaved_router.post(
+    "/posting-links/{secret}/account",
+    response_model=PersonRead,
+    responses=problems(PostingNotFound, PersonalLinkNeeded, SignInNeeded, NameNeeded, PasswordTooWeak, TooManyAttempts),
+)
+def open_account_by_posting_link(
+    secret: str,
+    body: InvitationAccept,
+    request: Request,
+    response: Response,
+    runtime: CurrentRuntime,
+    begin: DeferredSession,
+    actor: Actor = allows(Audience.ANYONE),
+) -> Person:
+    """Sign in as the person whose personal link it is, with an account made now if the address has none."""
+    ensure_sign_in_allowed(request, sha256_of(secret))
+    with begin() as session:
+        person = links.account_by_link(session, actor, secret, name=body.name, password=body.password)
+        if actor.person_id != person.id:
+            sign_in_browser(session, runtime.settings, request, response, person)
+    return person
 
 
 @router.post("/posting-links/{secret}/join", responses=problems(PostingNotFound, LinkTaken, OwnPosting))
 def join_posting(secret: str, session: DbSession, actor: Actor = allows(Audience.PERSON)) -> PostingJoined:
     """Let the caller bid on the posting behind a link."""
-    return PostingJoined(posting_id=postings.join(session, actor, secret))
+    return PostingJoined(posting_id=links.join(session, actor, secret))
 
 
 router.include_router(_unsaved_router)

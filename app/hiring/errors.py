@@ -47,6 +47,10 @@ class PostingQuestionAnswered(Conflict):
     """The question has its answer."""
 
 
+class PersonalLinkNeeded(Conflict):
+    """The link is for everyone: an account is made only by a link mailed to its address."""
+
+
 class OwnPosting(Conflict):
     """The caller is a member of the studio that posted it."""
 

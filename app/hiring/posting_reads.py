@@ -5,11 +5,12 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
+from app.accounts.queries import has_account
 from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
 from app.hiring import bids, comparison, queries
 from app.hiring.access import PostingAccess, today_of
-from app.hiring.models import Bid, Posting, Score
+from app.hiring.models import Bid, Candidate, Posting, Score
 from app.hiring.postings import posting_seen
 from app.hiring.rules import amount_minor, hourly_rate_minor, missing_lines, takes_bids, total_minor
 from app.hiring.schemas import (
@@ -49,10 +50,12 @@ def summary(posting: Posting, *, sent: int | None, own: Bid | None, is_closed: b
     )
 
 
-def preview(posting: Posting, *, is_closed: bool) -> PostingPreview:
+def preview(session: Session, posting: Posting, candidate: Candidate | None, *, is_closed: bool) -> PostingPreview:
     """Return a posting as its link shows it; `is_closed`: an NDA comes first."""
     return PostingPreview(
         **_head(posting),
+        email=candidate.email if candidate else None,
+        has_account=candidate is not None and has_account(session, candidate.email),
         nda_needed=is_closed,
         project_name="" if is_closed else posting.project.name,
         text="" if is_closed else posting.text,

@@ -9,14 +9,11 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.authentication import new_secret, sha256_of
-from app.accounts.models import Person
 from app.accounts.rules import Actor, ensure_address
 from app.hiring import queries
-from app.hiring.access import PostingAccess, is_nda_open, posting_access, posting_for_team, today_of
+from app.hiring.access import PostingAccess, posting_access, posting_for_team, today_of
 from app.hiring.errors import (
     CandidateNotFound,
-    LinkTaken,
-    OwnPosting,
     PostingChanged,
     PostingInvalid,
     PostingNotFound,
@@ -32,10 +29,9 @@ from app.hiring.rules import (
     ensure_dates_in_order,
 )
 from app.kit import clock
-from app.kit.db import bypass_row_policies, widen_reach
+from app.kit.db import bypass_row_policies
 from app.kit.errors import FieldProblem
 from app.kit.events import publish
-from app.kit.reach import Reach
 from app.projects.service import project_access
 
 LINK_LIFETIME = timedelta(days=90)
@@ -159,7 +155,8 @@ def open_posting(session: Session, actor: Actor, posting_id: UUID) -> None:
     session.flush()
     if is_first:
         for candidate in queries.candidates_of(session, posting_id):
-            _mail(session, posting, candidate)
+            if candidate.invited_by is not None:
+                mail_link(session, posting, candidate)
 
 
 def close_posting(session: Session, actor: Actor, posting_id: UUID) -> None:
@@ -188,12 +185,11 @@ def invite(session: Session, actor: Actor, posting_id: UUID, email: str) -> None
     candidate.expires_at = clock.now() + LINK_LIFETIME
     session.flush()
     if posting.state is not PostingState.DRAFT:
-        _mail(session, posting, candidate)
+        mail_link(session, posting, candidate)
 
 
-def _mail(session: Session, posting: Posting, candidate: Candidate) -> None:
-    if candidate.invited_by is None:
-        return
+def mail_link(session: Session, posting: Posting, candidate: Candidate) -> None:
+    """Have a personal link mailed; an earlier one of theirs stops working."""
     publish(
         session,
         "posting.shared",
@@ -230,61 +226,6 @@ def revoke_link(session: Session, actor: Actor, posting_id: UUID) -> None:
     """Withdraw the link for everyone; who came by it stays."""
     posting_for_team(session, actor, posting_id).secret_sha256 = None
     session.flush()
-
-
-def posting_by_link(session: Session, secret: str) -> tuple[Posting, Candidate | None]:
-    """Return the posting behind a link, with its project and studio, and whose personal link it is.
-
-    Raises PostingNotFound for a link that is unknown, withdrawn or too old, and for a draft.
-    """
-    with bypass_row_policies(session):  # only the secret identifies the posting
-        found = queries.posting_by_secret(session, sha256_of(secret))
-    if found is None or found[0].state is PostingState.DRAFT:
-        raise PostingNotFound("this link is unknown, withdrawn or expired", fix="ask the studio for a new one")
-    return found
-
-
-def join(session: Session, actor: Actor, secret: str) -> UUID:
-    """Let the caller bid on the posting behind a link; a personal link belongs to the first account that uses it."""
-    posting, candidate = posting_by_link(session, secret)
-    if actor.roles_in(posting.studio_id):
-        raise OwnPosting("you are a member of the studio that posted this", fix="open it under Project, Postings")
-    with bypass_row_policies(session):  # the person who joins cannot see the project yet
-        person = session.get_one(Person, actor.person)
-        own = queries.candidate_by_person(session, posting.id, person.id)
-        if own is not None and own.revoked_at is None:
-            return posting.id
-        if candidate is not None and candidate.person_id is not None:
-            raise LinkTaken("another account has used this link", fix="sign in with that account, or ask the studio")
-        if own is not None:
-            raise PostingNotFound("the studio took you off this posting", fix="ask the studio")
-        if candidate is None:
-            candidate = queries.candidate_by_address(session, posting.id, person.email)
-        if candidate is None or candidate.revoked_at is not None:
-            candidate = candidate or Candidate(
-                studio_id=posting.studio_id,
-                project_id=posting.project_id,
-                posting_id=posting.id,
-                email=person.email,
-                expires_at=clock.now() + LINK_LIFETIME,
-            )
-            if candidate.revoked_at is not None:
-                raise PostingNotFound("the studio took you off this posting", fix="ask the studio")
-            session.add(candidate)
-        candidate.person_id, candidate.joined_at = person.id, clock.now()
-        session.flush()
-    return posting.id
-
-
-def preview(session: Session, actor: Actor, secret: str) -> tuple[Posting, bool]:
-    """Return the posting behind a link, and whether an NDA keeps what it asks for from the caller."""
-    posting, _ = posting_by_link(session, secret)
-    if actor.person_id is None:
-        return posting, posting.project.nda_needed
-    if actor.roles_in(posting.studio_id):
-        return posting, False
-    widen_reach(session, Reach(person_id=actor.person_id, project_id=posting.project_id))
-    return posting, is_nda_open(session, posting, actor.person_id)
 
 
 def candidate_postings(session: Session, actor: Actor) -> Sequence[Posting]:

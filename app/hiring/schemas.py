@@ -219,6 +219,8 @@ class PostingLink(Schema):
 class PostingPreview(Schema):
     """The page of a posting's link, before any account."""
 
+    email: str | None = Field(description="Whose personal link it is; null for the link for everyone.")
+    has_account: bool = Field(description="Whether this address has an account.")
     studio_name: str
     project_name: str = Field(description="Empty while an NDA comes first.")
     title: str

@@ -1721,6 +1721,46 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/posting-links/{secret}/ask": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Ask For Posting Link
+         * @description Mail a link of one's own, by which a person makes an account and bids; the same answer for every address.
+         */
+        post: operations["ask_for_posting_link"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/posting-links/{secret}/account": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Open Account By Posting Link
+         * @description Sign in as the person whose personal link it is, with an account made now if the address has none.
+         */
+        post: operations["open_account_by_posting_link"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/postings/{posting_id}/bid": {
         parameters: {
             query?: never;
@@ -4841,6 +4881,66 @@ export interface paths {
          * @description Return what the game files of a pack that was handed out are known by, for `audio-checks audit`.
          */
         get: operations["get_sealed_manifest"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/game-files": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Game Files
+         * @description Return every approved game file of a target with its hash, and what the game still lacks.
+         */
+        get: operations["list_game_files"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/game-files/origins": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Game File Origins
+         * @description Return cue, approval, contract and sources of the game files of a name; an empty list where none has it.
+         */
+        get: operations["list_game_file_origins"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/game-files/{render_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Game File
+         * @description Download an approved game file, or parts of it by Range.
+         */
+        get: operations["get_game_file"];
         put?: never;
         post?: never;
         delete?: never;
@@ -9129,6 +9229,137 @@ export interface components {
             start_s?: number | null;
         };
         /**
+         * GameFile
+         * @description One approved game file of a target.
+         */
+        GameFile: {
+            /**
+             * Path
+             * @description In the game: the target's folder and the name that the cue owns.
+             */
+            path: string;
+            /** Sha256 */
+            sha256: string;
+            /** Bytes */
+            bytes: number;
+            /**
+             * Sound
+             * @description Equal for two files with the same samples, format and loop.
+             */
+            sound: string;
+            /**
+             * Cue
+             * @description The number of its cue, as in SW-014.
+             */
+            cue: string;
+            /** Cue Name */
+            cue_name: string;
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /**
+             * Url
+             * @description Where it is downloaded, by Range where a download was cut.
+             */
+            url: string;
+        };
+        /**
+         * GameFileOrigin
+         * @description Where a game file comes from: cue, approval, contract, sources.
+         */
+        GameFileOrigin: {
+            /** Path */
+            path: string;
+            /** Target */
+            target: string;
+            /** Cue */
+            cue: string;
+            /** Cue Name */
+            cue_name: string;
+            /** Variation */
+            variation: number;
+            /** Version */
+            version: number | null;
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /**
+             * Is Current
+             * @description Whether it is the accepted version now.
+             */
+            is_current: boolean;
+            /**
+             * Spec Version
+             * @description The newest version of the delivery spec.
+             */
+            spec_version: number;
+            /** Approved By */
+            approved_by: string;
+            /** Approved On */
+            approved_on: string;
+            /** Designer */
+            designer: string;
+            /**
+             * Contract
+             * @description Title and day of the contract that pays it, or why there is none.
+             */
+            contract: string;
+            /** From Scratch */
+            from_scratch: string;
+            /** Own Recordings */
+            own_recordings: string;
+            /**
+             * Libraries
+             * @description Library files with their licences.
+             */
+            libraries: string;
+            /** Generated */
+            generated: string;
+            /** Performers */
+            performers: string;
+            /** Note */
+            note: string;
+            /** Open Points */
+            open_points: string;
+            /** Master */
+            master: string;
+            /** Master Sha256 */
+            master_sha256: string;
+        };
+        /**
+         * GameFilesRead
+         * @description What `soundlist pull` makes a folder equal to.
+         */
+        GameFilesRead: {
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /** Project */
+            project: string;
+            /** Target */
+            target: string;
+            /** Spec Version */
+            spec_version: number;
+            /** Files */
+            files: components["schemas"]["GameFile"][];
+            /**
+             * Missing
+             * @description Accepted sounds without a game file that may be downloaded.
+             */
+            missing: components["schemas"]["OpenGameFile"][];
+            /**
+             * Placeholders
+             * @description Files without an accepted sound, or marked as placeholders.
+             */
+            placeholders: components["schemas"]["OpenGameFile"][];
+        };
+        /**
          * GeneratedSource
          * @description A part of a sound that a machine generated.
          */
@@ -9168,6 +9399,12 @@ export interface components {
             spread_points: number | null;
             habit: components["schemas"]["Habit"];
         };
+        /**
+         * Handoff
+         * @description The engine or middleware whose import files a pack contains.
+         * @enum {string}
+         */
+        Handoff: "none" | "wwise" | "fmod" | "unity" | "unreal" | "godot";
         /**
          * HeldBack
          * @description A draft that could not be sent now, and stays a draft.
@@ -10878,6 +11115,18 @@ export interface components {
             ends_on: string | null;
         };
         /**
+         * OpenGameFile
+         * @description A file that the game has no final sound for, and why.
+         */
+        OpenGameFile: {
+            /** Path */
+            path: string;
+            /** Cue */
+            cue: string;
+            /** Reason */
+            reason: string;
+        };
+        /**
          * OpenPointRead
          * @description Work that the studio has not agreed to yet, so the statement does not count it.
          */
@@ -11067,6 +11316,11 @@ export interface components {
              * @default false
              */
             placeholders: boolean;
+            /**
+             * @description The engine whose import files go with the sounds.
+             * @default none
+             */
+            handoff: components["schemas"]["Handoff"];
         };
         /**
          * PackChanges
@@ -11114,6 +11368,8 @@ export interface components {
              * @description Cues of the list that are not cut.
              */
             cues_wanted: number;
+            /** @description That of the target's newest sealed pack. */
+            handoff: components["schemas"]["Handoff"];
             changes: components["schemas"]["PackChanges"];
             /** Missing */
             missing: components["schemas"]["MissingFile"][];
@@ -11818,6 +12074,16 @@ export interface components {
          * @description The page of a posting's link, before any account.
          */
         PostingPreview: {
+            /**
+             * Email
+             * @description Whose personal link it is; null for the link for everyone.
+             */
+            email: string | null;
+            /**
+             * Has Account
+             * @description Whether this address has an account.
+             */
+            has_account: boolean;
             /** Studio Name */
             studio_name: string;
             /**
@@ -12967,7 +13233,7 @@ export interface components {
          * @description The rights of a build's token.
          * @enum {string}
          */
-        Scope: "spec:read" | "list:read" | "checks:write" | "manifest:read" | "deliveries:write";
+        Scope: "spec:read" | "list:read" | "checks:write" | "manifest:read" | "deliveries:write" | "rights:read";
         /**
          * ScoresWrite
          * @description What the caller gives a bid under each heading.
@@ -13003,6 +13269,7 @@ export interface components {
             with_masters: boolean;
             /** Placeholders */
             placeholders: boolean;
+            handoff: components["schemas"]["Handoff"];
             state: components["schemas"]["PackState"];
             /**
              * Refusal
@@ -13052,6 +13319,7 @@ export interface components {
             with_masters: boolean;
             /** Placeholders */
             placeholders: boolean;
+            handoff: components["schemas"]["Handoff"];
             state: components["schemas"]["PackState"];
             /**
              * Refusal
@@ -19940,6 +20208,130 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    ask_for_posting_link: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                secret: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["CandidateAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            202: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": unknown;
+                };
+            };
+            /** @description `posting-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-address` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-attempts` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    open_account_by_posting_link: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                secret: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["InvitationAccept"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PersonRead"];
+                };
+            };
+            /** @description `sign-in-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `personal-link-needed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `name-needed`, `password-too-weak` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-attempts` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };
@@ -28353,6 +28745,8 @@ export interface operations {
                 allow_missing?: boolean;
                 /** @description Put marked placeholder files in for the sounds that are not accepted. */
                 placeholders?: boolean;
+                /** @description The engine whose import files go with the sounds. */
+                handoff?: components["schemas"]["Handoff"];
             };
             header?: never;
             path: {
@@ -29733,6 +30127,182 @@ export interface operations {
                 };
             };
             /** @description `blob-damaged` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_game_files: {
+        parameters: {
+            query?: {
+                /** @description A target of the spec; its first when left out. */
+                target?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GameFilesRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `target-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_game_file_origins: {
+        parameters: {
+            query?: {
+                /** @description A path in the game, a file name, its stem, or a cue's number. */
+                name?: string;
+                /** @description A target of the spec; its first when left out. */
+                target?: string | null;
+                /** @description Only this version, which may have been replaced since. */
+                take?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GameFileOrigin"][];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `target-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_game_file: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+                render_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "audio/wav": unknown;
+                };
+            };
+            /** @description `team-needed`, `download-unpaid` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found`, `render-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `game-file-not-approved`, `nothing-rendered` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `blob-missing` */
             500: {
                 headers: {
                     [name: string]: unknown;

@@ -199,6 +199,48 @@ def test_a_link_shows_it_to_everyone_until_it_is_revoked(world: World) -> None:
 
 
 @pytest.mark.both_databases
+def test_who_came_by_the_link_asks_for_their_own_and_makes_an_account_by_it(world: World) -> None:
+    add_cues(world)
+    posting = opened(world)
+    secret = link_of(world, posting)
+    shown = world.nobody.get(f"/v1/posting-links/{secret}").json()
+    assert (shown["email"], shown["has_account"]) == (None, False)
+    fields = {"name": "Ada Tones", "password": "quiet reactor hum"}
+    for_all = world.nobody.post(f"/v1/posting-links/{secret}/account", json=fields)
+    assert (for_all.status_code, for_all.json()["code"]) == (409, "personal-link-needed")
+    asked = world.nobody.post(f"/v1/posting-links/{secret}/ask", json={"email": "Ada@Tones.example"})
+    assert (asked.status_code, asked.json()) == (202, None)
+    world.server.wait_for_jobs()
+    own = own_secret(world, "ada@tones.example")
+    shown = world.nobody.get(f"/v1/posting-links/{own}").json()
+    assert (shown["title"], shown["email"], shown["has_account"]) == ("Effects for Alpha", "ada@tones.example", False)
+    browser = world.server.browser()
+    nameless = browser.post(f"/v1/posting-links/{own}/account", json={"password": "quiet reactor hum"})
+    assert [one["where"] for one in nameless.json()["errors"]] == ["name"]
+    made = browser.post(f"/v1/posting-links/{own}/account", json=fields)
+    assert (made.status_code, made.json()["name"]) == (200, "Ada Tones")
+    assert browser.get("/v1/me").json()["studios"] == []
+    guess = world.nobody.post(f"/v1/posting-links/{own}/account", json=fields | {"password": "a guess"})
+    assert (guess.status_code, guess.json()["code"]) == (403, "sign-in-needed")
+    browser.headers["X-CSRF-Token"] = browser.cookies["soundlist_csrf"]
+    joined = browser.post(f"/v1/posting-links/{own}/join")
+    assert joined.json() == {"posting_id": posting["id"]}, joined.text
+    assert browser.get(f"/v1/postings/{posting['id']}").json()["takes_bids"]
+    (candidate,) = world.producer.get(f"/v1/postings/{posting['id']}").json()["candidates"]
+    assert (candidate["email"], candidate["is_invited"]) == ("ada@tones.example", False)
+    world.producer.delete(f"/v1/postings/{posting['id']}/candidates/{candidate['id']}")
+    again = world.nobody.post(f"/v1/posting-links/{secret}/ask", json={"email": "ada@tones.example"})
+    assert (again.status_code, again.json()) == (202, None)
+    world.server.wait_for_jobs()
+    assert len(mails_to(world, "ada@tones.example")) == 1, "who was taken off gets no link"
+
+
+def own_secret(world: World, address: str) -> str:
+    (mail,) = mails_to(world, address)
+    return str(mail.link).rpartition("/")[2]
+
+
+@pytest.mark.both_databases
 def test_behind_the_nda_only_title_dates_and_studio_are_shown(world: World) -> None:
     add_cues(world)
     ask_for_nda(world)

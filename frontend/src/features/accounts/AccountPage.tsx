@@ -9,7 +9,7 @@ import { Row, Rows } from '@/ui/Rows'
 
 import { sessionQuery, useChangePassword, useOpenStudio, useRename } from './api'
 import classes from './Account.module.css'
-import { Field, Form } from './Form'
+import { Field, Form } from '@/app/Form'
 import { ROLE_WORDS } from './parts'
 import { AddressCard, SignInsCard } from './SecurityCards'
 

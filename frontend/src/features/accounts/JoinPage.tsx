@@ -8,7 +8,7 @@ import { day } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import { sessionQuery, studioInvitationQuery, useJoinStudio } from './api'
-import { Field, Form, sentence, Sheet } from './Form'
+import { Field, Form, sentence, Sheet } from '@/app/Form'
 import { ROLE_MEANINGS, ROLE_WORDS } from './parts'
 
 /** The page of a mailed link into a studio. */

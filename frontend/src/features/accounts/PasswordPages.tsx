@@ -3,7 +3,7 @@ import { Link, useParams, useRouter } from '@tanstack/react-router'
 import { useTitle } from '@/app/title'
 
 import { useAskReset, useNewPassword } from './api'
-import { Field, Form, Sheet } from './Form'
+import { Field, Form, Sheet } from '@/app/Form'
 
 /** Ask for a mail with a link; the answer never says whether the address is known. */
 export function ForgottenPasswordPage() {

@@ -20,7 +20,7 @@ import {
   useSetRoles,
   useWithdraw,
 } from './api'
-import { Field, Form, refusalOf, sentence } from './Form'
+import { Field, Form, refusalOf, sentence } from '@/app/Form'
 import { ROLE_MEANINGS, ROLE_WORDS, ROLES } from './parts'
 import classes from './Studio.module.css'
 

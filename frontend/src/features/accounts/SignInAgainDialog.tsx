@@ -5,7 +5,7 @@ import type { Me } from '@/api/me'
 import { Dialog } from '@/app/Dialog'
 import type { OpenedProps } from '@/app/LazyDialog'
 
-import { Field, Form } from './Form'
+import { Field, Form } from '@/app/Form'
 
 interface SignInAgainDialogProps extends OpenedProps {
   me: Me

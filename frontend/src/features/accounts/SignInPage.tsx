@@ -4,7 +4,7 @@ import { Link, useRouter, useSearch } from '@tanstack/react-router'
 import { useTitle } from '@/app/title'
 
 import { sessionQuery, signUpQuery, useSignIn } from './api'
-import { Field, Form, Sheet } from './Form'
+import { Field, Form, Sheet } from '@/app/Form'
 
 /** An address of this site, whatever was written after `next=`. */
 export const ownPath = (next: string | undefined): string =>

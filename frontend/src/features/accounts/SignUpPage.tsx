@@ -5,7 +5,7 @@ import { useTitle } from '@/app/title'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import { signUpLinkQuery, signUpQuery, useAskSignUp, useFinishSignUp, useSignUp } from './api'
-import { Field, Form, refusalOf, sentence, Sheet } from './Form'
+import { Field, Form, refusalOf, sentence, Sheet } from '@/app/Form'
 
 const toSignIn = (
   <Link className="link small mid" to="/sign-in">

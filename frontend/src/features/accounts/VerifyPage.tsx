@@ -6,7 +6,7 @@ import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 
 import { useVerifyEmail } from './api'
-import { Sheet } from './Form'
+import { Sheet } from '@/app/Form'
 import { CardProblem } from './PeopleCards'
 
 /** The page of the mailed link that verifies an address; a press, since mail filters open links by themselves. */

@@ -1,10 +1,12 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams } from '@tanstack/react-router'
 
+import { Field, Form } from '@/app/Form'
 import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
 
-import { linkQuery, useJoin, visitorQuery } from './api'
+import { linkQuery, useAskForLink, useJoin, useOpenAccount, visitorQuery } from './api'
 import classes from './Hiring.module.css'
 import { PostingFacts } from './PostingFacts'
 import { Refusal } from './Refusal'
@@ -34,25 +36,99 @@ export function PostingLinkPage() {
     <div className={`page stack ${classes.sheet}`}>
       <PostingFacts posting={posting} ndaOpen={posting.nda_needed} />
       <Refusal error={join.error} />
-      {visitor ? (
+      {visitor && (
         <div>
           <Button variant="primary" aria-busy={join.isPending} onClick={begin}>
             {posting.takes_bids ? 'Bid on this' : 'Open'}
           </Button>
         </div>
-      ) : (
-        <p>
-          You need an account only to bid.{' '}
-          <Link className="link" to="/sign-in" search={{ next: `/posting/${secret}` }}>
-            Sign in
-          </Link>{' '}
-          or{' '}
-          <Link className="link" to="/sign-up">
-            create an account
-          </Link>
-          , then open this link again.
-        </p>
       )}
+      {visitor === null && posting.email !== null && (
+        <AccountCard secret={secret} email={posting.email} hasAccount={posting.has_account} onSignedIn={begin} />
+      )}
+      {visitor === null && posting.email === null && <AskCard secret={secret} />}
     </div>
+  )
+}
+
+interface AccountCardProps {
+  secret: string
+  email: string
+  hasAccount: boolean
+  onSignedIn: () => void
+}
+
+/** A personal link: it was mailed to its address, so a name and a password are enough to bid. */
+function AccountCard({ secret, email, hasAccount, onSignedIn }: AccountCardProps) {
+  const open = useOpenAccount(secret)
+  return (
+    <Card aria-labelledby="account">
+      <CardHead id="account" title={hasAccount ? 'Sign in to bid' : 'Create an account to bid'} />
+      <div className={classes.body}>
+        <p className="mid">
+          {hasAccount ? `${email} already has an account.` : `For ${email}. The studio sees your name with your bid.`}
+        </p>
+        <Form
+          draftKey={`posting-account:${secret}`}
+          action={hasAccount ? 'Sign in and bid' : 'Create account and bid'}
+          busy={open.isPending}
+          error={open.error}
+          onSubmit={(value) =>
+            open.mutate(
+              { name: hasAccount ? null : value('name'), password: value('password') },
+              { onSuccess: onSignedIn },
+            )
+          }
+        >
+          {!hasAccount && <Field name="name" label="Your name" autoComplete="name" />}
+          <input type="hidden" name="username" autoComplete="username" value={email} />
+          <Field
+            name="password"
+            label={hasAccount ? 'Password' : 'New password'}
+            type="password"
+            autoComplete={hasAccount ? 'current-password' : 'new-password'}
+            hint={hasAccount ? undefined : 'At least 10 characters. Four unrelated words make a good password.'}
+          />
+        </Form>
+      </div>
+    </Card>
+  )
+}
+
+/** The link for everyone: it proves no address, so a link of one's own comes by email first. */
+function AskCard({ secret }: { secret: string }) {
+  const ask = useAskForLink(secret)
+  return (
+    <Card aria-labelledby="ask">
+      <CardHead id="ask" title={ask.isSuccess ? 'Check your inbox' : 'Bid on this'} />
+      <div className={classes.body}>
+        {ask.isSuccess ? (
+          <p role="status">
+            {`We have sent an email to ${ask.variables} with a link of your own. It opens this page, where you can bid. `}
+            <button type="button" className="link" onClick={() => ask.reset()}>
+              Use another email, or send it again
+            </button>
+          </p>
+        ) : (
+          <>
+            <p className="mid">You get a link of your own by email, and bid by it.</p>
+            <Form
+              draftKey={`posting-ask:${secret}`}
+              action="Email me a link"
+              busy={ask.isPending}
+              error={ask.error}
+              onSubmit={(value) => ask.mutate(value('email'))}
+              other={
+                <Link className="link small mid" to="/sign-in" search={{ next: `/posting/${secret}` }}>
+                  I already have an account
+                </Link>
+              }
+            >
+              <Field name="email" label="Email" type="email" autoComplete="email" />
+            </Form>
+          </>
+        )}
+      </div>
+    </Card>
   )
 }

@@ -50,6 +50,20 @@ export const visitorQuery = queryOptions({
   },
 })
 
+/** Has a link of one's own mailed, by the link for everyone. */
+export const useAskForLink = (secret: string) =>
+  useMutation({
+    mutationFn: (email: string) =>
+      answered(api.POST('/v1/posting-links/{secret}/ask', { params: { path: { secret } }, body: { email } })),
+  })
+
+/** Signs in by a personal link, with an account made now if its address has none. */
+export const useOpenAccount = (secret: string) =>
+  useMutation({
+    mutationFn: (body: { name: string | null; password: string }) =>
+      answered(api.POST('/v1/posting-links/{secret}/account', { params: { path: { secret } }, body })),
+  })
+
 export const useJoin = (secret: string) =>
   useMutation({
     mutationFn: () => answered(api.POST('/v1/posting-links/{secret}/join', { params: { path: { secret } } })),

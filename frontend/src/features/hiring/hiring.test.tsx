@@ -258,18 +258,41 @@ test('behind the NDA there is no form', async () => {
   expect(screen.queryByRole('heading', { name: 'Your bid' })).not.toBeInTheDocument()
 })
 
-test('the link shows the posting to everyone and leads to sign-in and back', async () => {
-  serve({
+const linkOpened = (personal: { email: string | null; has_account: boolean }) => {
+  const shown = { ...aPosting({ project_name: 'Shield Wing' }), nda_needed: false, ...personal }
+  const server = serve({
     'GET /v1/session': { signed_in: false, demo: false },
-    'GET /v1/posting-links/abc': {
-      ...aPosting({ project_name: 'Shield Wing' }),
-      nda_needed: false,
-    },
+    'GET /v1/posting-links/abc': shown,
   })
   openApp('/posting/abc')
+  return server
+}
+
+test('the link for everyone shows the posting, and mails a link of one’s own', async () => {
+  const server = linkOpened({ email: null, has_account: false })
+  server.answers['POST /v1/posting-links/abc/ask'] = null
   expect(await screen.findByRole('heading', { name: 'Effects for Alpha' })).toBeVisible()
   expect(screen.getByText('3 cues, 10 files')).toBeVisible()
-  expect(await screen.findByRole('link', { name: 'Sign in' })).toHaveAttribute('href', '/sign-in?next=%2Fposting%2Fabc')
+  const signIn = await screen.findByRole('link', { name: 'I already have an account' })
+  expect(signIn).toHaveAttribute('href', '/sign-in?next=%2Fposting%2Fabc')
+  await userEvent.type(screen.getByLabelText('Email'), 'ada@tones.example{Enter}')
+  expect(await screen.findByText(/^We have sent an email to ada@tones.example with a link/)).toBeVisible()
+  expect(wrote(server.asked, 'POST /v1/posting-links/abc/ask')[0]?.body).toEqual({ email: 'ada@tones.example' })
+})
+
+test.each([
+  [false, 'Create account and bid', { name: 'Ada Tones', password: 'quiet reactor hum' }],
+  [true, 'Sign in and bid', { name: null, password: 'quiet reactor hum' }],
+])('a personal link leads to the bid, with an account: %s', async (hasAccount, action, sent) => {
+  const server = linkOpened({ email: 'ada@tones.example', has_account: hasAccount })
+  server.answers['POST /v1/posting-links/abc/account'] = { id: 'd1', name: 'Ada Tones' }
+  server.answers['POST /v1/posting-links/abc/join'] = refusal(409, 'link-taken', 'another account has used this link')
+  if (!hasAccount) await userEvent.type(await screen.findByLabelText('Your name'), 'Ada Tones')
+  await userEvent.type(await screen.findByLabelText(hasAccount ? 'Password' : 'New password'), 'quiet reactor hum')
+  await userEvent.click(screen.getByRole('button', { name: action }))
+  await waitFor(() => expect(wrote(server.asked, 'POST /v1/posting-links/abc/join')).toHaveLength(1))
+  expect(wrote(server.asked, 'POST /v1/posting-links/abc/account')[0]?.body).toEqual(sent)
+  expect(await screen.findByRole('alert')).toHaveTextContent('Another account has used this link.')
 })
 
 test('a link that was revoked says what to do', async () => {
@@ -315,7 +338,7 @@ test('a posting stays on the page while the server is away', async () => {
   server.answers['GET /v1/postings/p1'] = refusal(503, 'database-unavailable', 'the database does not answer')
   await act(async () => {
     await queryClient.refetchQueries({ queryKey: postingQuery('p1').queryKey })
-    await new Promise((resolve) => setTimeout(resolve)) // what watches the query is told one turn later
+    await new Promise((resolve) => setTimeout(resolve)) // the page is notified one turn later
   })
   expect(queryClient.getQueryState(postingQuery('p1').queryKey)?.status).toBe('error')
   expect(screen.getByRole('heading', { name: 'Effects for Alpha' })).toBeVisible()
