@@ -145,7 +145,7 @@ clean:  ## Remove what set-up made; data stays
 	@echo "Installing Python packages" && $(BIN)/pip install --quiet --disable-pip-version-check --require-hashes --requirement constraints-uv.txt
 	@$(BIN)/uv pip install --quiet --python $(BIN)/python --require-hashes --no-build --requirement constraints.txt
 	@$(BIN)/uv pip install --quiet --python $(BIN)/python --no-deps --no-build-isolation --editable .
-	@printf '#!/bin/sh\nPYTHONPATH="%s" exec "%s/.venv/bin/python" -m app "$$@"\n' "$(CURDIR)" "$(CURDIR)" > $(BIN)/soundlist
+	@printf '#!/bin/sh\nPYTHONPATH="%s" exec "%s/.venv/bin/python" -P -m app "$$@"\n' "$(CURDIR)" "$(CURDIR)" > $(BIN)/soundlist
 	@chmod +x $(BIN)/soundlist
 	@touch $@
 

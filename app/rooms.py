@@ -17,6 +17,7 @@ from app.amendments.endpoints import router as amendments
 from app.briefs.endpoints import router as briefs
 from app.builds.clearance_endpoints import router as clearance
 from app.builds.endpoints import router as builds
+from app.builds.game_file_endpoints import router as game_files
 from app.builds.handover_endpoints import router as handovers
 from app.builds.manifest_endpoints import router as manifests
 from app.conformance.endpoints import router as conformance
@@ -69,6 +70,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     clearance,
     handovers,
     manifests,
+    game_files,
     dashboards,
     events,
     notifications,

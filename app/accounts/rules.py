@@ -27,6 +27,7 @@ class Scope(StrEnum):
     CHECKS_WRITE = "checks:write"
     MANIFEST_READ = "manifest:read"
     DELIVERIES_WRITE = "deliveries:write"
+    RIGHTS_READ = "rights:read"
 
 
 class AddressProof(StrEnum):

@@ -33,7 +33,7 @@ def clearance_of_project(
     access = project_access(session, actor, project_id)
     access.ensure_producer()
     pack = pack_of(session, access.project, target)
-    return title_of(pack), _rows(session, pack.project, [(sound.path, sound.take) for sound in pack.sounds])
+    return title_of(pack), clearance_rows(session, pack.project, [(sound.path, sound.take) for sound in pack.sounds])
 
 
 def clearance_of_pack(session: Session, actor: Actor, pack_id: UUID) -> tuple[str, list[ClearanceRow]]:
@@ -43,10 +43,11 @@ def clearance_of_pack(session: Session, actor: Actor, pack_id: UUID) -> tuple[st
     access.ensure_producer()
     ensure_sealed(pack)
     title = f"{access.project.name}, {pack.target} {pack.number}"
-    return title, _rows(session, access.project, queries.packed_takes_of(session, pack_id))
+    return title, clearance_rows(session, access.project, queries.packed_takes_of(session, pack_id))
 
 
-def _rows(session: Session, project: Project, sounds: Sequence[tuple[str, Take]]) -> list[ClearanceRow]:
+def clearance_rows(session: Session, project: Project, sounds: Sequence[tuple[str, Take]]) -> list[ClearanceRow]:
+    """Return what the sheet says of some files, each with its take; the caller has checked access."""
     takes = [take for _, take in sounds]
     stated = sources_of(session, takes)
     designers = people_by_id(session, {take.designer_id for take in takes})

@@ -41,6 +41,10 @@ class PlaceholderAccepted(Conflict):
     """An accepted sound is a placeholder file, and the pack was requested without placeholder files."""
 
 
+class GameFileNotApproved(Conflict):
+    """The game file belongs to a version that is not approved."""
+
+
 class ManifestNotReady(Conflict):
     """Some of the approved sounds have not been listened to yet."""
 

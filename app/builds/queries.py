@@ -134,6 +134,31 @@ def pack_sums(session: Session, pack_ids: Collection[UUID]) -> dict[UUID, PackSu
     }
 
 
+def render_of_project(session: Session, project_id: UUID, render_id: UUID) -> tuple[Render, Take] | None:
+    """Return a project's render and its take, with its cue; the caller has checked access to the project."""
+    row = session.execute(
+        select(Render, Take)
+        .join(Take, Take.id == Render.take_id)
+        .where(Render.id == render_id, Take.project_id == project_id)
+        .options(joinedload(Take.cue))
+    ).one_or_none()
+    return (row[0], row[1]) if row else None
+
+
+def is_in_sealed_pack(session: Session, project_id: UUID, render_id: UUID) -> bool:
+    """Whether a render is a game file of a project's pack that was sealed."""
+    query = (
+        select(PackedFile.pack_id)
+        .join(SealedPack, SealedPack.id == PackedFile.pack_id)
+        .where(
+            SealedPack.project_id == project_id,
+            SealedPack.state == PackState.SEALED,
+            PackedFile.render_id == render_id,
+        )
+    )
+    return session.scalar(query.limit(1)) is not None
+
+
 def game_renders_of(session: Session, pack_id: UUID) -> dict[str, Render]:
     """Return the render behind each game file of a pack, by path."""
     rows = session.execute(

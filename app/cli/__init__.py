@@ -1,6 +1,6 @@
 """The server's command line: what runs it, keeps it, and looks into it."""
 
-from app.cli import accounts, jobs, keeping, projects, running  # noqa: F401  each adds its commands
+from app.cli import accounts, jobs, keeping, projects, pulling, running  # noqa: F401  each adds its commands
 from app.cli.groups import cli
 from app.kit.permissions import keep_new_files_private
 

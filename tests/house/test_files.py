@@ -45,6 +45,8 @@ SERVER_COMMANDS = {
     "kits",
     "demo",
     "token",
+    "pull",
+    "why",
     "openapi",
     "mails",
     "quota",

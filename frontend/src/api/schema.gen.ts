@@ -4929,6 +4929,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/soundlist.pyz": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Client Program
+         * @description Return `soundlist pull` and `soundlist why` as one file, to be run by Python 3.11 or newer.
+         */
+        get: operations["get_client_program"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/game-files/{render_id}": {
         parameters: {
             query?: never;
@@ -9400,12 +9420,6 @@ export interface components {
             habit: components["schemas"]["Habit"];
         };
         /**
-         * Handoff
-         * @description The engine or middleware whose import files a pack contains.
-         * @enum {string}
-         */
-        Handoff: "none" | "wwise" | "fmod" | "unity" | "unreal" | "godot";
-        /**
          * HeldBack
          * @description A draft that could not be sent now, and stays a draft.
          */
@@ -11316,11 +11330,6 @@ export interface components {
              * @default false
              */
             placeholders: boolean;
-            /**
-             * @description The engine whose import files go with the sounds.
-             * @default none
-             */
-            handoff: components["schemas"]["Handoff"];
         };
         /**
          * PackChanges
@@ -11368,8 +11377,6 @@ export interface components {
              * @description Cues of the list that are not cut.
              */
             cues_wanted: number;
-            /** @description That of the target's newest sealed pack. */
-            handoff: components["schemas"]["Handoff"];
             changes: components["schemas"]["PackChanges"];
             /** Missing */
             missing: components["schemas"]["MissingFile"][];
@@ -13269,7 +13276,6 @@ export interface components {
             with_masters: boolean;
             /** Placeholders */
             placeholders: boolean;
-            handoff: components["schemas"]["Handoff"];
             state: components["schemas"]["PackState"];
             /**
              * Refusal
@@ -13319,7 +13325,6 @@ export interface components {
             with_masters: boolean;
             /** Placeholders */
             placeholders: boolean;
-            handoff: components["schemas"]["Handoff"];
             state: components["schemas"]["PackState"];
             /**
              * Refusal
@@ -28745,8 +28750,6 @@ export interface operations {
                 allow_missing?: boolean;
                 /** @description Put marked placeholder files in for the sounds that are not accepted. */
                 placeholders?: boolean;
-                /** @description The engine whose import files go with the sounds. */
-                handoff?: components["schemas"]["Handoff"];
             };
             header?: never;
             path: {
@@ -30241,6 +30244,55 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_client_program: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/zip": string;
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
                 };
             };
         };

@@ -23,6 +23,7 @@ import {
   useSealPack,
 } from './api'
 import classes from './Files.module.css'
+import { PullCard } from './PullCard'
 import { Refused } from './Refused'
 import { changesInWords, sentence } from './words'
 
@@ -69,7 +70,10 @@ export function PacksPage() {
             </div>
           )}
         </Card>
-        <div className="stack">{names.length > 0 && <SealCard projectId={projectId} targets={names} />}</div>
+        <div className="stack">
+          {names.length > 0 && <SealCard projectId={projectId} targets={names} />}
+          {names.length > 0 && <PullCard projectId={projectId} targets={names} />}
+        </div>
       </div>
     </div>
   )

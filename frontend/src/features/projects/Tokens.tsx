@@ -1,4 +1,4 @@
-import { TextInput } from '@mantine/core'
+import { Checkbox, TextInput } from '@mantine/core'
 import { type FormEvent, useState } from 'react'
 
 import { showToast } from '@/app/toast'
@@ -21,6 +21,7 @@ const SCOPE_WORDS: Record<Scope, string> = {
   'checks:write': 'posts reports',
   'manifest:read': 'downloads packs and their manifest',
   'deliveries:write': 'delivers files',
+  'rights:read': 'reads contracts and sources of approved sounds',
 }
 /** What the lines for CI need, and the pack that a build may fetch. */
 const FOR_CI: Scope[] = ['spec:read', 'list:read', 'checks:write', 'manifest:read']
@@ -32,9 +33,10 @@ export function TokenMaker({ projectId }: { projectId: string }) {
   const [made, setMade] = useState<TokenMade | null>(null)
   const send = (event: FormEvent<HTMLFormElement>) => {
     event.preventDefault()
-    const name = new FormData(event.currentTarget).get('name')
+    const form = new FormData(event.currentTarget)
+    const name = form.get('name')
     make.mutate(
-      { name: typeof name === 'string' ? name : '', scopes: FOR_CI },
+      { name: typeof name === 'string' ? name : '', scopes: form.has('rights') ? [...FOR_CI, 'rights:read'] : FOR_CI },
       {
         onSuccess: (token) => {
           setMade(token)
@@ -59,6 +61,11 @@ export function TokenMaker({ projectId }: { projectId: string }) {
         defaultValue="Game CI"
         error={against(make.error, 'name')}
         description={`It ${listed(FOR_CI.map((scope) => SCOPE_WORDS[scope]))}, of this project alone.`}
+      />
+      <Checkbox
+        name="rights"
+        label="Also reads contracts and sources of approved sounds"
+        description="For soundlist why. Leave it out for CI."
       />
       <div className="row wrap">
         <Button type="submit" variant="primary" aria-busy={make.isPending}>

@@ -1,0 +1,20 @@
+"""The commands of a game team's machine, which `app.client` reads the options of."""
+
+import typer
+
+from app.cli.groups import cli
+from app.client.commands import main
+
+OPTIONS_OF_CLIENT = {"ignore_unknown_options": True, "allow_extra_args": True, "help_option_names": []}
+
+
+@cli.command(context_settings=OPTIONS_OF_CLIENT)
+def pull(context: typer.Context) -> None:
+    """Write the approved sounds that changed into a folder of the game."""
+    raise typer.Exit(main(["pull", *context.args]))
+
+
+@cli.command(context_settings=OPTIONS_OF_CLIENT)
+def why(context: typer.Context) -> None:
+    """Say which cue, approval, contract and sources a file has."""
+    raise typer.Exit(main(["why", *context.args]))

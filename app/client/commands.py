@@ -1,0 +1,86 @@
+"""The commands of the client and their options."""
+
+import argparse
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from app.client.errors import REFUSED, UNREACHABLE, Refusal, ServerUnreachable
+from app.client.pulling import pull
+from app.client.terminal import shown, warn
+from app.client.why import why
+
+INTERRUPTED = 130
+CODES = """exit codes:
+  0  the folder is as approved
+  1  it is not: files were kept, failed or would change, or --no-placeholders refuses
+  2  asked wrongly, the lock file is damaged, or the server refuses
+  3  the server cannot be reached; what is here was compared with the lock file
+"""
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Run a command of the client; return the exit code."""
+    options = parser().parse_args(arguments)
+    try:
+        code: int = options.run(options)
+        return code
+    except Refusal as refusal:
+        warn(f"soundlist {options.command}: {shown(str(refusal))}")
+        return REFUSED
+    except ServerUnreachable as error:
+        warn(f"soundlist {options.command}: the server cannot be reached: {shown(str(error))}")
+        return UNREACHABLE
+    except KeyboardInterrupt:
+        warn("interrupted; downloads go on from here when you pull again")
+        return INTERRUPTED
+
+
+def parser() -> argparse.ArgumentParser:
+    """Return the parser of both commands."""
+    whole = argparse.ArgumentParser(prog="soundlist", allow_abbrev=False)
+    commands = whole.add_subparsers(dest="command", required=True)
+    pulling = commands.add_parser(
+        "pull",
+        help="write the approved sounds that changed into a folder of the game",
+        description="Write the approved sounds that changed into a folder of the game.",
+        epilog=CODES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
+    )
+    pulling.set_defaults(run=pull)
+    pulling.add_argument("folder", nargs="?", type=Path, default=Path(), help="the folder; this one if left out")
+    _add_source(pulling)
+    pulling.add_argument("--no-placeholders", action="store_true", help="the release gate: refuse while one is left")
+    pulling.add_argument("--prune", action="store_true", help="remove pulled files that are no longer approved")
+    pulling.add_argument("--force", action="store_true", help="overwrite files that were changed here")
+    pulling.add_argument("--dry-run", action="store_true", help="print what would be done, and change nothing")
+    pulling.add_argument("--p4", action="store_true", help="open files in Perforce for edit, add and delete")
+    pulling.add_argument("--lfs-lock", action="store_true", help="lock files that change in Git LFS")
+    pulling.add_argument(
+        "--changelist", action="store_true", help="draft a description with the cues; with --p4, make the changelist"
+    )
+    asking = commands.add_parser(
+        "why",
+        help="say which cue, approval, contract and sources a file has",
+        description="Say which cue, approval, contract and sources a file has.",
+        allow_abbrev=False,
+    )
+    asking.set_defaults(run=why)
+    asking.add_argument("name", metavar="FILE_OR_NAME", help="a file, its name with or without its ending, or a cue")
+    asking.add_argument("--folder", type=Path, help="the folder that was pulled into; this one or one above it")
+    _add_source(asking)
+    asking.add_argument("--offline", action="store_true", help="ask the lock file alone")
+    asking.add_argument("--format", choices=("text", "json"), default="text", help="text, or JSON for programs")
+    return whole
+
+
+def _add_source(command: argparse.ArgumentParser) -> None:
+    command.add_argument("--server", metavar="URL", help="the server; else as soundlist.toml says")
+    command.add_argument("--project", metavar="ID", help="the project; else as soundlist.toml or the lock file says")
+    command.add_argument("--target", metavar="NAME", help="the render target; else the first of the spec")
+    command.add_argument("--allow-http", action="store_true", help="send the token unencrypted to another machine")
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,126 @@
+"""Paths that a server or a lock file names: hostile until each part was looked at."""
+
+import hashlib
+import os
+import re
+import stat
+import unicodedata
+from collections.abc import Iterable
+from pathlib import Path
+
+from app.client.errors import Refusal
+
+LOCK_NAME = "soundlist.lock"
+MAX_PATH_CHARS = 1_000
+MAX_PART_BYTES = 255  # what file systems take
+# Windows reads these as devices, with any ending and in any folder.
+DEVICES = re.compile(r"(con|prn|aux|nul|conin\$|conout\$|(com|lpt)[0-9\u00b9\u00b2\u00b3])(\..*)?", re.IGNORECASE)
+FORBIDDEN = set('<>:"|?*\\')  # drive letters, streams, patterns, and the other separator
+OURS = {LOCK_NAME, "soundlist.toml", ".git", ".hg", ".svn", ".p4config", ".p4ignore", ".gitattributes", ".gitmodules"}
+BLOCK_BYTES = 1 << 20
+LFS_POINTER = re.compile(
+    rb"version https://git-lfs\.github\.com/spec/v1\n(?:.*\n)*?oid sha256:([0-9a-f]{64})\n(?:.*\n)*"
+)
+LFS_POINTER_BYTES = 1_024
+
+
+def ensure_harmless(path: str) -> str:
+    """Return a path of a game file; raise Refusal for one that could lead out of the folder, or to no plain file."""
+    if reason := _why_harmful(path):
+        raise Refusal(f"{path!r} is no path for a game file: {reason}; nothing was written")
+    return path
+
+
+def _why_harmful(path: str) -> str | None:
+    if not path or len(path) > MAX_PATH_CHARS:
+        return "it is empty or too long"
+    parts = path.split("/")
+    for part in parts:
+        if part in ("", ".", ".."):
+            return "it is absolute, or has an empty part, . or .."
+        if len(os.fsencode(part)) > MAX_PART_BYTES if _is_encodable(part) else True:
+            return "a part is too long for a file system, or is no text"
+        if FORBIDDEN & set(part) or any(unicodedata.category(sign).startswith("C") for sign in part):
+            return "it has a character that some system takes for something else"
+        if part[-1] in ". " or part[0] == " ":
+            return "a part begins or ends with a space, or ends with a dot"
+        if DEVICES.fullmatch(part):
+            return "Windows takes it for a device"
+        if part.casefold() in OURS or part.casefold().startswith(".soundlist-"):
+            return "that name is used by the tools themselves"
+    return None
+
+
+def _is_encodable(part: str) -> bool:
+    try:
+        part.encode()
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
+def ensure_distinct(paths: Iterable[str]) -> None:
+    """Raise Refusal where two paths are one file on a system that ignores case, or one is the folder of another."""
+    known: dict[str, str] = {}
+    for path in paths:
+        key = _folded(path)
+        if key in known:
+            raise Refusal(f"{known[key]!r} and {path!r} are one file on some systems; nothing was written")
+        known[key] = path
+    for key, path in known.items():
+        parts = key.split("/")
+        for count in range(1, len(parts)):
+            if (folder := "/".join(parts[:count])) in known:
+                raise Refusal(f"{known[folder]!r} is a file and the folder of {path!r}; nothing was written")
+
+
+def _folded(path: str) -> str:
+    return unicodedata.normalize("NFC", unicodedata.normalize("NFC", path).casefold())
+
+
+def place_of(root: Path, path: str) -> Path:
+    """Return where a game file is; raise Refusal where a link on the way leads out of the folder."""
+    place = root.joinpath(*path.split("/"))
+    inside, folder = root.resolve(), place.parent
+    while not os.path.lexists(folder):
+        folder = folder.parent
+    if folder.resolve() != inside and inside not in folder.resolve().parents:
+        raise Refusal(f"{path!r} leads out of {root} by a link")
+    if not folder.is_dir():
+        raise Refusal(f"{folder} is a file, where the folder of {path!r} should be")
+    return place
+
+
+def part_of(place: Path, path: str, sha256: str) -> Path:
+    """Return where a download is kept until it is whole: beside its place, so that it is moved by a rename."""
+    return place.with_name(f".soundlist-{hashlib.sha256(path.encode()).hexdigest()[:8]}-{sha256[:24]}.part")
+
+
+def sha256_of(path: Path) -> str:
+    """Return the hash of a file."""
+    digest = hashlib.sha256()
+    with path.open("rb") as file:
+        while block := file.read(BLOCK_BYTES):
+            digest.update(block)
+    return digest.hexdigest()
+
+
+def content_sha256(path: Path) -> str | None:
+    """Return the hash of what is at a place, None where nothing is; of a pointer of Git LFS, what it points to.
+
+    A link, a folder or a device gives an empty text, which is the hash of nothing.
+    """
+    try:
+        found = path.lstat()
+    except FileNotFoundError:
+        return None
+    if not stat.S_ISREG(found.st_mode):
+        return ""
+    if found.st_size <= LFS_POINTER_BYTES and (pointed := LFS_POINTER.fullmatch(path.read_bytes())):
+        return pointed[1].decode()
+    return sha256_of(path)
+
+
+def is_read_only(path: Path) -> bool:
+    """Whether nobody may write to a file, as source control marks one that is not checked out."""
+    return path.exists() and not path.stat().st_mode & (stat.S_IWUSR | stat.S_IWGRP | stat.S_IWOTH)

@@ -1,0 +1,201 @@
+"""What a pull would change in a folder: decided before anything is written."""
+
+import re
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from app.client.errors import Refusal
+from app.client.lock import CUE, PROJECT, SHA256, SOUND, TAKE, Entry, Lock
+from app.client.paths import content_sha256, ensure_distinct, ensure_harmless, is_read_only, place_of
+
+MAX_FILES = 200_000
+MAX_FILE_BYTES = 8 << 30
+URL = re.compile(r"/[\x21-\x7e]{1,2000}")
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """One approved game file, as the server names it."""
+
+    entry: Entry
+    size_bytes: int
+    cue_name: str
+    url: str
+
+    @property
+    def path(self) -> str:
+        """Its path in the folder."""
+        return self.entry.path
+
+
+@dataclass(frozen=True)
+class Lacking:
+    """A file that the game has no final sound for."""
+
+    path: str
+    cue: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class Listing:
+    """What the server says of a target."""
+
+    project_id: str
+    project: str
+    target: str
+    files: list[Wanted]
+    missing: list[Lacking]
+    placeholders: list[Lacking]
+
+
+@dataclass(frozen=True)
+class Write:
+    """A file to be written."""
+
+    wanted: Wanted
+    place: Path
+    is_new: bool
+    copy_of: Path | None = None  # the folder has these bytes at another place
+
+
+@dataclass(frozen=True)
+class Kept:
+    """A file that is left as it is, and why."""
+
+    path: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class Gone:
+    """A file that was pulled before and is not approved any more."""
+
+    entry: Entry
+    place: Path
+    is_edited: bool
+    is_read_only: bool
+
+
+@dataclass
+class Plan:
+    """What a pull does."""
+
+    writes: list[Write] = field(default_factory=list)
+    kept: list[Kept] = field(default_factory=list)
+    gone: list[Gone] = field(default_factory=list)
+    waiting: list[Kept] = field(default_factory=list)  # approved, and not to be downloaded yet
+    entries: dict[str, Entry] = field(default_factory=dict)  # of the lock without what is written
+    same: int = 0
+
+
+def listing_of(said: Any) -> Listing:
+    """Return what the server answered; raise Refusal for anything that is no list of game files."""
+    try:
+        files = [_wanted(one) for one in said["files"]]
+        listing = Listing(
+            project_id=_matched(PROJECT, said["project_id"]),
+            project=str(said["project"]),
+            target=str(said["target"]),
+            files=files,
+            missing=[Lacking(str(one["path"]), str(one["cue"]), str(one["reason"])) for one in said["missing"]],
+            placeholders=[
+                Lacking(str(one["path"]), str(one["cue"]), str(one["reason"])) for one in said["placeholders"]
+            ],
+        )
+    except (KeyError, TypeError, ValueError) as error:
+        raise Refusal(
+            f"the server's list of game files is not understood ({error}); is this program too old?"
+        ) from None
+    if len(files) > MAX_FILES:
+        raise Refusal(f"the server names {len(files):,} files; at most {MAX_FILES:,} are pulled")
+    ensure_distinct(one.path for one in files)
+    return listing
+
+
+def _wanted(said: Any) -> Wanted:
+    size_bytes = said["bytes"]
+    if type(size_bytes) is not int or not 0 <= size_bytes <= MAX_FILE_BYTES:
+        raise ValueError(f"a size of {size_bytes!r}")
+    entry = Entry(
+        path=ensure_harmless(str(said["path"])),
+        sha256=_matched(SHA256, said["sha256"]),
+        cue=_matched(CUE, said["cue"]),
+        take=_matched(TAKE, said["take_id"]),
+        sound=_matched(SOUND, said["sound"]),
+    )
+    return Wanted(entry, size_bytes, str(said["cue_name"]), _matched(URL, said["url"]))
+
+
+def _matched(pattern: re.Pattern[str], text: Any) -> str:
+    if not isinstance(text, str) or not pattern.fullmatch(text) or not text.isprintable():
+        raise ValueError(repr(text)[:100])
+    return text
+
+
+def plan_of(root: Path, lock: Lock | None, listing: Listing, *, force: bool, opens_read_only: bool) -> Plan:
+    """Return what makes a folder equal to what is approved.
+
+    `force` overwrites what was changed here; `opens_read_only`: source control opens read-only files first.
+    """
+    plan = Plan()
+    known = lock.entries if lock else {}
+    places = {path: place_of(root, path) for path in {*known, *(one.path for one in listing.files)}}
+    found = {path: content_sha256(place) for path, place in places.items()}
+    there = {sha256: places[path] for path, sha256 in found.items() if sha256 and path in known}
+    for wanted in listing.files:
+        entry, before, content = wanted.entry, known.get(wanted.path), found[wanted.path]
+        place = places[wanted.path]
+        if content == entry.sha256:
+            plan.entries[wanted.path] = entry
+            plan.same += 1
+            continue
+        is_pulled = before is not None and content == before.sha256
+        if is_pulled and before and before.sound == entry.sound:  # other bytes around the same sound
+            plan.entries[wanted.path] = replace(entry, sha256=before.sha256)
+            plan.same += 1
+            continue
+        reason = _why_kept(content, before, is_pulled=is_pulled, force=force)
+        if not reason and content is not None and not opens_read_only and is_read_only(place):
+            reason = "it is read-only; --p4 or --lfs-lock opens it"
+        if reason:
+            plan.kept.append(Kept(wanted.path, reason))
+            if before:
+                plan.entries[wanted.path] = before
+            continue
+        copy_of = there.get(entry.sha256)
+        if copy_of is not None and copy_of.stat().st_size != wanted.size_bytes:  # a pointer of Git LFS
+            copy_of = None
+        plan.writes.append(Write(wanted, place, is_new=content is None, copy_of=copy_of))
+        if before:
+            plan.entries[wanted.path] = before
+    _add_gone(plan, listing, known, places, found)
+    return plan
+
+
+def _why_kept(content: str | None, before: Entry | None, *, is_pulled: bool, force: bool) -> str:
+    if content is None or is_pulled:
+        return ""
+    if content == "":
+        return "it is a link or a folder, and is never overwritten"
+    if force:
+        return ""
+    if before is None:
+        return "it was here before and is not from Soundlist; --force overwrites it"
+    return "it was changed here since it was pulled; --force overwrites it"
+
+
+def _add_gone(
+    plan: Plan, listing: Listing, known: dict[str, Entry], places: dict[str, Path], found: dict[str, str | None]
+) -> None:
+    approved = {one.path for one in listing.files}
+    waiting = {one.path: one.reason for one in listing.missing}
+    for path, entry in sorted(known.items()):
+        if path in approved or found[path] is None:
+            continue
+        plan.entries[path] = entry
+        if path not in waiting:
+            is_edited = found[path] != entry.sha256
+            plan.gone.append(Gone(entry, places[path], is_edited, is_read_only(places[path])))
+    plan.waiting = [Kept(one.path, one.reason) for one in listing.missing]

@@ -1,0 +1,33 @@
+"""An approved project, made once, and a client of it."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.app.builds.approved import accepted_list
+from tests.app.client.served import Client, client_of
+from tests.support.server import RunningServer, World
+
+
+@pytest.fixture(scope="module")
+def approved(server: RunningServer) -> World:
+    """Three accepted sounds of two cues, and a third cue without one; tests leave it as it is."""
+    world = World(server)
+    accepted_list(world)
+    return world
+
+
+@pytest.fixture
+def client(approved: World, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Iterator[Client]:
+    """A client of the approved project."""
+    with client_of(approved, monkeypatch, capsys) as made:
+        yield made
+
+
+@pytest.fixture
+def game(tmp_path: Path) -> Path:
+    """An empty folder of a game."""
+    folder = tmp_path / "game"
+    folder.mkdir()
+    return folder
