@@ -10,7 +10,7 @@ from fastapi.responses import StreamingResponse
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience, Scope
-from app.builds import packs, placeholders, sealing, service, targets
+from app.builds import handed_cues, packs, placeholders, sealing, service, targets
 from app.builds.documentation_key import key_csv, key_xlsx
 from app.builds.errors import (
     BlobDamaged,
@@ -22,6 +22,7 @@ from app.builds.errors import (
     PlaceholderAccepted,
     ReportInvalid,
 )
+from app.builds.handoff.cues import Handoff
 from app.builds.key_pdf import key_pdf
 from app.builds.rules import ci_lines
 from app.builds.schemas import (
@@ -103,6 +104,7 @@ def download_pack(
             alias="placeholders", description="Put marked placeholder files in for the sounds that are not accepted."
         ),
     ] = False,
+    handoff: Annotated[Handoff, Query(description="The engine whose import files go with the sounds.")] = Handoff.NONE,
     actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ),
 ) -> StreamingResponse:
     """Stream the approved pack; an answer shorter than its Content-Length is a broken one."""
@@ -110,7 +112,12 @@ def download_pack(
     if with_placeholders:
         pack = placeholders.with_placeholder_files(session, pack)
     files = packs.pack_files(
-        runtime.store, pack, masters=masters, allow_missing=allow_missing, placeholders=with_placeholders
+        runtime.store,
+        pack,
+        masters=masters,
+        allow_missing=allow_missing,
+        placeholders=with_placeholders,
+        handoff=handed_cues.handoff_entries(session, pack, handoff),
     )
     return stream_zip(f"{pack.project.name} {pack.target}.zip", [file.entry for file in files])
 

@@ -7,7 +7,7 @@ from uuid import UUID
 
 import structlog
 
-from app.builds import manifests, packs, placeholders, queries, sealing
+from app.builds import handed_cues, manifests, packs, placeholders, queries, sealing
 from app.builds.rules import FileKind, PackState
 from app.conformance import checking
 from app.kit import kill_points
@@ -43,6 +43,7 @@ def seal_pack(runtime: Runtime, payload: Payload) -> None:
         pack = packs.pack_of(session, session.get_one(Project, asked.project_id), asked.target)
         if asked.placeholders:
             pack = placeholders.with_placeholder_files(session, pack)
+        handoff = handed_cues.handoff_entries(session, pack, asked.handoff)
     try:
         files = packs.pack_files(
             runtime.store,
@@ -50,6 +51,7 @@ def seal_pack(runtime: Runtime, payload: Payload) -> None:
             masters=asked.with_masters,
             allow_missing=asked.allow_missing,
             placeholders=asked.placeholders,
+            handoff=handoff,
         )
     except Refused as error:
         with runtime.database.writing() as session:

@@ -8,6 +8,7 @@ from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, UniqueCon
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
+from app.builds.handoff.cues import Handoff
 from app.builds.rules import FileKind, PackState
 from app.kit import clock
 from app.kit.db import Base, new_id
@@ -52,6 +53,7 @@ class SealedPack(Base):
     placeholders: Mapped[bool] = mapped_column(
         default=False
     )  # placeholder files are in it, because the request asked for them
+    handoff: Mapped[Handoff] = mapped_column(default=Handoff.NONE)
     state: Mapped[PackState] = mapped_column(default=PackState.SEALING)
     refusal: Mapped[str] = mapped_column(default="")
     sealed_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))

@@ -14,6 +14,7 @@ from app.accounts.rules import Actor
 from app.builds import queries
 from app.builds.documentation_key import KeyRow, key_csv, key_xlsx
 from app.builds.errors import BlobDamaged, NothingAccepted, PackIncomplete, PlaceholderAccepted
+from app.builds.handoff.cues import Handoff
 from app.builds.key_pdf import key_pdf
 from app.builds.rules import FileKind, changes_between, sums
 from app.builds.schemas import ChangedPath, MissingFile, PackChanges, PackRead
@@ -107,6 +108,7 @@ class Pack:
     sounds: list[PackedSound]
     cues_wanted: int
     last_number: int | None  # of the target's newest sealed pack
+    last_handoff: Handoff
     last_marks: dict[str, str]  # fingerprints of its game files, by path
     marked: set[UUID]  # takes whose files are marked as placeholder files
     sources: dict[UUID, Sources] = field(default_factory=dict)  # what takes were made from, where that is stated
@@ -170,6 +172,7 @@ def pack_of(session: Session, project: Project, target: str | None, actor: Actor
         sounds=sounds,
         cues_wanted=queries.wanted_cues(session, project.id),
         last_number=last.number if last else None,
+        last_handoff=last.handoff if last else Handoff.NONE,
         last_marks={path: mark_of(render) for path, render in last_renders.items()},
         marked=takes_with_finding(session, [take.id for _, _, take in accepted], PLACEHOLDER_CODE),
         sources=sources_of(session, [take for _, _, take in accepted]),
@@ -193,6 +196,7 @@ def pack_read(pack: Pack) -> PackRead:
         masters_bytes=sum(sound.take.master_bytes for sound in pack.sounds if not sound.closed),
         cues_accepted=len({sound.cue.id for sound in pack.sounds}),
         cues_wanted=pack.cues_wanted,
+        handoff=pack.last_handoff,
         changes=changes_read(pack.last_number, pack.last_marks, pack.marks),
         missing=[
             MissingFile(
@@ -295,9 +299,15 @@ class Packed:
 
 
 def pack_files(
-    store: Store, pack: Pack, *, masters: bool, allow_missing: bool, placeholders: bool = False
+    store: Store,
+    pack: Pack,
+    *,
+    masters: bool,
+    allow_missing: bool,
+    placeholders: bool = False,
+    handoff: Sequence[Entry] = (),
 ) -> list[Packed]:
-    """Return the files of the ZIP in their order: the game files in list order, the masters, the key, the sums.
+    """Return the files of the ZIP in their order: the game files in list order, masters, hand-off, key, sums.
 
     The key's workbook is a ZIP itself: before the sounds, a pack that broke off could be taken for it.
 
@@ -331,7 +341,8 @@ def pack_files(
     ensure_stored(store, studio_id, [file.entry for file in files])
     rows = key_rows(pack, masters=masters)
     keys = {KEY_CSV: key_csv(rows), KEY_XLSX: key_xlsx(rows), KEY_PDF: key_pdf(rows, title=title_of(pack))}
-    entries = [*(file.entry for file in files), *(memory_entry(path, content) for path, content in keys.items())]
+    entries = [*(file.entry for file in files), *handoff]
+    entries += [memory_entry(path, content) for path, content in keys.items()]
     entries.append(memory_entry(SUMS, sums({entry.path: entry.sha256 for entry in entries})))
     return [*files, *(Packed(entry, FileKind.KEY) for entry in entries[len(files) :])]
 

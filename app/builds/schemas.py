@@ -6,6 +6,7 @@ from uuid import UUID
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from app.builds.handoff.cues import Handoff
 from app.builds.rules import PackState
 from app.kit.http import Schema
 
@@ -48,6 +49,7 @@ class PackRead(Schema):
     masters_bytes: int
     cues_accepted: int
     cues_wanted: int = Field(description="Cues of the list that are not cut.")
+    handoff: Handoff = Field(description="That of the target's newest sealed pack.")
     changes: PackChanges
     missing: list[MissingFile]
 
@@ -62,6 +64,7 @@ class PackAdd(Schema):
     placeholders: bool = Field(
         False, description="Put marked placeholder files in for the sounds that are not accepted."
     )
+    handoff: Handoff = Field(Handoff.NONE, description="The engine whose import files go with the sounds.")
 
 
 class SealedPackSummary(Schema):
@@ -73,6 +76,7 @@ class SealedPackSummary(Schema):
     note: str
     with_masters: bool
     placeholders: bool
+    handoff: Handoff
     state: PackState
     refusal: str = Field(description="Why it could not be put together.")
     sealed_by: str

@@ -51,6 +51,7 @@ def request_pack(session: Session, actor: Actor, project_id: UUID, wanted: PackA
         with_masters=wanted.masters,
         allow_missing=wanted.allow_missing,
         placeholders=wanted.placeholders,
+        handoff=wanted.handoff,
         sealer=session.get_one(Person, actor.person),
     )
     session.add(pack)
@@ -142,6 +143,7 @@ def _summary(pack: SealedPack, sums: queries.PackSums) -> dict[str, object]:
         "note": pack.note,
         "with_masters": pack.with_masters,
         "placeholders": pack.placeholders,
+        "handoff": pack.handoff,
         "state": pack.state,
         "refusal": pack.refusal,
         "sealed_by": pack.sealer.name,

@@ -9420,6 +9420,12 @@ export interface components {
             habit: components["schemas"]["Habit"];
         };
         /**
+         * Handoff
+         * @description The engine or middleware whose import files a pack contains.
+         * @enum {string}
+         */
+        Handoff: "none" | "wwise" | "fmod" | "unity" | "unreal" | "godot";
+        /**
          * HeldBack
          * @description A draft that could not be sent now, and stays a draft.
          */
@@ -11330,6 +11336,11 @@ export interface components {
              * @default false
              */
             placeholders: boolean;
+            /**
+             * @description The engine whose import files go with the sounds.
+             * @default none
+             */
+            handoff: components["schemas"]["Handoff"];
         };
         /**
          * PackChanges
@@ -11377,6 +11388,8 @@ export interface components {
              * @description Cues of the list that are not cut.
              */
             cues_wanted: number;
+            /** @description That of the target's newest sealed pack. */
+            handoff: components["schemas"]["Handoff"];
             changes: components["schemas"]["PackChanges"];
             /** Missing */
             missing: components["schemas"]["MissingFile"][];
@@ -13276,6 +13289,7 @@ export interface components {
             with_masters: boolean;
             /** Placeholders */
             placeholders: boolean;
+            handoff: components["schemas"]["Handoff"];
             state: components["schemas"]["PackState"];
             /**
              * Refusal
@@ -13325,6 +13339,7 @@ export interface components {
             with_masters: boolean;
             /** Placeholders */
             placeholders: boolean;
+            handoff: components["schemas"]["Handoff"];
             state: components["schemas"]["PackState"];
             /**
              * Refusal
@@ -28750,6 +28765,8 @@ export interface operations {
                 allow_missing?: boolean;
                 /** @description Put marked placeholder files in for the sounds that are not accepted. */
                 placeholders?: boolean;
+                /** @description The engine whose import files go with the sounds. */
+                handoff?: components["schemas"]["Handoff"];
             };
             header?: never;
             path: {

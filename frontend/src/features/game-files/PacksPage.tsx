@@ -15,6 +15,7 @@ import { State } from '@/ui/State'
 
 import {
   type Changes,
+  type Handoff,
   packQuery,
   type SealedPack,
   targetsQuery,
@@ -23,9 +24,8 @@ import {
   useSealPack,
 } from './api'
 import classes from './Files.module.css'
-import { PullCard } from './PullCard'
 import { Refused } from './Refused'
-import { changesInWords, sentence } from './words'
+import { changesInWords, HANDOFFS, sentence } from './words'
 
 /** The packs that were handed out, and the next one. */
 export function PacksPage() {
@@ -70,10 +70,7 @@ export function PacksPage() {
             </div>
           )}
         </Card>
-        <div className="stack">
-          {names.length > 0 && <SealCard projectId={projectId} targets={names} />}
-          {names.length > 0 && <PullCard projectId={projectId} targets={names} />}
-        </div>
+        <div className="stack">{names.length > 0 && <SealCard projectId={projectId} targets={names} />}</div>
       </div>
     </div>
   )
@@ -116,7 +113,8 @@ function PackLine({ pack, isProducer }: { pack: SealedPack; isProducer: boolean 
         <time dateTime={pack.created_at} title={day(pack.created_at)}>
           {ago(pack.created_at)}
         </time>
-        {pack.with_masters && ', with masters'}.{pack.note && ` “${pack.note}”`}
+        {pack.with_masters && ', with masters'}
+        {pack.handoff !== 'none' && `, for ${HANDOFFS[pack.handoff].label}`}.{pack.note && ` “${pack.note}”`}
       </p>
       {pack.state === 'sealed' && isProducer && <ClearanceLinks path={`/v1/packs/${pack.id}`} of={title} />}
       {pack.state === 'refused' && <p className="small">{sentence(pack.refusal)}</p>}
@@ -156,13 +154,16 @@ function SealCard({ projectId, targets }: { projectId: string; targets: readonly
   const [note, setNote, draft] = useDraft(`pack:${projectId}`, '')
   const [masters, setMasters] = useState(false)
   const [placeholders, setPlaceholders] = useState(false)
+  const [chosen, setChosen] = useState<Handoff | null>(null)
   const { data: pack } = useQuery(packQuery(projectId, target))
   const seal = useSealPack(projectId)
+  const handoff = chosen ?? pack?.handoff ?? 'none' // that of the target's last pack, until another is chosen
   const missing = pack?.missing.length ?? 0
   const [allowMissing, setAllowMissing] = useState(false)
   const send = (event: SyntheticEvent) => {
     event.preventDefault()
-    seal.mutate({ target, note, masters, placeholders, allow_missing: allowMissing }, { onSuccess: draft.discard })
+    const body = { target, note, masters, placeholders, handoff, allow_missing: allowMissing }
+    seal.mutate(body, { onSuccess: draft.discard })
   }
   return (
     <Card aria-labelledby="seal">
@@ -189,6 +190,14 @@ function SealCard({ projectId, targets }: { projectId: string; targets: readonly
           maxLength={2000}
           rows={2}
           onChange={({ currentTarget }) => setNote(currentTarget.value)}
+        />
+        <Select
+          label="Import files for"
+          description={HANDOFFS[handoff].does}
+          data={Object.entries(HANDOFFS).map(([value, { label }]) => ({ value, label }))}
+          value={handoff}
+          onChange={(engine) => engine && setChosen(engine as Handoff)}
+          allowDeselect={false}
         />
         <Checkbox
           label="With masters"

@@ -11,6 +11,7 @@ export type Batch = Schemas['BatchSummary']
 export type BatchSizes = Schemas['BatchSizes']
 export type SealedPack = Schemas['SealedPackSummary']
 export type Changes = Schemas['PackChanges']
+export type Handoff = Schemas['Handoff']
 export type Register = Schemas['PlaceholderRegister']
 export type Placeholder = Schemas['PlaceholderRead']
 

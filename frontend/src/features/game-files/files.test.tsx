@@ -144,6 +144,7 @@ describe('packs', () => {
     note: 'for the alpha',
     with_masters: false,
     placeholders: true,
+    handoff: 'wwise',
     state: 'sealed',
     refusal: '',
     sealed_by: 'Composer',
@@ -162,6 +163,7 @@ describe('packs', () => {
     masters_bytes: 1,
     cues_accepted: 2,
     cues_wanted: 5,
+    handoff: 'wwise',
     changes: { ...CHANGES, since: 2 },
     missing: [],
   }
@@ -178,6 +180,7 @@ describe('packs', () => {
     openApp('/projects/p1/packs')
     const line = await screen.findByRole('listitem', { name: 'Pack unity 2' })
     expect(within(line).getByText('With placeholders')).toBeVisible()
+    expect(within(line).getByText(/^Sealed by Composer .*, for Wwise\./)).toBeVisible()
     expect(within(line).getByText('41 files, 9 placeholders, 5.0 MB')).toBeVisible()
     expect(within(line).getByRole('link', { name: 'Download pack unity 2' })).toHaveAttribute(
       'href',
@@ -197,8 +200,32 @@ describe('packs', () => {
         note: 'beta',
         masters: false,
         placeholders: true,
+        handoff: 'wwise',
         allow_missing: false,
       })
+    })
+    await clean()
+  })
+
+  test('import files are for the engine of the last pack, until another is chosen', async () => {
+    const { asked } = serve(
+      onPage({
+        'GET /v1/projects/p1/packs': { items: [], next: null },
+        'GET /v1/projects/p1/pack': NEXT,
+        'POST /v1/projects/p1/packs': answer({ ...PACK, id: 'k2', state: 'sealing' }, 201),
+      }),
+    )
+    openApp('/projects/p1/packs')
+    const engine = await screen.findByRole('combobox', { name: 'Import files for' })
+    await waitFor(() => expect(engine).toHaveValue('Wwise'))
+    expect(engine).toHaveAccessibleDescription(/^Tables for the tab-delimited import/)
+    await userEvent.click(engine)
+    await userEvent.click(await screen.findByRole('option', { name: 'Godot' }))
+    expect(engine).toHaveAccessibleDescription('Import files beside the sounds, and a randomizer for each set.')
+    await userEvent.click(screen.getByRole('button', { name: 'Seal pack' }))
+    await waitFor(() => {
+      const sent = asked.find(({ method, path }) => `${method} ${path}` === 'POST /v1/projects/p1/packs')
+      expect(sent?.body).toMatchObject({ handoff: 'godot' })
     })
     await clean()
   })

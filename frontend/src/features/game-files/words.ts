@@ -1,6 +1,6 @@
 import { bytes, channels, figure, plural, rate } from '@/ui/format'
 
-import type { Batch, BatchSizes, Changes, Memory, Target } from './api'
+import type { Batch, BatchSizes, Changes, Handoff, Memory, Target } from './api'
 
 export function sentence(text: string): string {
   const begun = text.charAt(0).toUpperCase() + text.slice(1)
@@ -52,6 +52,16 @@ export function changesInWords({ since, changed, gone, same, ...counts }: Change
     same > 0 && `${figure(same)} unchanged`,
   ].filter(Boolean)
   return `since pack ${since}: ${parts.join(', ') || 'nothing'}`
+}
+
+/** What engines are called, and the import files that each gets in a pack. */
+export const HANDOFFS: Record<Handoff, { label: string; does: string }> = {
+  none: { label: 'None', does: 'Sounds and documentation only.' },
+  wwise: { label: 'Wwise', does: 'Tables for the tab-delimited import: containers, loops, notes and new events.' },
+  fmod: { label: 'FMOD Studio', does: 'A script for the Scripts menu that creates events by category.' },
+  unity: { label: 'Unity', does: 'Import settings by category, and a menu item that creates a prefab for each event.' },
+  unreal: { label: 'Unreal', does: 'An editor script that imports what changed and creates sound cues.' },
+  godot: { label: 'Godot', does: 'Import files beside the sounds, and a randomizer for each set.' },
 }
 
 export const signed = (count: number): string =>

@@ -1,0 +1,87 @@
+"""The hand-off of a pack: its cues as engines import them."""
+
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.builds import handoff_queries
+from app.builds.handoff.cues import HandedCue, HandedFile, Handoff, distinct, one_line, set_name, stated
+from app.builds.handoff.engines import handoff_files
+from app.builds.packs import Pack, memory_entry
+from app.builds.zip_stream import Entry
+from app.projects.queries import current_spec
+from app.renders.models import Render
+from app.renders.queries import parsed_spec
+from app.sound_lists.models import Cue
+from app.sound_lists.rules import label
+from audio_checks import DeliverySpec
+
+EVENT_COLUMNS = ("event", "event name", "event path", "audio event")  # of the list's own, after the engine's
+LANGUAGE_COLUMNS = ("language", "locale")
+PLACEHOLDER = "PLACEHOLDER: not the final sound; it must not ship."
+
+
+def handoff_entries(session: Session, pack: Pack, handoff: Handoff) -> list[Entry]:
+    """Return the files by which an engine imports a pack; none where the pack is handed over without."""
+    if handoff is Handoff.NONE:
+        return []
+    known = handoff_queries.handed_paths(session, pack.project.id, pack.target, handoff)
+    made = handoff_files(handoff, handed_cues(session, pack, handoff), known)
+    return [memory_entry(path, content) for path, content in made.items()]
+
+
+def handed_cues(session: Session, pack: Pack, handoff: Handoff) -> list[HandedCue]:
+    """Return the cues of which a pack has files, in the order of the list."""
+    spec = parsed_spec(current_spec(session, pack.project.id).toml)
+    content = _content(pack)
+    names = distinct((number, set_name([file.stem for file in files])) for number, (_, files) in content.items())
+    return [
+        _handed(number, names[number], cue, files, spec.for_category(cue.category or None), pack, handoff)
+        for number, (cue, files) in content.items()
+    ]
+
+
+def _content(pack: Pack) -> dict[str, tuple[Cue, list[HandedFile]]]:
+    """Return each cue by its label, with its files in the order of its variations."""
+    found: dict[UUID, tuple[Cue, dict[int, HandedFile]]] = {}
+    for sound in pack.sounds:
+        if render := sound.packed:
+            found.setdefault(sound.cue.id, (sound.cue, {}))[1][sound.variation] = _game_file(sound.path, render)
+    for one in pack.placeholder_files:
+        made = HandedFile(path=one.path, sha256=one.sha256, duration_s=one.cue.duration_s or 0.0)
+        found.setdefault(one.cue.id, (one.cue, {}))[1][one.variation] = made
+    prefix = pack.project.cue_prefix
+    return {label(prefix, cue.number): (cue, [files[at] for at in sorted(files)]) for cue, files in found.values()}
+
+
+def _game_file(path: str, render: Render) -> HandedFile:
+    facts = render.facts
+    return HandedFile(
+        path=path,
+        sha256=render.sha256 or "",
+        duration_s=facts["duration_s"],
+        sample_rate_hz=facts["sample_rate_hz"],
+        loop_points=tuple((first, last) for first, last in facts["loop_points"]),
+    )
+
+
+def _handed(
+    number: str, name: str, cue: Cue, files: list[HandedFile], spec: DeliverySpec, pack: Pack, handoff: Handoff
+) -> HandedCue:
+    target = spec.targets[pack.target]
+    lines = [PLACEHOLDER] if any(one.cue.id == cue.id for one in pack.placeholder_files) else []
+    lines += [f"{number} {cue.name}.", cue.description]
+    lines += [f"{what}: {text}" for what, text in (("Use", cue.use), ("Trigger", cue.trigger)) if text]
+    return HandedCue(
+        label=number,
+        name=name,
+        title=cue.name,
+        category=cue.category,
+        loop=cue.loop,
+        notes=one_line(" ".join(lines)),
+        files=tuple(files),
+        event=stated(cue.extra, f"{handoff} event", *EVENT_COLUMNS),
+        language=stated(cue.extra, *LANGUAGE_COLUMNS),
+        target_streamed=target.streamed,
+        codec_ratio=target.codec_ratio,
+    )

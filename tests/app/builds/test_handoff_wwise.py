@@ -1,0 +1,143 @@
+"""Wwise: the tables read by the rules that Audiokinetic documents; they were never imported into Wwise itself."""
+
+import re
+
+import pytest
+from hypothesis import given, settings
+
+from app.builds.handoff.cues import HandedCue
+from app.builds.handoff.wwise import wwise_files
+from tests.app.builds.handed import CONFIRM, CUES, LASER, cue, hostile_cues
+
+COLUMNS = {"Audio File", "Object Path", "Object Type", "Notes", "Event"}
+PROPERTY = re.compile(r"(Property|Reference)\[\w+\]")
+TYPES = ("Virtual Folder", "Random Container", "Sound SFX", "Sound Voice")
+NAME = r'[^\\/:*?"<>|@\t\r\n]+'
+PART = re.compile(rf"<({'|'.join(TYPES)})>({NAME})")
+EVENT = re.compile(r"\\Events\\Default Work Unit\\([A-Za-z0-9_]+)@Play")
+
+
+def read(table: bytes) -> list[dict[str, str]]:
+    """Read a table, and refuse what the documents do not have."""
+    text = table.decode("utf-8")
+    assert text.endswith("\r\n")
+    lines = text.removesuffix("\r\n").split("\r\n")
+    assert not [line for line in lines if re.search(r"[\r\n\v\f\u2028\u2029\x00]", line)]
+    head, *rows = (line.split("\t") for line in lines)
+    assert len(set(head)) == len(head)
+    assert [column for column in head if column not in COLUMNS and not PROPERTY.fullmatch(column)] == []
+    assert {len(row) for row in rows} == {len(head)}
+    return [dict(zip(head, row, strict=True)) for row in rows]
+
+
+class Project:
+    """What an import with "use existing" makes: objects by their paths, with a type, and events."""
+
+    def __init__(self) -> None:
+        self.objects: dict[str, dict[str, str]] = {}
+        self.events: dict[str, str] = {}
+
+    def import_table(self, table: bytes) -> None:
+        for row in read(table):
+            path = ""
+            for part in row["Object Path"].split("\\"):
+                found = PART.fullmatch(part)
+                assert found, part
+                path = f"{path}\\{found[2]}".lower()
+                known = self.objects.setdefault(path, {"type": found[1]})
+                assert known["type"] == found[1], path
+            assert self.objects[path]["type"] == row["Object Type"]
+            if row["Audio File"]:
+                assert row["Object Type"].startswith("Sound ")
+                assert re.fullmatch(r"\.\.\\[^\t]+\.\w+", row["Audio File"])
+            else:
+                assert "Event" in row or row["Object Type"] == "Random Container"
+            self.objects[path] |= {name: text for name, text in row.items() if text and name != "Event"}
+            if event := row.get("Event"):
+                found = EVENT.fullmatch(event)
+                assert found, event
+                assert found[1] not in self.events
+                self.events[found[1]] = path
+
+
+def imported(cues: list[HandedCue]) -> Project:
+    project = Project()
+    for name, table in wwise_files(cues, set()).items():
+        assert name.startswith("wwise/")
+        project.import_table(table)
+    return project
+
+
+def test_a_set_is_a_random_container_with_its_sounds() -> None:
+    project = imported(CUES)
+    assert project.objects["\\weapon\\laser_fire"]["type"] == "Random Container"
+    assert project.objects["\\weapon\\laser_fire"]["Notes"] == "SW-001 Laser fire. Bright, thin."
+    first = project.objects["\\weapon\\laser_fire\\laser_fire_01"]
+    assert (first["type"], first["Audio File"]) == ("Sound SFX", "..\\Assets\\weapon\\laser_fire_01.wav")
+    assert first["Property[IsLoopingEnabled]"] == "false"
+    assert "Property[IsStreamingEnabled]" not in first
+    hum = project.objects["\\ambience\\hum"]
+    assert (hum["Property[IsLoopingEnabled]"], hum["Property[IsStreamingEnabled]"]) == ("true", "true")
+    assert project.events == {
+        "Play_laser_fire": "\\weapon\\laser_fire",
+        "Hum": "\\ambience\\hum",
+        "Play_Confirm": "\\ui_confirm",
+    }
+
+
+def test_importing_the_sounds_again_changes_nothing() -> None:
+    project = imported(CUES)
+    before = {path: dict(facts) for path, facts in project.objects.items()}
+    project.import_table(wwise_files(CUES, set())["wwise/sounds.tsv"])
+    assert project.objects == before
+
+
+def test_an_event_is_handed_over_once() -> None:
+    known = {file.path for file in LASER.files}
+    (_, *events) = wwise_files(CUES, known)["wwise/events.tsv"].decode().splitlines()
+    assert [line.rpartition("\t")[2] for line in events] == [
+        "\\Events\\Default Work Unit\\Hum@Play",
+        "\\Events\\Default Work Unit\\Play_Confirm@Play",
+    ]
+    assert list(wwise_files([LASER], known)) == ["wwise/sounds.tsv"]
+
+
+def test_lines_of_speech_have_a_table_for_each_language() -> None:
+    line = cue(4, "vo/hello.wav", language="French (France)")
+    files = wwise_files([*CUES, line], set())
+    assert sorted(files) == ["wwise/events.tsv", "wwise/sounds.tsv", "wwise/voices-French_France.tsv"]
+    (row,) = read(files["wwise/voices-French_France.tsv"])
+    assert (row["Object Path"], row["Object Type"]) == ("<Sound Voice>hello", "Sound Voice")
+
+
+@pytest.mark.parametrize(
+    ("stated", "named"),
+    [
+        ("event:/Weapons/Laser", "Laser"),
+        ("\\Events\\Default Work Unit\\Play_Laser@Play", "Play_Laser"),
+        ("", "Play_ui_confirm"),
+        ("Play Läser!", "Play_Laser"),
+    ],
+)
+def test_an_event_keeps_the_name_that_the_list_states(stated: str, named: str) -> None:
+    table = wwise_files([cue(3, "ui_confirm.wav", event=stated)], set())["wwise/events.tsv"]
+    found = EVENT.fullmatch(read(table)[0]["Event"])
+    assert found
+    assert found[1] == named
+
+
+def test_two_cues_with_one_event_have_two() -> None:
+    both = [CONFIRM, cue(9, "ui_cancel.wav", event="play_confirm")]
+    assert list(imported(both).events) == ["Play_Confirm", "play_confirm_SW_009"]
+
+
+@settings(max_examples=40, deadline=None)
+@given(cues=hostile_cues())
+def test_hostile_names_stay_in_their_cells(cues: list[HandedCue]) -> None:
+    files = wwise_files(cues, set())
+    assert files == wwise_files(cues, set())
+    rows = [row for name, table in files.items() if name != "wwise/events.tsv" for row in read(table)]
+    assert len([row for row in rows if row["Audio File"]]) == sum(len(one.files) for one in cues)
+    for row in rows:
+        assert all(PART.fullmatch(part) for part in row["Object Path"].split("\\")), row["Object Path"]
+    assert all(EVENT.fullmatch(row["Event"]) for row in read(files["wwise/events.tsv"]))
