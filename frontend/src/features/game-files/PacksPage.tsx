@@ -24,6 +24,7 @@ import {
   useSealPack,
 } from './api'
 import classes from './Files.module.css'
+import { PullCard } from './PullCard'
 import { Refused } from './Refused'
 import { changesInWords, HANDOFFS, sentence } from './words'
 
@@ -70,7 +71,10 @@ export function PacksPage() {
             </div>
           )}
         </Card>
-        <div className="stack">{names.length > 0 && <SealCard projectId={projectId} targets={names} />}</div>
+        <div className="stack">
+          {names.length > 0 && <SealCard projectId={projectId} targets={names} />}
+          {names.length > 0 && <PullCard projectId={projectId} targets={names} />}
+        </div>
       </div>
     </div>
   )
