@@ -21,12 +21,13 @@ export default defineConfig({
         'resume.spec.ts',
         'tray.spec.ts',
         'live.spec.ts',
+        'hiring.spec.ts',
         'walk.spec.ts',
         // Minutes each, beside other tests: `make test-all` walks them.
         ...(process.env.LONG_WALKS ? ['judging.spec.ts', 'leaving.spec.ts'] : []),
       ],
     },
-    { name: 'parts', testMatch: 'parts.spec.ts' },
+    { name: 'parts', testMatch: ['parts.spec.ts', 'heard.spec.ts'] },
     { name: 'demo', testMatch: ['pages.spec.ts', 'demo.spec.ts', 'docs.spec.ts', 'speed.spec.ts'] },
   ],
   use: {

@@ -58,7 +58,7 @@ def shown_renders(
     """Return the current render of each target of the newest spec, by take (its cue loaded); None: not made yet."""
     rows = session.execute(_shown_renders(), {"take_ids": [take.id for take in takes]})
     stored = {
-        (take_id, target, key): ShownRender(*facts[:FACTS], picture=ShownPicture.read(*facts[FACTS:]))
+        (take_id, target, key): ShownRender._make((*facts[:FACTS], ShownPicture.read(*facts[FACTS:])))
         for take_id, target, key, *facts in rows
     }
     return current(specs, takes, stored)

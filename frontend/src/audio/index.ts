@@ -1,4 +1,5 @@
 export type { Clock } from './clock'
+export { type Condition, CONDITIONS } from './conditions'
 export type { Spectrogram, Surface, TimeRange } from './draw'
 export { FLOOR_DB, LevelPlot, LevelWell, LINES_DB, LINES_HZ } from './LevelPlot'
 export { finePeaks, type Peaks } from './peaks'

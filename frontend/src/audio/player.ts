@@ -1,5 +1,6 @@
 import type { Clock } from './clock'
 import type { TimeRange } from './draw'
+import { direct, type MakeOutput, type Output } from './output'
 import { type PlayerState, SILENT, type Source } from './playerState'
 import { Previews } from './previews'
 
@@ -26,6 +27,10 @@ export interface PlayerParts {
 /** Long enough that a switch does not click, too short to hear as a fade. */
 const FADE_S = 0.005
 const REDUCED_STEP_MS = 100
+/** One way of hearing fades into another: long enough that the filters of the new one have settled. */
+const CROSSFADE_S = 0.02
+/** What was faded out is taken away so much later; nobody hears when. */
+const REMOVE_AFTER_MS = 250
 
 const everyFrame = (callback: () => void): (() => void) => {
   const frame = requestAnimationFrame(callback)
@@ -47,6 +52,8 @@ export class Player implements Clock {
   #endFrame: (() => void) | null = null
   #steppedAt = -Infinity
   #set: { sources: readonly Source[]; last: number } | null = null
+  #makeOutput: MakeOutput = direct
+  #output: Output | null = null
   readonly #createContext: () => AudioContext
   readonly #random: () => number
   readonly #onFrame: (callback: () => void) => () => void
@@ -172,6 +179,31 @@ export class Player implements Clock {
     if (sounding && this.#source) this.#ramp(sounding.gain, this.#gainOf(this.#source))
   }
 
+  /** Hear everything through other nodes, or directly. What sounds goes on without a gap, at the same position. */
+  setOutput(makeOutput: MakeOutput = direct): void {
+    if (makeOutput === this.#makeOutput) return
+    this.#makeOutput = makeOutput
+    const before = this.#output
+    if (before === null || this.#context === null) return
+    const context = this.#context
+    const after = makeOutput(context)
+    this.#output = after
+    const sounding = this.#sounding
+    if (sounding === null) {
+      before.remove()
+      return
+    }
+    sounding.gain.connect(after.input)
+    after.gain.gain.setValueAtTime(0, context.currentTime)
+    after.gain.gain.linearRampToValueAtTime(1, context.currentTime + CROSSFADE_S)
+    this.#ramp(before.gain, 0, CROSSFADE_S)
+    after.onSounding?.('begins')
+    setTimeout(() => {
+      sounding.gain.disconnect(before.input)
+      before.remove()
+    }, REMOVE_AFTER_MS)
+  }
+
   /** Play variations one after another in random order, never the same twice running, until `pause`. */
   async playAsGame(sources: readonly Source[]): Promise<void> {
     if (sources.length === 0) return
@@ -191,6 +223,7 @@ export class Player implements Clock {
     this.pause()
     void this.#context?.close()
     this.#context = null
+    this.#output = null
     this.previews.clear()
   }
 
@@ -211,6 +244,11 @@ export class Player implements Clock {
   #contextNow(): AudioContext {
     this.#context ??= this.#createContext()
     return this.#context
+  }
+
+  #outputNow(context: AudioContext): Output {
+    this.#output ??= this.#makeOutput(context)
+    return this.#output
   }
 
   /** The sound itself; null where another was asked for meanwhile, or it could not be loaded. */
@@ -249,7 +287,9 @@ export class Player implements Clock {
       node.loopEnd = loop.endS
     }
     node.connect(gain)
-    gain.connect(context.destination)
+    const output = this.#outputNow(context)
+    gain.connect(output.input)
+    output.onSounding?.('begins')
     const now = context.currentTime
     // A start at the very beginning keeps its attack; anywhere else a short ramp keeps it from clicking.
     gain.gain.setValueAtTime(fromS === 0 ? this.#gainOf(source) : 0, now)
@@ -271,6 +311,7 @@ export class Player implements Clock {
       void this.#playNext(this.#asked)
       return
     }
+    this.#output?.onSounding?.('is over')
     this.#notify({ status: 'paused' })
     this.#moved(reversed ? 0 : durationS)
   }
@@ -284,15 +325,16 @@ export class Player implements Clock {
     sounding.node.onended = null
     this.#ramp(sounding.gain, 0)
     sounding.node.stop(this.#contextNow().currentTime + FADE_S)
+    this.#output?.onSounding?.('pauses')
     this.#endFrame?.()
     this.#endFrame = null
   }
 
-  #ramp(gain: GainNode, to: number): void {
+  #ramp(gain: GainNode, to: number, fadeS = FADE_S): void {
     const now = this.#contextNow().currentTime
     gain.gain.cancelScheduledValues(now)
     gain.gain.setValueAtTime(gain.gain.value, now)
-    gain.gain.linearRampToValueAtTime(to, now + FADE_S)
+    gain.gain.linearRampToValueAtTime(to, now + fadeS)
   }
 
   #gainOf(source: Source): number {

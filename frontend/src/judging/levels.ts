@@ -7,7 +7,7 @@ export interface Level {
 }
 
 /** No gain lifts a true peak over this. */
-export const PEAK_LIMIT_DBTP = -1
+const PEAK_LIMIT_DBTP = -1
 /** Lifting by more than this brings up noise: the others come down instead. */
 const MAX_LIFT_DB = 24
 

@@ -69,7 +69,7 @@ export class HandContext {
       },
       cancelScheduledValues: () => undefined,
     }
-    return { gain, connect: () => undefined }
+    return { gain, connect: () => undefined, disconnect: () => undefined }
   }
 
   createBufferSource() {

@@ -22,6 +22,13 @@ export function keyOf(event: Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' |
   return [...parts, key].join('+')
 }
 
+/** `shift+1` of the key that has a 1, whatever Shift makes of it on this keyboard. */
+export function shiftedDigit(event: Pick<KeyboardEvent, 'code' | 'ctrlKey' | 'metaKey' | 'altKey' | 'shiftKey'>) {
+  if (!event.shiftKey || event.ctrlKey || event.metaKey || event.altKey) return undefined
+  const digit = /^Digit([0-9])$/.exec(event.code)?.[1]
+  return digit === undefined ? undefined : `shift+${digit}`
+}
+
 /** The caps to draw for a key string, one cap a press: `g t` gives two, `mod+k` one. */
 export function capsOf(keys: string, mac = isMac()): string[] {
   return keys.split(' ').map((press) =>

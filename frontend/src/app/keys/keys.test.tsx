@@ -131,6 +131,17 @@ test('a held key starts once and is let go once, also when the window loses the 
   expect(stop).toHaveBeenCalledTimes(2)
 })
 
+test('Shift and a digit are heard whatever character they make, unless that is a key itself', () => {
+  const phone = vi.fn()
+  const quiet = vi.fn()
+  const filter = vi.fn()
+  draw(<Hears hotkeys={[key('shift+3', phone), key('shift+7', quiet), key('/', filter)]} />)
+  fireEvent.keyDown(window, { key: '§', code: 'Digit3', shiftKey: true })
+  fireEvent.keyDown(window, { key: '/', code: 'Digit7', shiftKey: true })
+  fireEvent.keyDown(window, { key: '3', code: 'Digit3' })
+  expect([phone.mock.calls.length, quiet.mock.calls.length, filter.mock.calls.length]).toEqual([1, 0, 1])
+})
+
 test('the last one registered wins, and the one below comes back when it leaves', async () => {
   const page = vi.fn()
   const row = vi.fn()

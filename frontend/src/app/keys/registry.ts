@@ -1,4 +1,4 @@
-import { keyOf } from '@/ui/keyNames'
+import { keyOf, shiftedDigit } from '@/ui/keyNames'
 
 export interface Hotkey {
   /** `a`, `Space`, `mod+k`, `shift+x`, or a sequence such as `g t`. */
@@ -131,7 +131,10 @@ export class KeyRegistry {
     const heard = this.#entries.filter((entry) => entry.scope === top && !entry.read().disabled)
 
     const match =
-      heard.findLast((entry) => entry.read().keys === sequence) ?? heard.findLast((entry) => entry.read().keys === key)
+      heard.findLast((entry) => entry.read().keys === sequence) ??
+      heard.findLast((entry) => entry.read().keys === key) ??
+      // A character that Shift makes of a digit comes first: on some keyboards "/" is one.
+      heard.findLast((entry) => entry.read().keys === shiftedDigit(event))
     const begins = heard.some((entry) => entry.read().keys.startsWith(`${sequence} `))
     if (begins && match?.read().keys !== sequence) {
       this.#pressed = sequence.split(' ')

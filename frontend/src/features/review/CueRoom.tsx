@@ -23,6 +23,7 @@ import { SetRows } from './SetRows'
 import { SidePanel } from './SidePanel'
 import { TakeCards } from './TakeCards'
 import { Transport } from './Transport'
+import type { Conditions } from './useCondition'
 import { useRoomKeys } from './useRoomKeys'
 import { useTakesHeard } from './useTakesHeard'
 import { Verdict } from './Verdict'
@@ -36,6 +37,7 @@ interface CueRoomProps {
   mayCut: boolean
   player: Player
   playing: PlayerState
+  conditions: Conditions
   target: string
   onTarget: (target: string) => void
   judge: Judge
@@ -223,6 +225,7 @@ export function CueRoom(props: CueRoomProps) {
                 ? ''
                 : matchedWords(compared.map((take) => ({ name: nameOf(take), gainDb: gains.get(take.id) ?? 0 })))
             }
+            conditions={props.conditions}
             blind={canBlind ? { on: blind !== null, toggle: toggleBlind } : undefined}
             asGame={isSet && heard.length > 1 ? asGame : undefined}
             takeId={hand.id}

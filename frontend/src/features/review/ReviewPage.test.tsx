@@ -1,4 +1,4 @@
-import { screen, waitFor, within } from '@testing-library/react'
+import { fireEvent, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
 import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest'
@@ -198,6 +198,23 @@ describe('alternates', () => {
     await userEvent.keyboard('m')
     expect(screen.queryByText(/^matched:/)).toBeNull()
     expect(screen.getByRole('button', { name: /^Match level/ })).toHaveAttribute('aria-pressed', 'false')
+  })
+
+  test('a key chooses how it is heard, which is said and stays over cues until full range is chosen', async () => {
+    await opened()
+    expect(screen.getByRole('button', { name: 'Full range' })).toHaveAttribute('aria-pressed', 'false')
+    fireEvent.keyDown(window, { key: '#', code: 'Digit3', shiftKey: true })
+    expect(await screen.findByRole('button', { name: 'Heard as: phone' })).toHaveAttribute('aria-pressed', 'true')
+    await userEvent.keyboard('j')
+    expect(await screen.findByRole('heading', { name: 'foot_deck_walk', level: 1 })).toBeVisible()
+    expect(localStorage.getItem('soundlist-heard-as')).toBe('phone')
+    await userEvent.click(screen.getByRole('button', { name: 'Heard as: phone' }))
+    expect(await screen.findByRole('menuitem', { name: /^Phone, selected .*mono, 700 Hz to 12 kHz/ })).toBeVisible()
+    await userEvent.click(screen.getByRole('menuitem', { name: /^Train/ }))
+    expect(await screen.findByRole('button', { name: 'Heard as: train' })).toBeVisible()
+    fireEvent.keyDown(window, { key: '!', code: 'Digit1', shiftKey: true })
+    expect(await screen.findByRole('button', { name: 'Full range' })).toBeVisible()
+    expect(localStorage.getItem('soundlist-heard-as')).toBeNull()
   })
 
   test('older versions can be heard, and get no verdict', async () => {

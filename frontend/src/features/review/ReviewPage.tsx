@@ -20,6 +20,7 @@ import { ProblemNote } from '@/ui/ProblemNote'
 import { CueRoom } from './CueRoom'
 import { QueuePanel } from './QueuePanel'
 import classes from './Review.module.css'
+import { useCondition } from './useCondition'
 
 const NONE: never[] = []
 const AHEAD = 3
@@ -38,6 +39,7 @@ export function ReviewPage(): ReactNode {
   const seesMoney = project?.is_producer === true || project?.part === 'designer'
   const { data: money } = useQuery({ ...cueMoneyQuery(cueId), enabled: seesMoney })
   const [player, playing] = usePlayer({ held: true })
+  const conditions = useCondition(player)
   const [queueOpen, setQueueOpen] = useState(false)
   const [target, setTarget] = useState(MASTER)
   useTitle(review ? `Review ${review.cue.name}` : 'Review')
@@ -110,6 +112,7 @@ export function ReviewPage(): ReactNode {
           mayCut={project?.is_producer ?? false}
           player={player}
           playing={playing}
+          conditions={conditions}
           target={target}
           onTarget={setTarget}
           judge={judge}

@@ -5,8 +5,11 @@ import { showToast } from '@/app/toast'
 import type { Player, PlayerState } from '@/audio'
 import { Button } from '@/ui/Button'
 import { figure, place } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
+import { LazyMenu } from '@/ui/LazyMenu'
 
 import classes from './Review.module.css'
+import type { Conditions } from './useCondition'
 
 interface TransportProps {
   player: Player
@@ -18,9 +21,32 @@ interface TransportProps {
   nextWords: string
   /** How levels are matched: "matched: A −3.2 dB, B −9.1 dB". */
   matchedSays: string
+  conditions: Conditions
   blind?: { on: boolean; toggle: () => void }
   asGame?: () => void
   takeId: string
+}
+
+const loadConditions = () => import('./ConditionsMenu').then(({ ConditionsMenu }) => ConditionsMenu)
+
+/** Whether it is heard as a phone or a television plays it; said as long as it is so. */
+function HeardAs({ condition, choose }: Conditions) {
+  return (
+    <LazyMenu
+      button={
+        <Button
+          icon="headphones"
+          pressed={condition !== null}
+          title={condition ? `Heard only: ${condition.figures}. Files and measurements stay as they are.` : undefined}
+        >
+          {condition ? `Heard as: ${condition.name}` : 'Full range'}
+          <Icon name="chevron" />
+        </Button>
+      }
+      load={loadConditions}
+      given={{ condition, choose }}
+    />
+  )
 }
 
 /** How it is heard: where, round and round, backwards, against the others, at one level. */
@@ -32,12 +58,13 @@ export function Transport({
   onNext,
   nextWords,
   matchedSays,
+  conditions,
   blind,
   asGame,
   takeId,
 }: TransportProps) {
   const isPlaying = playing.status === 'playing'
-  const trouble = silent ?? playing.error
+  const trouble = silent ?? playing.error ?? conditions.trouble
   const copyLink = () => {
     const at = player.positionS()
     const link = new URL(window.location.href)
@@ -110,6 +137,7 @@ export function Transport({
         Match level
       </HotkeyButton>
       {playing.matched && matchedSays && <span className="small dim nowrap">{matchedSays}</span>}
+      <HeardAs {...conditions} />
       {blind && (
         <HotkeyButton keys="d" keyLabel="Compare blind" keyGroup="Review" pressed={blind.on} onPress={blind.toggle}>
           Blind
