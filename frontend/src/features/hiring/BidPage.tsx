@@ -108,7 +108,16 @@ function BidForm({ posting }: { posting: Posting }) {
       <CardHead id="bid" title="Your bid" note={standOf(posting)} />
       <div className={classes.body}>
         <DraftNote draft={draft} />
-        {!isTaking && <p>This posting takes no bids now. What you have typed is kept.</p>}
+        {own?.is_awarded ? (
+          <p>
+            Next: read and sign the contract once the studio sends it. You get an email.{' '}
+            <Link className="link" to="/projects/$projectId/desk" params={{ projectId: posting.project_id }}>
+              Go to your desk
+            </Link>
+          </p>
+        ) : (
+          !isTaking && <p>This posting takes no bids now. What you have typed is kept.</p>
+        )}
       </div>
       {now.lines.map((line, at) => (
         <LineFields
