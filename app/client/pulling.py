@@ -99,6 +99,8 @@ class _Pull:
         """Do what the plan says, the lock file last."""
         writes, plan = self._plan.writes, self._plan
         changed = [write.place for write in writes if not write.is_new] + self._opened_lock()
+        if not (perforce or lfs) and (self._root / LOCK_NAME) in changed and is_read_only(self._root / LOCK_NAME):
+            raise Refusal(f"{LOCK_NAME} is read-only; --p4 or --lfs-lock opens it. Nothing was written")
         if lfs:
             lfs.lock([*changed, *(one.place for one in self._removed)])
         added = self._opened_in(perforce, changed) if perforce else []

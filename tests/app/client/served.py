@@ -24,7 +24,9 @@ class Line:
         self.asked: list[tuple[str, str]] = []  # path and range of each request
         self.cut_after: list[int] = []  # bytes of the next downloads that arrive before the connection breaks
         self.change_file: Callable[[bytes], bytes] | None = None
-        self.change_listing: Callable[[dict[str, Any]], None] | None = None
+        self.change_listing: Callable[[dict[str, Any]], object] | None = None
+        self.redirect_files_to = ""
+        self.busy = 0  # so many requests are refused
 
     @property
     def downloads(self) -> list[str]:
@@ -35,9 +37,18 @@ class Line:
         path = scope["path"]
         headers = {name.decode(): value.decode() for name, value in scope["headers"]}
         self.asked.append((path, headers.get("range", "")))
-        if path.endswith("/game-files") and self.change_listing:
+        is_file = "/game-files/" in path and "origins" not in path
+        if self.busy:
+            self.busy -= 1
+            await send({"type": "http.response.start", "status": 503, "headers": [(b"retry-after", b"0")]})
+            await send({"type": "http.response.body"})
+        elif is_file and self.redirect_files_to:
+            headers = [(b"location", self.redirect_files_to.encode())]
+            await send({"type": "http.response.start", "status": 307, "headers": headers})
+            await send({"type": "http.response.body"})
+        elif path.endswith("/game-files") and self.change_listing:
             await self._application(scope, receive, self._listing(send))
-        elif "/game-files/" in path and "origins" not in path:
+        elif is_file:
             await self._application(scope, receive, self._file(send))
         else:
             await self._application(scope, receive, send)
