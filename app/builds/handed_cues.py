@@ -14,7 +14,6 @@ from app.renders.models import Render
 from app.renders.queries import parsed_spec
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import label
-from audio_checks import DeliverySpec
 
 EVENT_COLUMNS = ("event", "event name", "event path", "audio event")  # of the list's own, after the engine's
 LANGUAGE_COLUMNS = ("language", "locale")
@@ -35,10 +34,35 @@ def handed_cues(session: Session, pack: Pack, handoff: Handoff) -> list[HandedCu
     spec = parsed_spec(current_spec(session, pack.project.id).toml)
     content = _content(pack)
     names = distinct((number, set_name([file.stem for file in files])) for number, (_, files) in content.items())
+    targets = {
+        category: spec.for_category(category or None).targets[pack.target]
+        for category in {cue.category for cue, _ in content.values()}
+    }
+    placeholders = {one.cue.id for one in pack.placeholder_files}
     return [
-        _handed(number, names[number], cue, files, spec.for_category(cue.category or None), pack, handoff)
+        HandedCue(
+            label=number,
+            name=names[number],
+            title=cue.name,
+            category=cue.category,
+            loop=cue.loop,
+            notes=_notes(number, cue, has_placeholder=cue.id in placeholders),
+            files=tuple(files),
+            event=stated(cue.extra, f"{handoff} event", *EVENT_COLUMNS),
+            language=stated(cue.extra, *LANGUAGE_COLUMNS),
+            target_streamed=targets[cue.category].streamed,
+            codec_ratio=targets[cue.category].codec_ratio,
+        )
         for number, (cue, files) in content.items()
     ]
+
+
+def _notes(number: str, cue: Cue, *, has_placeholder: bool) -> str:
+    """Return what the list says of a cue, on one line."""
+    lines = [PLACEHOLDER] if has_placeholder else []
+    lines += [f"{number} {cue.name}.", cue.description]
+    lines += [f"{what}: {text}" for what, text in (("Use", cue.use), ("Trigger", cue.trigger)) if text]
+    return one_line(" ".join(lines))
 
 
 def _content(pack: Pack) -> dict[str, tuple[Cue, list[HandedFile]]]:
@@ -62,26 +86,4 @@ def _game_file(path: str, render: Render) -> HandedFile:
         duration_s=facts["duration_s"],
         sample_rate_hz=facts["sample_rate_hz"],
         loop_points=tuple((first, last) for first, last in facts["loop_points"]),
-    )
-
-
-def _handed(
-    number: str, name: str, cue: Cue, files: list[HandedFile], spec: DeliverySpec, pack: Pack, handoff: Handoff
-) -> HandedCue:
-    target = spec.targets[pack.target]
-    lines = [PLACEHOLDER] if any(one.cue.id == cue.id for one in pack.placeholder_files) else []
-    lines += [f"{number} {cue.name}.", cue.description]
-    lines += [f"{what}: {text}" for what, text in (("Use", cue.use), ("Trigger", cue.trigger)) if text]
-    return HandedCue(
-        label=number,
-        name=name,
-        title=cue.name,
-        category=cue.category,
-        loop=cue.loop,
-        notes=one_line(" ".join(lines)),
-        files=tuple(files),
-        event=stated(cue.extra, f"{handoff} event", *EVENT_COLUMNS),
-        language=stated(cue.extra, *LANGUAGE_COLUMNS),
-        target_streamed=target.streamed,
-        codec_ratio=target.codec_ratio,
     )

@@ -15,7 +15,7 @@ _NOT_ASCII_WORD = re.compile(r"[^A-Za-z0-9_]+")
 _NOT_IN_FILE_NAMES = re.compile(r'[<>:"/\\|?*\x00-\x1f\x7f]')
 _NUMBERED = re.compile(r"[ _.-]*\d+$")
 _EVENT_PREFIX = re.compile(r"^(event:|[/\\]+events(?=[/\\]))", re.IGNORECASE)
-_BREAKS = re.compile(r"\s+")
+_BREAKS = re.compile(r"[\s\x00-\x1f\x7f-\x9f\u2028\u2029]+")
 
 
 class Handoff(StrEnum):
@@ -104,8 +104,7 @@ class HandedCue:
 
 def one_line(text: str) -> str:
     """Return text on one line, without control characters."""
-    visible = "".join(" " if unicodedata.category(char) in ("Cc", "Zl", "Zp") else char for char in text)
-    return _BREAKS.sub(" ", visible).strip()
+    return _BREAKS.sub(" ", text).strip()
 
 
 def identifier(text: str, fallback: str = "sound") -> str:
