@@ -3,6 +3,8 @@ import type { TimeRange } from './draw'
 import { direct, type MakeOutput, type Output } from './output'
 import { type PlayerState, SILENT, type Source } from './playerState'
 import { Previews } from './previews'
+import { SetPlayback } from './setPlayback'
+import { ONE_AFTER_ANOTHER, type SetWay } from './setSchedule'
 
 interface Sounding {
   node: AudioBufferSourceNode
@@ -11,6 +13,8 @@ interface Sounding {
   /** Where in the buffer it began, and when by the context's clock. */
   fromS: number
   atS: number
+  /** 2 where it is played an octave up. */
+  speed: number
 }
 
 export interface PlayerParts {
@@ -51,7 +55,7 @@ export class Player implements Clock {
   #clockListeners = new Set<() => void>()
   #endFrame: (() => void) | null = null
   #steppedAt = -Infinity
-  #set: { sources: readonly Source[]; last: number } | null = null
+  #set: { sources: readonly Source[]; playback: SetPlayback } | null = null
   #makeOutput: MakeOutput = direct
   #output: Output | null = null
   readonly #createContext: () => AudioContext
@@ -148,6 +152,7 @@ export class Player implements Clock {
   }
 
   seek(s: number): void {
+    this.#leaveSet()
     const positionS = Math.max(0, this.#state.durationS > 0 ? Math.min(s, this.#state.durationS) : s)
     const { buffer } = this.#sounding ?? {}
     if (buffer && this.#source) this.#sound(this.previews.forwardsOf(buffer), this.#source, positionS)
@@ -164,6 +169,7 @@ export class Player implements Clock {
 
   setReversed(reversed: boolean): void {
     if (reversed === this.#state.reversed) return
+    this.#leaveSet()
     const positionS = this.positionS()
     const { buffer } = this.#sounding ?? {}
     this.#silence()
@@ -188,35 +194,49 @@ export class Player implements Clock {
     const context = this.#context
     const after = makeOutput(context)
     this.#output = after
-    const sounding = this.#sounding
-    if (sounding === null) {
+    const heard = this.#set?.playback.bus ?? this.#sounding?.gain
+    if (!heard) {
       before.remove()
       return
     }
-    sounding.gain.connect(after.input)
+    heard.connect(after.input)
     after.gain.gain.setValueAtTime(0, context.currentTime)
     after.gain.gain.linearRampToValueAtTime(1, context.currentTime + CROSSFADE_S)
     this.#ramp(before.gain, 0, CROSSFADE_S)
     after.onSounding?.('begins')
     setTimeout(() => {
-      sounding.gain.disconnect(before.input)
+      heard.disconnect(before.input)
       before.remove()
     }, REMOVE_AFTER_MS)
   }
 
-  /** Play variations one after another in random order, never the same twice running, until `pause`. */
-  async playAsGame(sources: readonly Source[]): Promise<void> {
+  /** Play variations at random, never the same twice running, as often and as evenly as `way` says, until `pause`. */
+  async playAsGame(sources: readonly Source[], way: SetWay = ONE_AFTER_ANOTHER): Promise<void> {
     if (sources.length === 0) return
     const asked = ++this.#asked
     const context = this.#contextNow()
     if (context.state === 'suspended') void context.resume()
+    this.#leaveSet()
     this.#silence()
     this.#notify({ status: 'loading', error: null })
-    const buffers = await Promise.all(sources.map((source) => this.#read(source, asked)))
-    if (asked !== this.#asked || buffers.some((buffer) => buffer === null)) return
-    this.#set = { sources, last: -1 }
-    this.#notify({ asGame: true })
-    await this.#playNext(asked)
+    const read = await Promise.all(sources.map((source) => this.#read(source, asked)))
+    const buffers = read.flatMap((buffer) => buffer ?? [])
+    if (asked !== this.#asked || buffers.length < sources.length) return
+    const { reversed } = this.#state
+    const output = this.#outputNow(context)
+    const playback = new SetPlayback({
+      context,
+      to: output.input,
+      buffers: reversed ? buffers.map((buffer) => this.previews.reversed(buffer, context)) : buffers,
+      way,
+      random: this.#random,
+      gainOf: (index) => (sources[index] ? this.#gainOf(sources[index]) : 1),
+    })
+    this.#set = { sources, playback }
+    output.onSounding?.('begins')
+    this.#notify({ asGame: true, status: 'playing' })
+    this.#followSet()
+    this.#tick()
   }
 
   dispose(): void {
@@ -229,16 +249,15 @@ export class Player implements Clock {
 
   // How it does it
 
-  async #playNext(asked: number): Promise<void> {
+  /** Take into the hand what of the set began last. */
+  #followSet(): void {
     const set = this.#set
-    if (set === null || asked !== this.#asked) return
-    set.last = nextInSet(set.last, set.sources.length, this.#random)
-    const source = set.sources[set.last]
-    const buffer = source && (await this.#read(source, asked))
-    if (!source || !buffer) return
+    const hit = set?.playback.current()
+    const source = hit && set?.sources[hit.index]
+    if (!hit || !source || this.#sounding?.node === hit.node) return
     this.#source = source
-    this.#notify({ sourceId: source.id, durationS: buffer.duration })
-    this.#sound(buffer, source, this.#state.reversed ? buffer.duration : 0)
+    this.#sounding = { ...hit, fromS: 0, atS: hit.startsAtS }
+    this.#notify({ sourceId: source.id, durationS: hit.buffer.duration })
   }
 
   #contextNow(): AudioContext {
@@ -267,9 +286,9 @@ export class Player implements Clock {
   #sound(given: AudioBuffer, source: Source, positionS: number): void {
     this.previews.release()
     const context = this.#contextNow()
-    const { reversed, asGame } = this.#state
+    const { reversed } = this.#state
     const buffer = reversed ? this.previews.reversed(given, context) : given
-    const loop = asGame ? null : this.#loopOf(buffer.duration)
+    const loop = this.#loopOf(buffer.duration)
     let fromS = Math.min(buffer.duration, Math.max(0, reversed ? buffer.duration - positionS : positionS))
     if (loop && (fromS < loop.startS || fromS >= loop.endS)) fromS = loop.startS
     this.#silence()
@@ -295,7 +314,7 @@ export class Player implements Clock {
     gain.gain.setValueAtTime(fromS === 0 ? this.#gainOf(source) : 0, now)
     gain.gain.linearRampToValueAtTime(this.#gainOf(source), now + FADE_S)
     node.start(now, fromS)
-    const sounding: Sounding = { node, gain, buffer, fromS, atS: now }
+    const sounding: Sounding = { node, gain, buffer, fromS, atS: now, speed: 1 }
     node.onended = () => {
       if (this.#sounding === sounding) this.#ended()
     }
@@ -305,12 +324,8 @@ export class Player implements Clock {
   }
 
   #ended(): void {
-    const { durationS, reversed, asGame } = this.#state
+    const { durationS, reversed } = this.#state
     this.#sounding = null
-    if (asGame) {
-      void this.#playNext(this.#asked)
-      return
-    }
     this.#output?.onSounding?.('is over')
     this.#notify({ status: 'paused' })
     this.#moved(reversed ? 0 : durationS)
@@ -351,8 +366,8 @@ export class Player implements Clock {
     return reversed ? { startS: durationS - endS, endS: durationS - startS } : { startS, endS }
   }
 
-  #bufferPositionS({ node, buffer, fromS, atS }: Sounding): number {
-    const at = fromS + Math.max(0, this.#contextNow().currentTime - atS)
+  #bufferPositionS({ node, buffer, fromS, atS, speed }: Sounding): number {
+    const at = fromS + speed * Math.max(0, this.#contextNow().currentTime - atS)
     if (!node.loop) return Math.min(at, buffer.duration)
     if (at < node.loopEnd) return at
     return node.loopStart + ((at - node.loopStart) % (node.loopEnd - node.loopStart))
@@ -367,7 +382,7 @@ export class Player implements Clock {
 
   #change(change: Partial<PlayerState>): void {
     const sounding = this.#sounding
-    if (sounding === null || this.#source === null) {
+    if (sounding === null || this.#source === null || this.#set !== null) {
       this.#notify(change)
       return
     }
@@ -391,6 +406,7 @@ export class Player implements Clock {
 
   #leaveSet(): void {
     if (this.#set === null) return
+    this.#set.playback.stop()
     this.#set = null
     this.#silence()
     this.#notify({ asGame: false })
@@ -406,6 +422,7 @@ export class Player implements Clock {
     this.#endFrame = this.#onFrame(() => {
       this.#endFrame = null
       if (this.#sounding === null) return
+      this.#followSet()
       const now = this.#now()
       if (!this.#reducedMotion() || now - this.#steppedAt >= REDUCED_STEP_MS) {
         this.#steppedAt = now
@@ -419,12 +436,4 @@ export class Player implements Clock {
     this.#state = { ...this.#state, ...change }
     for (const listener of this.#stateListeners) listener()
   }
-}
-
-/** Any variation but the last one, each as likely as the others. */
-export function nextInSet(last: number, count: number, random: () => number): number {
-  if (count <= 1) return 0
-  if (last < 0) return Math.floor(random() * count)
-  const step = 1 + Math.floor(random() * (count - 1))
-  return (last + step) % count
 }

@@ -4,6 +4,7 @@ export interface Started {
   buffer: AudioBuffer
   atS: number
   fromS: number
+  speed: number
   stoppedAtS: number | null
   loop: boolean
   loopStart: number
@@ -77,6 +78,7 @@ export class HandContext {
     let connected: { gain: Started['gain'] } | null = null
     const node = {
       buffer: null as AudioBuffer | null,
+      playbackRate: { value: 1 },
       loop: false,
       loopStart: 0,
       loopEnd: 0,
@@ -90,6 +92,7 @@ export class HandContext {
           buffer: node.buffer,
           atS,
           fromS,
+          speed: node.playbackRate.value,
           stoppedAtS: null,
           gain: connected.gain,
           get loop() {

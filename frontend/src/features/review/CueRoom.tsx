@@ -20,11 +20,13 @@ import { CueHead } from './CueHead'
 import classes from './Review.module.css'
 import { marksOf, type Said, saidOf } from './said'
 import { SetRows } from './SetRows'
+import { SetWayButton, SetWayPanel } from './SetWay'
 import { SidePanel } from './SidePanel'
 import { TakeCards } from './TakeCards'
 import { Transport } from './Transport'
 import type { Conditions } from './useCondition'
 import { useRoomKeys } from './useRoomKeys'
+import { useSetWay } from './useSetWay'
 import { useTakesHeard } from './useTakesHeard'
 import { Verdict } from './Verdict'
 import { WaveStage } from './WaveStage'
@@ -143,7 +145,12 @@ export function CueRoom(props: CueRoomProps) {
     player.pause()
     takes.toggleBlind()
   }
-  const asGame = () => void player.playAsGame(heard.flatMap((take) => sourceOf(take, target, gains) ?? []))
+  const setWay = useSetWay()
+  const asGame = () =>
+    void player.playAsGame(
+      heard.flatMap((take) => sourceOf(take, target, gains) ?? []),
+      setWay.way,
+    )
   const setEnd = (end: 'startS' | 'endS') => {
     if (hand === undefined) return
     const { durationS } = soundOf(hand, target)
@@ -227,9 +234,12 @@ export function CueRoom(props: CueRoomProps) {
             }
             conditions={props.conditions}
             blind={canBlind ? { on: blind !== null, toggle: toggleBlind } : undefined}
-            asGame={isSet && heard.length > 1 ? asGame : undefined}
+            asGame={isSet && heard.length > 1 ? { play: asGame, way: <SetWayButton {...setWay} /> } : undefined}
             takeId={hand.id}
           />
+        )}
+        {isSet && heard.length > 1 && (
+          <SetWayPanel {...setWay} isPlaying={playing.asGame} onPlay={asGame} onStop={() => player.pause()} />
         )}
         <div className={classes.verdict}>
           <Verdict

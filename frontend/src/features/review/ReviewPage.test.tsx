@@ -240,6 +240,28 @@ describe('a set', () => {
     expect(await screen.findByRole('heading', { name: 'shield_hit', level: 1 })).toBeVisible()
   })
 
+  test('is played as the game does, at a rate and with pitch and level that stray, as chosen the last time', async () => {
+    await opened('/walk')
+    await userEvent.keyboard('{Shift>}h{/Shift}')
+    const panel = await screen.findByRole('region', { name: 'How the set is played' })
+    await userEvent.click(within(panel).getByRole('button', { name: '600 a minute' }))
+    await userEvent.selectOptions(within(panel).getByLabelText('Pitch'), '± 2 semitones')
+    await userEvent.selectOptions(within(panel).getByLabelText('Level'), '± 3 dB')
+    expect(JSON.parse(localStorage.getItem('soundlist-set-way') ?? '')).toEqual({
+      intervalS: 0.1,
+      pitchSemitones: 2,
+      levelDb: 3,
+    })
+    expect((await axe.run(panel, { rules: { 'color-contrast': { enabled: false } } })).violations).toEqual([])
+    await userEvent.click(within(panel).getByRole('button', { name: 'Play the set' }))
+    await userEvent.click(await within(panel).findByRole('button', { name: 'Stop' }))
+    await userEvent.click(within(panel).getByRole('button', { name: 'One after another' }))
+    await userEvent.keyboard('{Escape}')
+    expect(screen.queryByRole('region', { name: 'How the set is played' })).toBeNull()
+    expect(screen.getByRole('button', { name: 'One after another' })).toHaveAttribute('aria-expanded', 'false')
+    localStorage.removeItem('soundlist-set-way')
+  })
+
   test('a noted variation keeps it from being accepted whole', async () => {
     const [w1, w2] = walk.takes
     if (!w1 || !w2) throw new Error('the set has two variations')

@@ -1,4 +1,4 @@
-import { useEffect, useState } from 'react'
+import { type ReactNode, useEffect, useState } from 'react'
 
 import { HotkeyButton, useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
@@ -23,7 +23,8 @@ interface TransportProps {
   matchedSays: string
   conditions: Conditions
   blind?: { on: boolean; toggle: () => void }
-  asGame?: () => void
+  /** What plays the set, and the button that opens how. */
+  asGame?: { play: () => void; way: ReactNode }
   takeId: string
 }
 
@@ -144,9 +145,12 @@ export function Transport({
         </HotkeyButton>
       )}
       {asGame && (
-        <Button keys="h" pressed={playing.asGame} onClick={() => (playing.asGame ? player.pause() : asGame())}>
-          Randomise
-        </Button>
+        <>
+          <Button keys="h" pressed={playing.asGame} onClick={() => (playing.asGame ? player.pause() : asGame.play())}>
+            Randomise
+          </Button>
+          {asGame.way}
+        </>
       )}
       {trouble && (
         <span role="status" className="small mid">
