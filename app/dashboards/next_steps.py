@@ -18,6 +18,8 @@ from app.dashboards import progress_queries, queries
 from app.dashboards.progress import counted
 from app.dashboards.rules import CAME_BACK, STEP_ORDER, UNFINISHED, AwaitedKind, CueStatus, NextStepKind
 from app.dashboards.schemas import Awaited, NextStep, NextSteps
+from app.hiring import queries as hiring
+from app.hiring.rules import PostingState
 from app.kit import clock
 from app.money import queries as money
 from app.money.invoices import invoice_read
@@ -59,9 +61,12 @@ class _Steps:
         """Collect what a member of the studio is to do in their roles."""
         session, access, project = self._session, self._access, self._project
         counts = counted(progress_queries.cue_groups(session, project.id, project.studio_id))
+        speaks = access.is_producer or access.is_liaison or access.is_approver
+        postings = hiring.waiting_postings(session, project.id) if speaks else []
         if access.is_producer:
-            self._hires(has_cues=sum(counts.values()) > 0)
-        if access.is_producer or access.is_liaison or access.is_approver:
+            self._hires(has_cues=sum(counts.values()) > 0, is_posted=bool(postings))
+        if speaks:
+            self._postings(postings)
             self._contracts()
             self._counted(
                 NextStepKind.ANSWER_QUESTIONS, queries.questions_open_since(session, project.id, asked_by=None)
@@ -113,7 +118,21 @@ class _Steps:
         approver_id = approver_of(self._session, self._project)
         return people_by_id(self._session, {approver_id})[approver_id].name, approver_id
 
-    def _hires(self, *, has_cues: bool) -> None:
+    def _postings(self, postings: list[hiring.WaitingPosting]) -> None:
+        for posting in postings:
+            for kind, count, since in (
+                (NextStepKind.ANSWER_CANDIDATES, posting.questions, posting.first_asked_at),
+                (NextStepKind.COMPARE_BIDS, posting.bids, posting.first_bid_at),
+            ):
+                if count:
+                    self.steps.append(
+                        NextStep(kind=kind, count=count, since=since, subject=posting.title, posting_id=posting.id)
+                    )
+            if posting.state is PostingState.OPEN and not posting.bids:
+                waiting = Awaited(kind=AwaitedKind.BIDS, who="", subject=posting.title, since=posting.opened_at)
+                self.awaited.append(waiting)
+
+    def _hires(self, *, has_cues: bool, is_posted: bool) -> None:
         session, project, access = self._session, self._project, self._access
         if not has_cues:
             self.steps.append(NextStep(kind=NextStepKind.ADD_CUES, since=project.created_at))
@@ -124,7 +143,7 @@ class _Steps:
         pending = [one for one in invited if one.expires_at > clock.now()]
         for invitation in pending:
             self.awaited.append(Awaited(kind=AwaitedKind.JOIN, who=invitation.email, since=invitation.created_at))
-        if has_cues and not engaged and not pending:
+        if has_cues and not engaged and not pending and not is_posted:
             self.steps.append(NextStep(kind=NextStepKind.INVITE_DESIGNER))
         if (
             access.is_approver

@@ -37,6 +37,8 @@ class NextStepKind(StrEnum):
     ADD_CUES = "add_cues"
     WRITE_BRIEF = "write_brief"
     INVITE_DESIGNER = "invite_designer"
+    ANSWER_CANDIDATES = "answer_candidates"
+    COMPARE_BIDS = "compare_bids"
     SEND_NDA = "send_nda"
     SIGN_CONTRACT = "sign_contract"
     CHANGE_CONTRACT = "change_contract"
@@ -64,6 +66,7 @@ class AwaitedKind(StrEnum):
     """What another person is to do."""
 
     JOIN = "join"
+    BIDS = "bids"
     NDA = "nda"
     SIGNATURE = "signature"
     VERDICTS = "verdicts"

@@ -293,10 +293,13 @@ class NextStep(Schema):
 
     kind: NextStepKind
     count: int = 1
-    subject: str = Field(default="", description="A contract's title, an invoice's number or a person's name.")
+    subject: str = Field(
+        default="", description="The title of a contract or posting, an invoice's number or a person's name."
+    )
     who: str = Field(default="", description="The other side, where there is one.")
     since: datetime | None = None
     contract_id: UUID | None = None
+    posting_id: UUID | None = None
     amount_minor: int | None = None
     currency: str | None = None
 

@@ -1,6 +1,8 @@
 """Postings and bids within the caller's reach."""
 
 from collections.abc import Collection, Sequence
+from datetime import datetime
+from typing import NamedTuple
 from uuid import UUID
 
 from sqlalchemy import exists, func, or_, select
@@ -135,6 +137,49 @@ def sent_bids(session: Session, posting_id: UUID) -> Sequence[Bid]:
         .order_by(Bid.sent_at)
         .limit(MAX_BIDS)
     ).all()
+
+
+class WaitingPosting(NamedTuple):
+    """A posting that is not awarded: what came in for the team to act on, and since when."""
+
+    id: UUID
+    title: str
+    state: PostingState
+    opened_at: datetime | None
+    bids: int
+    first_bid_at: datetime | None
+    questions: int  # without an answer
+    first_asked_at: datetime | None
+
+
+def waiting_postings(session: Session, project_id: UUID) -> list[WaitingPosting]:
+    """Return the postings of a project that are open or closed and not awarded, the oldest first."""
+    sent = (
+        select(Bid.posting_id, func.count().label("count"), func.min(Bid.sent_at).label("since"))
+        .where(Bid.project_id == project_id, Bid.state == BidState.SENT)
+        .group_by(Bid.posting_id)
+        .subquery()
+    )
+    asked = (
+        select(
+            PostingQuestion.posting_id, func.count().label("count"), func.min(PostingQuestion.asked_at).label("since")
+        )
+        .where(PostingQuestion.project_id == project_id, PostingQuestion.answered_at.is_(None))
+        .group_by(PostingQuestion.posting_id)
+        .subquery()
+    )
+    rows = session.execute(
+        select(
+            *(Posting.id, Posting.title, Posting.state, Posting.opened_at),
+            *(func.coalesce(sent.c.count, 0), sent.c.since, func.coalesce(asked.c.count, 0), asked.c.since),
+        )
+        .outerjoin(sent, sent.c.posting_id == Posting.id)
+        .outerjoin(asked, asked.c.posting_id == Posting.id)
+        .where(Posting.project_id == project_id, Posting.state.in_((PostingState.OPEN, PostingState.CLOSED)))
+        .order_by(Posting.id)
+        .limit(MAX_POSTINGS)
+    )
+    return [WaitingPosting(*row) for row in rows]
 
 
 def counts_of_bids(session: Session, posting_ids: Collection[UUID]) -> dict[UUID, int]:

@@ -85,7 +85,6 @@ async function hire(browser: Browser, url: string): Promise<void> {
   })
 
   const project = /\/projects\/[0-9a-f-]{36}/.exec(producer.url())?.[0] ?? ''
-  let posting = ''
   await test.step('posts the work: one designer is asked by mail, the other comes by the link', async () => {
     await producer.goto(`${url}${project}/postings`)
     await producer.getByLabel('Title').fill('All sounds of Deep Field')
@@ -101,7 +100,6 @@ async function hire(browser: Browser, url: string): Promise<void> {
     await expect(producer.getByText('mailed when it opens')).toBeVisible()
     await producer.getByRole('button', { name: 'Open for bids' }).click()
     await expect(producer.getByText(/^Open\. 0 bids/)).toBeVisible()
-    posting = producer.url()
     await producer.getByRole('button', { name: 'Make a link for everyone' }).click()
     const link = await producer.getByLabel('Link, shown this once').inputValue()
 
@@ -120,7 +118,8 @@ async function hire(browser: Browser, url: string): Promise<void> {
   })
 
   await test.step('compares two bids by keys, and awards one', async () => {
-    await producer.goto(`${posting}/bids`)
+    await producer.goto(`${url}${project}/today`)
+    await producer.getByRole('link', { name: /Compare 2 bids/ }).click()
     await expect(producer.getByRole('heading', { name: '2 bids on All sounds of Deep Field' })).toBeVisible()
     await producer.keyboard.press('2')
     await expect(producer.getByRole('heading', { name: 'Your scores for Ben Waves' })).toBeVisible()

@@ -5898,7 +5898,7 @@ export interface components {
          * @description What another person is to do.
          * @enum {string}
          */
-        AwaitedKind: "join" | "nda" | "signature" | "verdicts" | "answer" | "fixes" | "invoice" | "payment";
+        AwaitedKind: "join" | "bids" | "nda" | "signature" | "verdicts" | "answer" | "fixes" | "invoice" | "payment";
         /**
          * BandsRead
          * @description The spectrum of a sound, in sixths of an octave.
@@ -11063,7 +11063,7 @@ export interface components {
             count: number;
             /**
              * Subject
-             * @description A contract's title, an invoice's number or a person's name.
+             * @description The title of a contract or posting, an invoice's number or a person's name.
              * @default
              */
             subject: string;
@@ -11077,6 +11077,8 @@ export interface components {
             since?: string | null;
             /** Contract Id */
             contract_id?: string | null;
+            /** Posting Id */
+            posting_id?: string | null;
             /** Amount Minor */
             amount_minor?: number | null;
             /** Currency */
@@ -11087,7 +11089,7 @@ export interface components {
          * @description What a person is the one to do, in the order in which it is shown.
          * @enum {string}
          */
-        NextStepKind: "add_cues" | "write_brief" | "invite_designer" | "send_nda" | "sign_contract" | "change_contract" | "pay_invoice" | "invoice_deposit" | "deposit_due" | "fix" | "match" | "answer_questions" | "answer_follow_ups" | "agree_days" | "agree_round" | "send_changes" | "review" | "send_contract" | "invoice_due" | "name_approver" | "make";
+        NextStepKind: "add_cues" | "write_brief" | "invite_designer" | "answer_candidates" | "compare_bids" | "send_nda" | "sign_contract" | "change_contract" | "pay_invoice" | "invoice_deposit" | "deposit_due" | "fix" | "match" | "answer_questions" | "answer_follow_ups" | "agree_days" | "agree_round" | "send_changes" | "review" | "send_contract" | "invoice_due" | "name_approver" | "make";
         /**
          * NextSteps
          * @description What the caller is to do in a project, the first thing first, and for whom they wait.

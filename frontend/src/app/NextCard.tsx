@@ -39,7 +39,7 @@ export function NextCard({ steps, projectId }: { steps: readonly NextStep[]; pro
           {others.map((step) => {
             const words = wordsOf(step, projectId)
             return (
-              <Row key={`${step.kind} ${step.contract_id} ${step.subject} ${step.who}`}>
+              <Row key={`${step.kind} ${step.contract_id} ${step.posting_id} ${step.subject} ${step.who}`}>
                 <Link to={words.path as LinkProps['to']} data-stop className={`grow ${classes.other}`}>
                   <span className="strong">{words.head}</span> <span className="small mid">{words.why}</span>
                 </Link>

@@ -80,9 +80,23 @@ export function wordsOf(step: NextStep, projectId: string): Words {
     case 'invite_designer':
       return {
         head: 'Invite a sound designer',
-        why: 'The invitation shows the list and the spec right away. No contract is needed to start.',
+        why: 'The invitation shows the list and the spec right away. Or post the work under Project, and compare bids.',
         act: 'Invite',
         path: `${project}/people`,
+      }
+    case 'answer_candidates':
+      return {
+        head: count === 1 ? 'Answer a candidate’s question' : `Answer ${plural(count, 'question')} of candidates`,
+        why: `About ${subject}.`,
+        act: 'Answer',
+        path: `${project}/postings/${step.posting_id}`,
+      }
+    case 'compare_bids':
+      return {
+        head: count === 1 ? 'Look at a bid' : `Compare ${plural(count, 'bid')}`,
+        why: `On ${subject}.`,
+        act: count === 1 ? 'Look at it' : 'Compare',
+        path: `${project}/postings/${step.posting_id}/bids`,
       }
     case 'name_approver':
       return {
@@ -183,6 +197,8 @@ export function awaitedWords({ kind, subject, count }: Awaited): string {
   switch (kind) {
     case 'join':
       return 'to join, invited'
+    case 'bids':
+      return `to bid on ${subject}`
     case 'nda':
       return 'to send the NDA'
     case 'signature':

@@ -75,6 +75,43 @@ def test_a_follow_up_on_the_brief_is_answered_by_the_team(world: World) -> None:
     assert "answer_follow_ups" not in dict(steps(world))
 
 
+def test_a_posting_waits_for_bids_then_for_those_who_compare_them(world: World) -> None:
+    body = {"studio_id": str(world.studio_id), "name": "Deep Field", "cue_prefix": "DF"}
+    project_id = world.producer.post("/v1/projects", json=body).json()["id"]
+    world.producer.post(f"/v1/projects/{project_id}/cues", json={"cues": [{"name": "airlock"}]})
+    fields = {"title": "Effects for Alpha", "currency": "USD", "scope": "all"}
+    posting = world.producer.post(f"/v1/projects/{project_id}/postings", json=fields).json()
+
+    def steps_and_awaited() -> tuple[list[tuple[str, int]], list[str]]:
+        found = asked(world.producer, project_id)
+        return [(one["kind"], one["count"]) for one in found["steps"]], [one["kind"] for one in found["awaited"]]
+
+    assert steps_and_awaited()[0][-2:] == [("invite_designer", 1), ("name_approver", 1)]
+    path = f"/v1/postings/{posting['id']}"
+    assert world.producer.post(f"{path}/open").status_code == 200
+    assert steps_and_awaited() == ([("name_approver", 1)], ["bids"])
+    secret = world.producer.post(f"{path}/link").json()["url"].rpartition("/")[2]
+    assert world.other_designer.post(f"/v1/posting-links/{secret}/join").status_code == 200
+    assert world.other_designer.post(f"{path}/questions", json={"text": "In mono?"}).status_code == 201
+    line = {
+        "key": posting["lines"][0]["key"],
+        "kind": "asked",
+        "unit": "flat",
+        "quantity_hundredths": 100,
+        "price_minor": 10_000,
+    }
+    bid = world.other_designer.put(f"{path}/bid", json={"revision": 0, "lines": [line]})
+    assert bid.status_code == 200, bid.text
+    assert ("compare_bids", 1) not in steps_and_awaited()[0], "a draft is not sent"
+    sent = world.other_designer.post(f"{path}/bid/send", json={"revision": 1})
+    assert sent.status_code == 200, sent.text
+    found, awaited = steps_and_awaited()
+    assert (found[:2], awaited) == ([("answer_candidates", 1), ("compare_bids", 1)], [])
+    step = asked(world.producer, project_id)["steps"][1]
+    assert (step["subject"], step["posting_id"]) == ("Effects for Alpha", posting["id"])
+    assert asked(world.reviewer, project_id)["steps"] == []
+
+
 def test_an_nda_is_somebodys_next_step_until_it_is_signed(world: World, contracts: Contracts) -> None:
     add_cues(world, {"name": "airlock"})
     world.producer.patch(f"/v1/projects/{world.project_id}", json={"nda_needed": True})

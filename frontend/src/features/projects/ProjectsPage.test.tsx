@@ -23,6 +23,21 @@ describe('projects', () => {
     expect(screen.getByText(/Start with a project/)).toBeVisible()
   })
 
+  test('a designer without a project finds the postings that are for them', async () => {
+    const answers = inProject()
+    const posting = { id: 'p1', title: 'Effects for Alpha', studio_name: 'Lantern Games', state: 'open' }
+    serve({
+      ...answers,
+      'GET /v1/me': { ...(answers['GET /v1/me'] as object), studios: [], projects: [] },
+      'GET /v1/projects': { items: [], next_cursor: null },
+      'GET /v1/postings': [{ ...posting, takes_bids: true, bids_until_on: '2027-01-05', own_bid: null }],
+    })
+    openApp('/projects')
+    const card = await screen.findByRole('region', { name: 'Postings for you' })
+    expect(within(card).getByRole('link', { name: 'Effects for Alpha' })).toHaveAttribute('href', '/postings/p1')
+    expect(card).toHaveTextContent('bid until')
+  })
+
   test('the prefix follows the name until it is typed; the new project opens on its list', async () => {
     const { asked } = serve({
       ...firstTime(),

@@ -11,6 +11,7 @@ import { Row, Rows } from '@/ui/Rows'
 import { Segmented } from '@/ui/Segmented'
 
 import { type Project, useProjects } from './api'
+import { OwnPostingsCard } from './OwnPostingsCard'
 import classes from './Projects.module.css'
 import { Refusal } from './Refusal'
 import { KIND_WORDS } from './words'
@@ -33,7 +34,7 @@ export function ProjectsPage() {
   const mayOpen = me?.studios.some(({ roles }) => roles.includes('producer')) ?? false
   const several = new Set(projects?.map(({ studio }) => studio.id)).size > 1
   return (
-    <div className="page">
+    <div className="page stack">
       <div className={classes.head}>
         <h1>Projects</h1>
         <div className="row wrap">
@@ -54,6 +55,7 @@ export function ProjectsPage() {
         </div>
       </div>
       <Refusal error={error} />
+      <OwnPostingsCard />
       {projects?.length === 0 &&
         (which === 'away' ? (
           <EmptyState head="No archived projects">Producers can archive a finished project on its page.</EmptyState>
