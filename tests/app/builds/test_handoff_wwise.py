@@ -1,17 +1,21 @@
 """Wwise: the tables read by the rules that Audiokinetic documents; they were never imported into Wwise itself."""
 
 import re
+from pathlib import Path
+from xml.etree import ElementTree as ET
 
 import pytest
 from hypothesis import given, settings
 
 from app.builds.handoff.cues import HandedCue
 from app.builds.handoff.wwise import wwise_files
+from audio_checks.middleware.wwise import read_wwise
 from tests.app.builds.handed import CONFIRM, CUES, LASER, cue, hostile_cues
 
 COLUMNS = {"Audio File", "Object Path", "Object Type", "Notes", "Event"}
 PROPERTY = re.compile(r"(Property|Reference)\[\w+\]")
 TYPES = ("Virtual Folder", "Random Container", "Sound SFX", "Sound Voice")
+TAGS = dict(zip(TYPES, ("Folder", "RandomSequenceContainer", "Sound", "Sound"), strict=True))
 NAME = r'[^\\/:*?"<>|@\t\r\n]+'
 PART = re.compile(rf"<({'|'.join(TYPES)})>({NAME})")
 EVENT = re.compile(r"\\Events\\Default Work Unit\\([A-Za-z0-9_]+)@Play")
@@ -59,6 +63,41 @@ class Project:
                 assert found[1] not in self.events
                 self.events[found[1]] = path
 
+    def save(self, folder: Path) -> Path:
+        """Write the project as Wwise does, with the files in its Originals; return its path."""
+        units = {"AudioObjects": ET.Element("ChildrenList"), "Events": ET.Element("ChildrenList")}
+        elements: dict[str, ET.Element] = {}
+        for path, facts in self.objects.items():
+            above, _, name = path.rpartition("\\")
+            parent = units["AudioObjects"] if not above else elements[above].find("ChildrenList")
+            assert parent is not None
+            element = ET.SubElement(parent, TAGS[facts["type"]], Name=name, ID=f"{{{path}}}")
+            properties = ET.SubElement(element, "PropertyList")
+            elements[path], children = element, ET.SubElement(element, "ChildrenList")
+            for column, text in facts.items():
+                if column.startswith("Property"):
+                    value = {"Name": column[9:-1], "Type": "bool", "Value": text.capitalize()}
+                    ET.SubElement(properties, "Property", value)
+            if audio_file := facts.get("Audio File"):
+                file_name = audio_file.rpartition("\\")[2]
+                source = ET.SubElement(children, "AudioFileSource", Name=name, ID=f"{{source {path}}}")
+                ET.SubElement(source, "Language").text = "SFX"
+                ET.SubElement(source, "AudioFile").text = file_name
+                (folder / "Originals" / "SFX").mkdir(parents=True, exist_ok=True)
+                (folder / "Originals" / "SFX" / file_name).write_bytes(b"RIFF")
+        for name, target in self.events.items():
+            event = ET.SubElement(units["Events"], "Event", Name=name, ID=f"{{event {name}}}")
+            action = ET.SubElement(ET.SubElement(event, "ChildrenList"), "Action", Name="", ID=f"{{action {name}}}")
+            reference = ET.SubElement(ET.SubElement(action, "ReferenceList"), "Reference", Name="Target")
+            ET.SubElement(reference, "ObjectRef", Name="", ID=f"{{{target}}}")
+        for category, children in units.items():
+            document = ET.Element("WwiseDocument", Type="WorkUnit", ID=f"{{{category}}}", SchemaVersion="110")
+            unit = {"Name": "Default Work Unit", "ID": f"{{{category}}}", "PersistMode": "Standalone"}
+            ET.SubElement(ET.SubElement(document, category), "WorkUnit", unit).append(children)
+            (folder / f"{category}.wwu").write_bytes(ET.tostring(document))
+        (folder / "Game.wproj").write_text('<WwiseDocument Type="Project" WwiseVersion="v2023.1.4"/>')
+        return folder / "Game.wproj"
+
 
 def imported(cues: list[HandedCue]) -> Project:
     project = Project()
@@ -82,6 +121,21 @@ def test_a_set_is_a_random_container_with_its_sounds() -> None:
         "Play_laser_fire": "\\weapon\\laser_fire",
         "Hum": "\\ambience\\hum",
         "Play_Confirm": "\\ui_confirm",
+    }
+
+
+def test_the_audit_finds_events_loops_and_levels_of_what_was_imported(tmp_path: Path) -> None:
+    project = read_wwise(imported(CUES).save(tmp_path))
+    assert project.unread == ()
+    found = {
+        one.file.rpartition("/")[2]: (one.events, one.is_looped, one.is_streamed, one.gain_db) for one in project.played
+    }
+    laser = (("Play_laser_fire",), False, False, 0.0)
+    assert found == {
+        "hum.wav": (("Hum",), True, True, 0.0),
+        "laser_fire_01.wav": laser,
+        "laser_fire_02.wav": laser,
+        "ui_confirm.wav": (("Play_Confirm",), False, False, 0.0),
     }
 
 
