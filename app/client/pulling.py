@@ -14,8 +14,6 @@ from app.client.settings import ensure_fits, read_source
 from app.client.source_control import LfsLocks, Perforce
 from app.client.terminal import Progress, say, shown, warn
 
-NAMED = 20  # of what a gate refuses; the rest is counted
-
 
 def pull(options: argparse.Namespace) -> int:
     """Pull into a folder; return the exit code."""
@@ -52,10 +50,8 @@ def _gate(listing: Listing, plan: Plan, *, prune: bool) -> int:
     open_files += left
     if not open_files:
         return DONE
-    for one in open_files[:NAMED]:
+    for one in open_files:
         say(f"not final  {shown(one.path)}  {shown(one.cue)}: {shown(one.reason)}")
-    if len(open_files) > NAMED:
-        say(f"... and {len(open_files) - NAMED} more")
     warn(f"{len(open_files)} of the game's files are not the final sound (--no-placeholders). Nothing was written")
     return NOT_AS_APPROVED
 

@@ -10,7 +10,7 @@ from tests.app.client.served import Client, client_of
 from tests.support.server import RunningServer, World
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def approved(server: RunningServer) -> World:
     """Three accepted sounds of two cues, and a third cue without one; tests leave it as it is."""
     world = World(server)

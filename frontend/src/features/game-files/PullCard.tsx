@@ -42,7 +42,7 @@ export function PullCard({ projectId, targets }: { projectId: string; targets: r
         )}
         {/* A long line scrolls, so the keyboard must reach it. */}
         {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
-        <pre className={classes.preset} tabIndex={0} role="region" aria-label="Pull commands">
+        <pre className={`${classes.preset} ${classes.commands}`} tabIndex={0} role="region" aria-label="Pull commands">
           {commands}
         </pre>
         <p className="small mid">
@@ -50,8 +50,9 @@ export function PullCard({ projectId, targets }: { projectId: string; targets: r
           <Link className="link" to="/projects/$projectId/builds" params={{ projectId }}>
             Builds
           </Link>
-          . Add <code className="mono">--no-placeholders</code> as the release gate, and{' '}
-          <code className="mono">--p4</code> or <code className="mono">--lfs-lock</code> for version control.
+          . Add <code className={`mono ${classes.option}`}>--no-placeholders</code> as the release gate, and{' '}
+          <code className={`mono ${classes.option}`}>--p4</code> or{' '}
+          <code className={`mono ${classes.option}`}>--lfs-lock</code> for version control.
         </p>
         <div>
           <ButtonLink href={`/v1/projects/${projectId}/soundlist.pyz`} download>

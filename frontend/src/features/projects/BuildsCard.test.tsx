@@ -1,4 +1,4 @@
-import { screen, within } from '@testing-library/react'
+import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import { beforeEach, describe, expect, test, vi } from 'vitest'
 
@@ -6,7 +6,7 @@ import { HandContext } from '@/test/audioContext'
 import { build, REPORT } from '@/test/builds'
 import { openApp } from '@/test/openApp'
 import { anOverview, inProject, people } from '@/test/project'
-import { answer, serve, wrote } from '@/test/server'
+import { answer, refusal, serve, wrote } from '@/test/server'
 
 beforeEach(() => vi.stubGlobal('AudioContext', HandContext))
 
@@ -72,6 +72,19 @@ describe('builds', () => {
     expect(await navigator.clipboard.readText()).toBe('slt_once')
     await press.click(screen.getByRole('button', { name: 'I’ve saved it' }))
     expect(screen.queryByText('slt_once')).toBeNull()
+  })
+
+  test('a token reads contracts and sources only where that was chosen', async () => {
+    const { asked } = serve({ ...withBuilds(), 'POST /v1/projects/p1/tokens': refusal(422, 'invalid', 'no') })
+    const press = userEvent.setup()
+    openApp('/projects/p1')
+    await press.click(await screen.findByRole('button', { name: 'Create token' }))
+    await press.click(screen.getByRole('checkbox', { name: 'Also reads contracts and sources of approved sounds' }))
+    await press.click(screen.getByRole('button', { name: 'Create token' }))
+    await waitFor(() => expect(wrote(asked, 'POST /v1/projects/p1/tokens')).toHaveLength(1))
+    expect(wrote(asked, 'POST /v1/projects/p1/tokens')[0]?.body).toMatchObject({
+      scopes: ['spec:read', 'list:read', 'checks:write', 'manifest:read', 'rights:read'],
+    })
   })
 
   test('a token is revoked only after it was said what that does', async () => {
