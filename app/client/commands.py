@@ -1,6 +1,7 @@
 """The commands of the client and their options."""
 
 import argparse
+import io
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -21,6 +22,9 @@ CODES = """exit codes:
 
 def main(arguments: Sequence[str]) -> int:
     """Run a command of the client; return the exit code."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):  # a console may lack letters of a cue's name
+            stream.reconfigure(errors="backslashreplace")
     options = parser().parse_args(arguments)
     try:
         code: int = options.run(options)
@@ -31,6 +35,10 @@ def main(arguments: Sequence[str]) -> int:
     except ServerUnreachable as error:
         warn(f"soundlist {options.command}: the server cannot be reached: {shown(str(error))}")
         return UNREACHABLE
+    except OSError as error:
+        where = f"{error.filename}: " if error.filename else ""
+        warn(f"soundlist {options.command}: {shown(str(where))}{error.strerror or error}")
+        return REFUSED
     except KeyboardInterrupt:
         warn("interrupted; downloads go on from here when you pull again")
         return INTERRUPTED

@@ -6,7 +6,6 @@ import threading
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from urllib.parse import urljoin
 
 from app.client.errors import NotFetched, Refusal, ServerUnreachable
 from app.client.paths import BLOCK_BYTES, part_of, place_of, sha256_of
@@ -105,7 +104,7 @@ class Downloads:
             part.unlink(missing_ok=True)
             have = 0
         headers = {"Range": f"bytes={have}-"} if have else {}
-        with self._server.open(urljoin(self._server.source.server + "/", write.wanted.url), headers) as answer:
+        with self._server.open(self._server.source.server + write.wanted.url, headers) as answer:
             is_rest = answer.status == 206 and (answer.headers.get("content-range") or "").startswith(f"bytes {have}-")
             if answer.status == 206 and not is_rest:
                 raise NotFetched("the server sent another part of the file than was asked for")

@@ -63,7 +63,7 @@ def ensure_distinct(paths: Iterable[str]) -> None:
     """Raise Refusal where two paths are one file on a system that ignores case, or one is the folder of another."""
     known: dict[str, str] = {}
     for path in paths:
-        key = _folded(path)
+        key = folded(path)
         if key in known:
             raise Refusal(f"{known[key]!r} and {path!r} are one file on some systems; nothing was written")
         known[key] = path
@@ -74,7 +74,8 @@ def ensure_distinct(paths: Iterable[str]) -> None:
                 raise Refusal(f"{known[folder]!r} is a file and the folder of {path!r}; nothing was written")
 
 
-def _folded(path: str) -> str:
+def folded(path: str) -> str:
+    """Return what is equal for two paths that are one file where case and the composition of letters do not count."""
     return unicodedata.normalize("NFC", unicodedata.normalize("NFC", path).casefold())
 
 

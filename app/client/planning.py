@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from app.client.errors import Refusal
-from app.client.lock import CUE, PROJECT, SHA256, SOUND, TAKE, Entry, Lock
-from app.client.paths import content_sha256, ensure_distinct, ensure_harmless, is_read_only, place_of
+from app.client.lock import CUE, PROJECT, SHA256, SOUND, TAKE, TARGET, Entry, Lock
+from app.client.paths import content_sha256, ensure_distinct, ensure_harmless, folded, is_read_only, place_of
 
 MAX_FILES = 200_000
 MAX_FILE_BYTES = 8 << 30
@@ -97,7 +97,7 @@ def listing_of(said: Any) -> Listing:
         listing = Listing(
             project_id=_matched(PROJECT, said["project_id"]),
             project=str(said["project"]),
-            target=str(said["target"]),
+            target=_matched(TARGET, said["target"]),
             files=files,
             missing=[Lacking(str(one["path"]), str(one["cue"]), str(one["reason"])) for one in said["missing"]],
             placeholders=[
@@ -190,10 +190,13 @@ def _add_gone(
     plan: Plan, listing: Listing, known: dict[str, Entry], places: dict[str, Path], found: dict[str, str | None]
 ) -> None:
     approved = {one.path for one in listing.files}
+    respelled = {folded(path): places[path] for path in approved}
     waiting = {one.path: one.reason for one in listing.missing}
     for path, entry in sorted(known.items()):
         if path in approved or found[path] is None:
             continue
+        if (same := respelled.get(folded(path))) and same.exists() and same.samefile(places[path]):
+            continue  # only the case of its name changed, on a system that ignores case
         plan.entries[path] = entry
         if path not in waiting:
             is_edited = found[path] != entry.sha256

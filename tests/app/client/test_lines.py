@@ -164,6 +164,7 @@ def test_a_link_to_another_folder_of_the_game_is_followed(client: Client, game: 
         lambda said: said["files"][0].update(url="http://elsewhere.example/x"),
         lambda said: said.update(project_id="0198c0de-0000-7000-8000-000000000000"),
         lambda said: said.update(target="other\nline"),
+        lambda said: said.update(target="other"),
     ],
 )
 def test_an_answer_that_is_no_list_of_game_files_stops_the_pull(client: Client, game: Path, change: Any) -> None:
@@ -171,6 +172,26 @@ def test_an_answer_that_is_no_list_of_game_files_stops_the_pull(client: Client, 
     assert client.pull(game, "--target", "game") == 2
     assert files_in(game) == {}
     assert not (game / "soundlist.lock").exists()
+
+
+def test_a_target_of_the_server_cannot_add_lines_to_the_lock_file(client: Client, game: Path) -> None:
+    client.line.change_listing = lambda said: said.update(target="game\nline")
+    assert client.pull(game) == 2
+    assert not (game / "soundlist.lock").exists()
+
+
+def test_an_address_of_a_file_stays_on_the_server(client: Client, game: Path) -> None:
+    client.line.change_listing = lambda said: said["files"][0].update(url="//elsewhere.example/x")
+    assert client.pull(game) == 1
+    assert any("elsewhere.example" in path for path, _ in client.line.asked)
+    assert set(files_in(game)) == set(PATHS[1:])
+
+
+def test_a_folder_that_cannot_be_written_is_named(client: Client, game: Path) -> None:
+    (game / "soundlist.lock").mkdir()
+    assert client.pull(game) == 2
+    assert "soundlist.lock" in client.err
+    assert "Traceback" not in client.err
 
 
 def test_names_cannot_control_a_terminal(client: Client, game: Path) -> None:

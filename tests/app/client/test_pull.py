@@ -141,6 +141,18 @@ def test_a_file_whose_bytes_are_here_under_another_name_is_copied(client: Client
     assert files_in(game) == {("weapon/laser.wav" if n == PATHS[0] else n): b for n, b in packed(client.world).items()}
 
 
+def test_a_name_of_which_only_the_case_changed_is_not_removed(client: Client, game: Path) -> None:
+    client.pull(game)
+    renamed = PATHS[0].capitalize()
+    (game / renamed).hardlink_to(game / PATHS[0])  # one file under both names, as where case does not count
+    client.line.change_listing = lambda said: said["files"][0].update(path=renamed)
+    assert client.pull(game, "--prune") == 0
+    assert (game / renamed).exists()
+    lock = read_lock(game)
+    assert lock is not None
+    assert set(lock.entries) == {renamed, *PATHS[1:]}
+
+
 def test_a_pointer_of_git_lfs_counts_as_the_file_it_points_to(client: Client, game: Path) -> None:
     client.pull(game)
     lock = read_lock(game)
