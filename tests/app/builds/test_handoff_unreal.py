@@ -11,7 +11,11 @@ from hypothesis import given, settings
 
 from app.builds.handoff.cues import HandedCue
 from app.builds.handoff.unreal import unreal_files
+from audio_checks.middleware.unreal import read_unreal
 from tests.app.builds.handed import CUES, HUM, LASER, cue, hostile_cues
+from tests.audio_checks.middleware.test_unreal import SCRIPT as EXPORT
+from tests.audio_checks.middleware.test_unreal import Asset as Exported
+from tests.audio_checks.middleware.test_unreal import editor as exporting_editor
 
 NOT_IN_ASSET_NAMES = set("\"' ,\n\r\t/\\.:|&!~@#(){}[]=;^%$`<>*?+-")  # INVALID_OBJECTNAME_CHARACTERS, and a dash
 
@@ -88,7 +92,7 @@ class Editor:
             if Path(task.filename).is_file():
                 path = f"{task.destination_path}/{task.destination_name}"
                 known = self.assets.get(path)
-                made = Asset("SoundWave", path, looping=False, content=Path(task.filename).read_bytes())
+                made = Asset("SoundWave", path, looping=False, filename=task.filename)
                 if known:
                     made.properties["looping"] = known.properties["looping"]
                 self.assets[path] = made
@@ -142,6 +146,43 @@ def test_waves_and_cues_are_made_once(tmp_path: Path, monkeypatch: pytest.Monkey
     assert laser.tags["SoundlistNotes"] == "SW-001 Laser fire. Bright, thin."
     assert editor.run(pack, monkeypatch) == 0
     assert editor.warnings == []
+
+
+def test_the_audit_finds_cues_loops_and_levels_of_what_was_imported(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    editor = Editor()
+    editor.run(unpack(tmp_path, CUES), monkeypatch)
+    waves = {
+        path: Exported(
+            "SoundWave",
+            path,
+            asset_import_data=SimpleNamespace(extract_filenames=lambda one=one: [one.properties["filename"]]),
+            volume=1.0,
+            looping=one.properties["looping"],
+        )
+        for path, one in editor.assets.items()
+        if one.kind == "SoundWave"
+    }
+    cues = []
+    for path, one in editor.assets.items():
+        if one.kind == "SoundCue":  # as the factory draws it
+            players = [
+                Exported("SoundNodeWavePlayer", "", sound_wave_asset_ptr=waves[at]) for at in one.properties["plays"]
+            ]
+            node = players[0] if len(players) == 1 else Exported("SoundNodeRandom", "", child_nodes=players)
+            cues.append(Exported("SoundCue", path, volume_multiplier=1.0, first_node=node))
+    calls = exporting_editor([*waves.values(), *cues], tmp_path, {one.path for one in cues})
+    monkeypatch.setitem(sys.modules, "unreal", calls)  # type: ignore[arg-type]
+    runpy.run_path(str(EXPORT))["main"]([])
+    project = read_unreal(tmp_path / "sounds.json")
+    assert project.unread == ()
+    assert {(one.file, one.events, one.is_looped, one.gain_db, one.depends) for one in project.played} == {
+        ("Assets/ambience/hum.wav", ("/Game/Audio/ambience/hum_Cue",), True, 0.0, ()),
+        ("Assets/ui_confirm.wav", ("/Game/Audio/ui_confirm_Cue",), False, 0.0, ()),
+        ("Assets/weapon/laser_fire_01.wav", ("/Game/Audio/weapon/laser_fire_Cue",), False, 0.0, ()),
+        ("Assets/weapon/laser_fire_02.wav", ("/Game/Audio/weapon/laser_fire_Cue",), False, 0.0, ()),
+    }
 
 
 def test_a_changed_sound_is_imported_again_and_keeps_its_settings(
