@@ -1,4 +1,4 @@
-"""Commands about what projects begin with: their briefs, and kits for their lists."""
+"""Commands about what projects begin with: their briefs, kits for their lists, and postings."""
 
 from enum import StrEnum
 from typing import Annotated
@@ -39,6 +39,24 @@ def brief(
             else:
                 version = queries.newest_version(session, project)
                 typer.echo(documents.markdown_of(found.name, answers, version=version), nl=False)
+    finally:
+        runtime.close()
+
+
+@cli.command()
+def postings(project: Annotated[UUID, typer.Argument(help="Id of the project.")]) -> None:
+    """Print a project's postings and the bids on them, as Markdown."""
+    from app.hiring import documents, queries
+    from app.projects.queries import project_by_id
+
+    runtime = opened(read_settings_or_exit())
+    try:
+        with runtime.database.reading() as session:
+            found = project_by_id(session, project)
+            if found is None:
+                raise refusal([f"no project {project}"])
+            shown = [(one, queries.sent_bids(session, one.id)) for one in queries.postings_in(session, project)]
+            typer.echo(documents.markdown_of(found.name, shown), nl=False)
     finally:
         runtime.close()
 

@@ -43,6 +43,7 @@ SERVER_COMMANDS = {
     "verify",
     "brief",
     "kits",
+    "postings",
     "demo",
     "token",
     "pull",
