@@ -37,14 +37,20 @@ def test_postings_with_their_bids(world: World) -> None:
     assert world.designer.post(f"/v1/posting-links/{secret}/join").status_code == 200
     assert world.designer.put("/v1/me", json={"name": "Ada | Tones"}).status_code == 200
     line = {"kind": "asked", "unit": "per_cue", "quantity_hundredths": 100, "price_minor": 12_000}
-    bid = {"revision": 0, "lines": [line | {"key": "UI"}], "hours_hundredths": 250, "from_on": "2099-02-01"}
-    assert world.designer.put(f"{path}/bid", json=bid).status_code == 200
+    bid = {
+        "revision": 0,
+        "lines": [line | {"key": posting["lines"][1]["key"]}],
+        "hours_hundredths": 250,
+        "from_on": "2099-02-01",
+    }
+    saved = world.designer.put(f"{path}/bid", json=bid)
+    assert saved.status_code == 200, saved.text
     assert world.designer.post(f"{path}/bid/send", json={"revision": 1}).status_code == 200
     shown = CliRunner().invoke(cli, ["postings", str(world.project_id)])
     assert shown.exit_code == 0, shown.output
     assert "## Effects for Alpha\n\nOpen, bids until 2099-01-05.\n" in shown.output
-    assert "| foley | 1 | 1 |\n" in shown.output
-    assert "| Ada \\| Tones | USD 120.00 | 2.5 | USD 48.00 | 2099-02-01 |  | foley |\n" in shown.output
+    assert "| Foley | 1 | 1 |\n" in shown.output
+    assert "| Ada \\| Tones | USD 120.00 | 2.5 | USD 48.00 | 2099-02-01 |  | Foley |\n" in shown.output
 
 
 def test_a_project_that_there_is_not(world: World) -> None:
