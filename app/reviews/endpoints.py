@@ -8,13 +8,14 @@ from app.accounts.rules import Actor, Audience
 from app.deliveries.errors import DeliveryNotFound, TakeNotFound, WrongState
 from app.kit.http import BadCursor, DbSession, Page, Route, Router, problems
 from app.projects.errors import ApproverNeeded, ProducerNeeded, ProjectNotFound, TeamNeeded
-from app.reviews import comments, feedback, fit, review_room, service
+from app.reviews import carried_notes, comments, feedback, fit, review_room, service
 from app.reviews.errors import (
     AlreadyAccepted,
     AlreadySent,
     ChangeRequestNotFound,
     CommentNotFound,
     NoteNeeded,
+    NoteNotFound,
     NothingToSend,
     NothingToUndo,
     NotOfThisCue,
@@ -27,6 +28,7 @@ from app.reviews.errors import (
 )
 from app.reviews.rules import VerdictKind
 from app.reviews.schemas import (
+    CarriedNote,
     ChangeRequestRead,
     CommentAdd,
     CommentRead,
@@ -37,6 +39,7 @@ from app.reviews.schemas import (
     FeedbackAdd,
     FeedbackRead,
     HistoryEntry,
+    NoteAnswerGive,
     QueueCount,
     QueueItem,
     SetAccept,
@@ -198,6 +201,18 @@ def add_comment(
 def resolve_comment(comment_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> CommentRead:
     """Mark advice as seen to."""
     return comments.resolve_comment(session, actor, comment_id)
+
+
+@router.post(
+    "/takes/{take_id}/carried-notes/{note_id}",
+    response_model=CarriedNote,
+    responses=problems(TakeNotFound, TeamNeeded, NoteNotFound),
+)
+def answer_carried_note(
+    take_id: UUID, note_id: UUID, body: NoteAnswerGive, session: DbSession, actor: Actor = allows(Audience.TEAM)
+) -> CarriedNote:
+    """Say whether a version does what a comment or a change request on an earlier one asked."""
+    return carried_notes.answer_note(session, actor, take_id, note_id, is_done=body.is_done)
 
 
 @router.get("/takes/{take_id}/history", response_model=list[HistoryEntry], responses=problems(TakeNotFound))

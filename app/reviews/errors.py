@@ -57,3 +57,7 @@ class RangeInvalid(Invalid):
 
 class NotOfThisCue(Invalid):
     """A named take belongs to another cue, or two are named for one variation."""
+
+
+class NoteNotFound(NotFound):
+    """No such note was carried over to the version."""

@@ -169,6 +169,29 @@ class Comment(Base):
     author: Mapped[Person] = relationship(lazy="raise", foreign_keys=[written_by])
 
 
+class NoteAnswer(Base):
+    """Whether a version did what a note on an earlier one asked; rows are added, and a note's newest counts."""
+
+    __tablename__ = "reviews_note_answers"
+    __table_args__ = (
+        CheckConstraint("(comment_id is null) <> (change_request_id is null)", name="one_note"),
+        Index("ix_reviews_note_answers_comment_id", "comment_id", "id"),
+        Index("ix_reviews_note_answers_change_request_id", "change_request_id", "id"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)  # the later version
+    comment_id: Mapped[UUID | None] = mapped_column(ForeignKey("reviews_comments.id"))
+    change_request_id: Mapped[UUID | None] = mapped_column(ForeignKey("reviews_change_requests.id"))
+    is_done: Mapped[bool]
+    given_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    take: Mapped[Take] = relationship(lazy="raise")
+    author: Mapped[Person] = relationship(lazy="raise")
+
+
 # Of a cue's variation at most one take is picked, even when two people click at once.
 Index(
     "uq_reviews_one_approved",

@@ -4,7 +4,7 @@ from collections import defaultdict
 from collections.abc import Collection, Sequence
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, Select, exists, func, select
+from sqlalchemy import ColumnElement, Select, and_, exists, func, or_, select
 from sqlalchemy.orm import Session, aliased, joinedload
 
 from app.accounts.models import Person
@@ -13,7 +13,7 @@ from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit.in_array import in_array
 from app.renders.models import Picture
-from app.reviews.models import ChangeRequest, ClockPause, Comment, Reminder, Round, Verdict
+from app.reviews.models import ChangeRequest, ClockPause, Comment, NoteAnswer, Reminder, Round, Verdict
 from app.reviews.rules import VerdictKind, missing_variations
 from app.sound_lists.models import Cue, Question
 from app.sound_lists.rules import CueState
@@ -210,6 +210,32 @@ def comments_on(session: Session, *where: ColumnElement[bool]) -> Sequence[Comme
 def comment_by_id(session: Session, comment_id: UUID) -> Comment | None:
     """Return a comment with its author."""
     return session.get(Comment, comment_id, options=[joinedload(Comment.author)])
+
+
+def notes_to_carry(session: Session, cue_id: UUID) -> tuple[Sequence[ChangeRequest], Sequence[tuple[Comment, Take]]]:
+    """Return what was asked and said of versions for which a change was requested; no reply, nor by its designer."""
+    asked_of = (Take.cue_id == cue_id, Take.state == TakeState.CHANGE_REQUESTED)
+    asked = change_requests_of(session, ChangeRequest.take.has(and_(*asked_of)), ChangeRequest.feedback_id.is_not(None))
+    said = session.execute(
+        select(Comment, Take)
+        .join(Take, Take.id == Comment.take_id)
+        .where(*asked_of, Comment.reply_to_id.is_(None), Comment.change_request_id.is_(None))
+        .where(Comment.written_by != Take.designer_id)  # who made the version asks nothing of it
+        .options(joinedload(Comment.author))
+        .order_by(Comment.id)
+    )
+    return asked, said.all()
+
+
+def newest_answers(session: Session, note_ids: Collection[UUID]) -> dict[UUID, NoteAnswer]:
+    """Return what was last said of notes that were carried over, by note."""
+    answers = session.scalars(
+        select(NoteAnswer)
+        .where(or_(in_array(NoteAnswer.comment_id, note_ids), in_array(NoteAnswer.change_request_id, note_ids)))
+        .options(joinedload(NoteAnswer.take), joinedload(NoteAnswer.author))
+        .order_by(NoteAnswer.id)
+    )
+    return {note_id: one for one in answers if (note_id := one.comment_id or one.change_request_id)}
 
 
 def check_runs_of(session: Session, take_id: UUID) -> Sequence[CheckRun]:

@@ -17,6 +17,7 @@ from sqlalchemy import (
     bindparam,
     cast,
     exists,
+    false,
     func,
     select,
     tuple_,
@@ -37,7 +38,7 @@ from app.projects.models import Project, Spec
 from app.renders.models import Picture, RenderSet
 from app.renders.shown_renders import PICTURE, ShownPicture, ShownRender, shown_renders
 from app.renders.thumbs import Thumb, thumbs
-from app.reviews.models import ChangeRequest, Comment, Round
+from app.reviews.models import ChangeRequest, Comment, NoteAnswer, Round
 from app.reviews.queries import open_drafts
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
@@ -270,6 +271,8 @@ class CueOnReview(NamedTuple):
 
     prefix: str  # the letters that cue numbers of its project start with
     rounds: int
+    open_requests: int  # notes on versions before those that wait, not done
+    open_comments: int
     approved: list[int]  # the variations that have their approved take
     is_changed: bool  # something was sent of it
     is_contracted: bool  # an agreed contract covers it, which is not settled there
@@ -279,15 +282,15 @@ def cues_on_review(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, Cu
     """Return these facts of some cues."""
     rows = session.execute(_cues_on_review(), {"cue_ids": cue_ids})
     return {
-        cue_id: CueOnReview(prefix, rounds, sorted(map(int, approved.split(","))) if approved else [], *whether)
-        for cue_id, prefix, rounds, approved, *whether in rows
+        cue_id: CueOnReview(prefix, rounds, requests, said, sorted(map(int, (approved or "").split())), *whether)
+        for cue_id, prefix, rounds, requests, said, approved, *whether in rows
     }
 
 
 @cache
-def _cues_on_review() -> Select[UUID, str, int, str | None, bool, bool]:
+def _cues_on_review() -> Select[UUID, str, int, int, int, str | None, bool, bool]:
     rounds = select(func.count(Round.number)).where(Round.cue_id == Cue.id)
-    variations = aggregate_strings(cast(Take.variation, String), ",")
+    variations = aggregate_strings(cast(Take.variation, String), " ")
     approved = select(variations).where(Take.cue_id == Cue.id, Take.state == TakeState.APPROVED)
     changed = select(ChangeRequest.id).where(ChangeRequest.cue_id == Cue.id, ChangeRequest.feedback_id.is_not(None))
     contracted = (
@@ -298,12 +301,39 @@ def _cues_on_review() -> Select[UUID, str, int, str | None, bool, bool]:
     return (
         select(
             *(Cue.id, Project.cue_prefix),
-            *(each.correlate(Cue).scalar_subquery() for each in (rounds, approved)),
+            *(each.correlate(Cue).scalar_subquery() for each in (rounds, *_open_notes(), approved)),
             *(row_exists(each, Cue) for each in (changed, contracted)),
         )
         .join(Project, Project.id == Cue.project_id)
         .where(in_array(Cue.id, "cue_ids"))
     )
+
+
+def _open_notes() -> tuple[Select[int], Select[int]]:
+    """Count the change requests and comments of a cue that later versions, which wait, have not done."""
+    before, after = aliased(Take), aliased(Take)
+    later = exists().where(
+        *(after.cue_id == before.cue_id, after.variation == before.variation, after.number > before.number),
+        after.state == TakeState.CONFORMING,
+    )
+    asked_of = (before.cue_id == Cue.id, before.state == TakeState.CHANGE_REQUESTED, later)
+    last = select(NoteAnswer.is_done).order_by(NoteAnswer.id.desc()).limit(1)
+    done = last.where(NoteAnswer.change_request_id == ChangeRequest.id).correlate(ChangeRequest).scalar_subquery()
+    requests = (
+        select(func.count())
+        .select_from(ChangeRequest)
+        .join(before, before.id == ChangeRequest.take_id)
+        .where(*asked_of, ChangeRequest.feedback_id.is_not(None), func.coalesce(done, false()).is_(False))
+    )
+    comments = (
+        select(func.count())
+        .select_from(Comment)
+        .join(before, before.id == Comment.take_id)
+        .where(*asked_of, Comment.resolved_at.is_(None))
+        .where(Comment.reply_to_id.is_(None), Comment.change_request_id.is_(None))
+        .where(Comment.written_by != before.designer_id)
+    )
+    return requests, comments
 
 
 def last_changes(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, str]:

@@ -28,6 +28,7 @@ from app.projects.service import project_access
 from app.renders.service import sound_places
 from app.renders.shown_renders import ShownPicture
 from app.reviews import queries, queue_queries
+from app.reviews.carried_notes import carried_notes
 from app.reviews.deemed_cues import LastDay, last_days
 from app.reviews.models import ChangeRequest, Comment, Verdict
 from app.reviews.queue_queries import CueOnReview, TakeOnReview
@@ -116,6 +117,7 @@ def _queue_item(
         waiting_since=since,
         rounds_so_far=facts.rounds,
         last_change=last_change,
+        open_notes=facts.open_requests + facts.open_comments,
         approved_variations=facts.approved,
         accepted_after=last_day.day if last_day else None,
         silence_paused_by=last_day.paused_by if last_day else None,
@@ -254,6 +256,7 @@ def cue_review(session: Session, actor: Actor, cue_id: UUID) -> CueReviewRead:
             change_request_read(one, prefix)
             for one in queries.change_requests_of(session, ChangeRequest.cue_id == cue.id)
         ],
+        carried_notes=carried_notes(session, cue.id),
         rounds=[RoundRead.model_validate(one) for one in queries.rounds_of(session, cue.id)],
     )
 

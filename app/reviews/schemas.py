@@ -115,6 +115,7 @@ class QueueItem(Schema):
     waiting_since: datetime
     rounds_so_far: int
     last_change: str | None = Field(description="What was asked last of this cue, which these takes answer.")
+    open_notes: int = Field(description="Notes on earlier versions that are not done in these.")
     approved_variations: list[int]
     accepted_after: date | None = Field(
         description="Day after which the cue counts as accepted without a verdict, by its contract's clause on silence."
@@ -251,6 +252,38 @@ class CommentRead(Schema):
     resolved_at: datetime | None
 
 
+class NoteAnswerGive(Schema):
+    """Whether a version does what a note on an earlier one asked."""
+
+    is_done: bool
+
+
+class NoteAnswerRead(Schema):
+    """What was last said of a note that was carried over, of which version, by whom and when."""
+
+    is_done: bool
+    number: int = Field(description="Of the version that it was said of.")
+    given_by: PersonBrief
+    created_at: datetime
+
+
+class CarriedNote(Schema):
+    """A note on a version for which a change was requested; it is carried over to later ones until it is done."""
+
+    id: UUID
+    kind: Literal["comment", "change"]
+    take_id: UUID
+    variation: int
+    number: int = Field(description="Of the version that it was written on.")
+    text: str
+    start_s: float | None
+    end_s: float | None
+    author: PersonBrief
+    decides: bool
+    created_at: datetime
+    answer: NoteAnswerRead | None
+
+
 class HistoryEntry(Schema):
     """One thing that happened to a take."""
 
@@ -291,6 +324,7 @@ class CueReviewRead(Schema):
     comments: list[CommentRead]
     verdicts: list[VerdictRead]
     change_requests: list[ChangeRequestRead]
+    carried_notes: list[CarriedNote]
     rounds: list[RoundRead]
 
 

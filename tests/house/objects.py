@@ -98,8 +98,19 @@ class House(World):
             designer_id=self.designer_id,
             upload_id=spent.id,
             cue_id=cue.id,
-            number=1,
+            number=2,
             state=TakeState.CONFORMING,
+            file_name="shield_hit.wav",
+            master_sha256=self.sha256,
+            master_bytes=len(FILE),
+        )
+        changed = Take(
+            **of,
+            delivery_id=delivery.id,
+            designer_id=self.designer_id,
+            cue_id=cue.id,
+            number=1,
+            state=TakeState.CHANGE_REQUESTED,
             file_name="shield_hit.wav",
             master_sha256=self.sha256,
             master_bytes=len(FILE),
@@ -113,7 +124,7 @@ class House(World):
             file_bytes=len(FILE),
         )
         act = TakesAct(**of, kind=TakesActKind.MOVED, done_by=self.designer_id, takes=[])
-        session.add_all([take, dry_stem, act])
+        session.add_all([take, changed, dry_stem, act])
         session.flush()
         update_cue_sums(session, cue.id)
         spec = current_spec(session, self.project_id)
@@ -140,6 +151,7 @@ class House(World):
         )
         draft = ChangeRequest(**of, cue_id=cue.id, take_id=take.id, text="Duller.", written_by=self.approver_id)
         comment = Comment(**of, take_id=take.id, text="Loud.", written_by=self.designer_id, decides=False)
+        note = Comment(**of, take_id=changed.id, text="Long.", written_by=self.reviewer_id, decides=False)
         build = Build(**of, label="1.0", files=0, rejected=0, warnings=0, report=report())
         batch = Batch(**of, number=1)
         pack = SealedPack(**of, target="game", number=1, sealed_by=self.producer_id)
@@ -193,7 +205,7 @@ class House(World):
         answered = Brief(**of, revision=1, answers=answers, changed_by=self.producer_id)
         version = BriefVersion(**of, number=1, answers=answers, published_by=self.producer_id)
         session.add_all([follow_up, answered, version])
-        session.add_all([picture, render, draft, comment, build, batch, pack, reel, export, mail, run, sets])
+        session.add_all([picture, render, draft, comment, note, build, batch, pack, reel, export, mail, run, sets])
         self._posting_secret = new_secret()
         hiring = self._add_posting(session)
         self._add_links(session)
@@ -221,6 +233,7 @@ class House(World):
             "takes_act_id": act.id,
             "change_request_id": draft.id,
             "comment_id": comment.id,
+            "note_id": note.id,
             "build_id": build.id,
             "batch_id": batch.id,
             "pack_id": pack.id,

@@ -21,6 +21,7 @@ CONTRACTS = {"contract_id", "milestone_id", "extra_round_id", "invoice_id", "pay
 # Objects that one designer made: another designer of the same project does not see them.
 ONE_DESIGNERS = {
     *("delivery_id", "take_id", "upload_id", "picture_id", "render_id", "comment_id", "change_request_id", "reel_id"),
+    "note_id",
     "master_export_id",
     "takes_act_id",
     "sign_in_id",

@@ -4355,6 +4355,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/takes/{take_id}/carried-notes/{note_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Answer Carried Note
+         * @description Say whether a version does what a comment or a change request on an earlier one asked.
+         */
+        post: operations["answer_carried_note"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/takes/{take_id}/history": {
         parameters: {
             query?: never;
@@ -6801,6 +6821,49 @@ export interface components {
             created_at: string;
         };
         /**
+         * CarriedNote
+         * @description A note on a version for which a change was requested; it is carried over to later ones until it is done.
+         */
+        CarriedNote: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "comment" | "change";
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /** Variation */
+            variation: number;
+            /**
+             * Number
+             * @description Of the version that it was written on.
+             */
+            number: number;
+            /** Text */
+            text: string;
+            /** Start S */
+            start_s: number | null;
+            /** End S */
+            end_s: number | null;
+            author: components["schemas"]["PersonBrief"];
+            /** Decides */
+            decides: boolean;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            answer: components["schemas"]["NoteAnswerRead"] | null;
+        };
+        /**
          * CategoryCountdown
          * @description The number of files of one category that are still placeholders.
          */
@@ -8220,6 +8283,8 @@ export interface components {
             verdicts: components["schemas"]["VerdictRead"][];
             /** Change Requests */
             change_requests: components["schemas"]["ChangeRequestRead"][];
+            /** Carried Notes */
+            carried_notes: components["schemas"]["CarriedNote"][];
             /** Rounds */
             rounds: components["schemas"]["RoundRead"][];
         };
@@ -11104,6 +11169,33 @@ export interface components {
             awaited: components["schemas"]["Awaited"][];
         };
         /**
+         * NoteAnswerGive
+         * @description Whether a version does what a note on an earlier one asked.
+         */
+        NoteAnswerGive: {
+            /** Is Done */
+            is_done: boolean;
+        };
+        /**
+         * NoteAnswerRead
+         * @description What was last said of a note that was carried over, of which version, by whom and when.
+         */
+        NoteAnswerRead: {
+            /** Is Done */
+            is_done: boolean;
+            /**
+             * Number
+             * @description Of the version that it was said of.
+             */
+            number: number;
+            given_by: components["schemas"]["PersonBrief"];
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+        };
+        /**
          * NoticeAdd
          * @description Why a contract ends, and its last day: the earliest that the contract allows where none is given.
          */
@@ -12600,6 +12692,11 @@ export interface components {
              * @description What was asked last of this cue, which these takes answer.
              */
             last_change: string | null;
+            /**
+             * Open Notes
+             * @description Notes on earlier versions that are not done in these.
+             */
+            open_notes: number;
             /** Approved Variations */
             approved_variations: number[];
             /**
@@ -28486,6 +28583,60 @@ export interface operations {
                 };
             };
             /** @description `comment-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    answer_carried_note: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                take_id: string;
+                note_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NoteAnswerGive"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CarriedNote"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `take-not-found`, `note-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;

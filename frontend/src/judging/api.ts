@@ -18,6 +18,7 @@ export type ReviewCue = Schemas['ReviewCue']
 export type ReviewFinding = Schemas['FindingRead']
 export type CueReview = Schemas['CueReviewRead']
 export type ChangeRequest = Schemas['ChangeRequestRead']
+export type CarriedNote = Schemas['CarriedNote']
 export type Sending = Schemas['FeedbackRead']
 
 /** Where the answers that reviewing rests on are kept. */

@@ -1,5 +1,13 @@
 import type { Me } from '@/api/me'
-import type { ChangeRequest, CueReview, QueueItem, ReviewCue, ReviewFinding, ReviewTake } from '@/judging/api'
+import type {
+  CarriedNote,
+  ChangeRequest,
+  CueReview,
+  QueueItem,
+  ReviewCue,
+  ReviewFinding,
+  ReviewTake,
+} from '@/judging/api'
 
 import { type Asked, serve } from './server'
 
@@ -93,6 +101,7 @@ export function anItem(cue: Partial<ReviewCue>, takes: ReviewTake[], item: Parti
     waiting_since: AT,
     rounds_so_far: 0,
     last_change: null,
+    open_notes: 0,
     approved_variations: [],
     accepted_after: null,
     silence_paused_by: null,
@@ -117,6 +126,7 @@ export function aReview(item: QueueItem, review: Partial<CueReview> = {}): CueRe
     comments: [],
     verdicts: [],
     change_requests: [],
+    carried_notes: [],
     rounds: [],
     ...review,
   }
@@ -139,6 +149,24 @@ export function aDraft(take: ReviewTake, cue: ReviewCue, text: string): ChangeRe
     created_at: AT,
     feedback_id: null,
     sent_at: null,
+  }
+}
+
+export function aNote(id: string, text: string, note: Partial<CarriedNote> = {}): CarriedNote {
+  return {
+    id,
+    kind: 'comment',
+    take_id: 'old',
+    variation: 1,
+    number: 1,
+    text,
+    start_s: null,
+    end_s: null,
+    author: APPROVER,
+    decides: true,
+    created_at: AT,
+    answer: null,
+    ...note,
   }
 }
 

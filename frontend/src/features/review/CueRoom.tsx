@@ -15,6 +15,7 @@ import type { CueMoney } from '@/money/api'
 
 import { useComment } from './api'
 import { Asked } from './Asked'
+import { carriedMarks, carriedTo } from './carried'
 import { type Writing } from './Composer'
 import { CueHead } from './CueHead'
 import classes from './Review.module.css'
@@ -84,6 +85,9 @@ export function CueRoom(props: CueRoomProps) {
   }, [player, startS])
 
   const said = saidOf(review, hand && heard.includes(hand) ? heard : hand ? [hand] : [])
+
+  const numbered = said.filter(({ number }) => number !== null).length
+  const carried = hand ? carriedTo(review.carried_notes, hand, soundOf(hand, target).durationS, numbered) : []
 
   const meant = picked.size > 0 ? heard.filter(({ id }) => picked.has(id)) : hand ? [hand] : []
   const realName = (take: ReviewTake) => takeName(take, cue, waiting)
@@ -208,7 +212,7 @@ export function CueRoom(props: CueRoomProps) {
             target={target}
             player={player}
             range={playing.range}
-            comments={blind ? [] : marksOf(said, hand.id)}
+            comments={blind ? [] : [...marksOf(said, hand.id), ...carriedMarks(carried)]}
             openComment={openSaid}
             hidden={blind !== null}
             small={isSet}
@@ -277,6 +281,7 @@ export function CueRoom(props: CueRoomProps) {
         heard={heard}
         nameOf={nameOf}
         said={said}
+        carried={carried}
         openSaid={openSaid}
         onOpen={goTo}
         onSpot={playFrom}

@@ -8,7 +8,7 @@ import type { Queue } from '@/judging/useQueue'
 import { capital, counted, heardTakes, isSoon, unlessJudged, whatWaits } from '@/judging/words'
 import { Button } from '@/ui/Button'
 import { Count } from '@/ui/Count'
-import { age } from '@/ui/format'
+import { age, plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { KeysLine } from '@/ui/KeysLine'
 
@@ -127,6 +127,9 @@ function QueueLine({ item, projectId, current, onOpen }: QueueLineProps) {
           <span className="small mid cut-text">{waits.before}</span>
         )}{' '}
         <span className="small dim mono num">{cue.label}</span>
+        {item.open_notes > 0 && (
+          <span className={`small mid ${classes.silence}`}>{plural(item.open_notes, 'note')} still open</span>
+        )}
         {item.accepted_after && (current || isSoon(item.accepted_after)) && (
           <span className={`small mid ${classes.silence}`}>
             {capital(unlessJudged(item.accepted_after, item.silence_paused_by))}

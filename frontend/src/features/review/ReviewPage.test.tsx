@@ -10,6 +10,7 @@ import {
   aDraft,
   aFinding,
   aMe,
+  aNote,
   anItem,
   aPreview,
   aReview,
@@ -20,7 +21,7 @@ import {
   somePeaks,
 } from '@/test/review'
 import { openApp } from '@/test/openApp'
-import { answer, refusal } from '@/test/server'
+import { answer, type Asked, refusal } from '@/test/server'
 
 beforeAll(() => Promise.all([import('./ReviewPage'), import('./ReviewStart')]))
 
@@ -226,6 +227,51 @@ describe('alternates', () => {
     expect(await screen.findByText('A change was requested for this version.')).toBeVisible()
     expect(screen.queryByRole('button', { name: /^Approve / })).toBeNull()
     expect(screen.getByRole('slider')).toHaveAccessibleName('Position in shield_hit, version 3')
+  })
+})
+
+describe('notes on earlier versions', () => {
+  const old = aTake('old', { number: 1, state: 'change_requested' })
+  const now = aTake('a', { number: 2 })
+  const item = anItem({ id: 'shield', name: 'shield_hit' }, [now], { open_notes: 2 })
+  const tail = aNote('tail', 'Tail a little shorter.', { start_s: 0.41 })
+  const clank = aNote('clank', 'Add a dull metallic clank.', { kind: 'change', start_s: 0.02, end_s: 0.11 })
+
+  test('are asked of the next one, answered by keys one after another, and counted in the queue', async () => {
+    let review = aReview(item, { takes: [now, old], carried_notes: [tail, clank] })
+    server.on('GET /v1/cues/shield/review', () => review)
+    for (const note of [tail, clank]) {
+      server.on(`POST /v1/takes/a/carried-notes/${note.id}`, ({ body }: Asked) => {
+        const { is_done } = body as { is_done: boolean }
+        const answer = { is_done, number: 2, given_by: APPROVER, created_at: new Date().toISOString() }
+        const said = { ...note, answer }
+        review = { ...review, carried_notes: review.carried_notes.map((one) => (one.id === note.id ? said : one)) }
+        return said
+      })
+    }
+    queue = [item]
+    await opened()
+    const carried = screen.getByRole('region', { name: 'Carried over from earlier versions' })
+    expect(carried).toHaveTextContent('0 of 2 done')
+    expect(screen.getByRole('link', { name: /shield_hit/ })).toHaveTextContent('2 notes still open')
+    await userEvent.keyboard('{Enter}')
+    await waitFor(() => expect(carried).toHaveTextContent('1 of 2 done'))
+    expect(carried).toHaveTextContent(/Done in version 2, Audio director/)
+    await userEvent.keyboard('n')
+    expect(await within(carried).findByText(/Still open in version 2/)).toBeVisible()
+    expect(server.of('POST /v1/takes/a/carried-notes/tail')[0]?.body).toEqual({ is_done: true })
+    expect(server.of('POST /v1/takes/a/carried-notes/clank')[0]?.body).toEqual({ is_done: false })
+    const { violations } = await axe.run(carried, { rules: { 'color-contrast': { enabled: false } } })
+    expect(violations).toEqual([])
+  })
+
+  test('stay open with the reason when an answer is refused', async () => {
+    tell(aReview(item, { takes: [now, old], carried_notes: [tail] }))
+    server.on('POST /v1/takes/a/carried-notes/tail', () => refusal(404, 'note-not-found', 'No such note.'))
+    await opened()
+    await userEvent.click(screen.getByRole('button', { name: 'Done: Tail a little shorter.' }))
+    expect(await screen.findByText('No such note.')).toBeVisible()
+    expect(screen.getByText('0 of 1 done')).toBeVisible()
   })
 })
 

@@ -17,6 +17,8 @@ import { Person } from '@/ui/Person'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import { historyQuery, useComment, useResolve } from './api'
+import type { Carried } from './carried'
+import { CarriedNotes } from './CarriedNotes'
 import { Composer, type Writing } from './Composer'
 import { Figures } from './Figures'
 import { GameFiles } from './GameFiles'
@@ -32,6 +34,7 @@ interface SidePanelProps {
   heard: readonly ReviewTake[]
   nameOf: (take: ReviewTake) => string
   said: readonly Said[]
+  carried: readonly Carried[]
   openSaid: string | undefined
   onOpen: (said: Said) => void
   onSpot: (startS: number) => void
@@ -107,7 +110,7 @@ export function SidePanel(props: SidePanelProps) {
   )
 }
 
-function Comments({ review, projectId, hand, heard, nameOf, said, openSaid, onOpen }: SidePanelProps) {
+function Comments({ review, projectId, hand, heard, nameOf, said, carried, openSaid, onOpen, onSpot }: SidePanelProps) {
   const resolve = useResolve(review.cue.id)
   const replying = useComment(review.cue.id)
   const roleOf = useRoles(projectId)
@@ -117,6 +120,9 @@ function Comments({ review, projectId, hand, heard, nameOf, said, openSaid, onOp
   }
   return (
     <>
+      {hand && carried.length > 0 && (
+        <CarriedNotes carried={carried} hand={hand} cueId={review.cue.id} projectId={projectId} onSpot={onSpot} />
+      )}
       {said.length === 0 && <p className={`${classes.quiet} mid`}>No comments yet</p>}
       <ul aria-label="Comments">
         {said.map((one) => (

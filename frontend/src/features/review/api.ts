@@ -2,7 +2,7 @@ import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query
 
 import { answered, api } from '@/api'
 import type { components } from '@/api/schema.gen'
-import { type CueReview, keys, refresh } from '@/judging/api'
+import { type CarriedNote, type CueReview, keys, refresh } from '@/judging/api'
 
 type Schemas = components['schemas']
 export type Comment = Schemas['CommentRead']
@@ -65,6 +65,32 @@ export function useComment(cueId: string) {
         client.invalidateQueries({ queryKey: keys.history(comment.take_id) }),
       ])
     },
+  })
+}
+
+/** Say whether a version does what a note on an earlier one asked. */
+export function useAnswerNote(projectId: string, cueId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: ({ takeId, note, isDone }: { takeId: string; note: CarriedNote; isDone: boolean }) =>
+      answered(
+        api.POST('/v1/takes/{take_id}/carried-notes/{note_id}', {
+          params: { path: { take_id: takeId, note_id: note.id } },
+          body: { is_done: isDone },
+        }),
+      ),
+    onSuccess: (note) => {
+      client.setQueryData<CueReview>(
+        keys.review(cueId),
+        (review) =>
+          review && { ...review, carried_notes: review.carried_notes.map((one) => (one.id === note.id ? note : one)) },
+      )
+    },
+    onSettled: () =>
+      Promise.all([
+        client.invalidateQueries({ queryKey: keys.review(cueId) }),
+        client.invalidateQueries({ queryKey: keys.queue(projectId) }),
+      ]),
   })
 }
 

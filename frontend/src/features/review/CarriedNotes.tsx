@@ -1,0 +1,129 @@
+import { ApiProblem } from '@/api'
+import { useHotkeys } from '@/app/keys'
+import type { ReviewTake } from '@/judging/api'
+import { spot } from '@/judging/words'
+import { Button } from '@/ui/Button'
+import { Face } from '@/ui/Face'
+import { age } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { useAnswerNote } from './api'
+import { type Carried, isAnswered } from './carried'
+import classes from './Review.module.css'
+
+interface CarriedNotesProps {
+  carried: readonly Carried[]
+  hand: ReviewTake
+  cueId: string
+  projectId: string
+  onSpot: (startS: number) => void
+}
+
+/** What was said of earlier versions, each asked of this one: is it done? */
+export function CarriedNotes({ carried, hand, cueId, projectId, onSpot }: CarriedNotesProps) {
+  const answer = useAnswerNote(projectId, cueId)
+  const next = carried.find((one) => !isAnswered(one, hand))
+  const done = carried.filter(({ note }) => note.answer?.is_done).length
+  const say = (one: Carried, isDone: boolean) => answer.mutate({ takeId: hand.id, note: one.note, isDone })
+  const sayOfNext = (isDone: boolean) => {
+    if (next && !answer.isPending) say(next, isDone)
+  }
+  const disabled = next === undefined
+  useHotkeys([
+    {
+      keys: 'Enter',
+      label: 'Note from an earlier version: done',
+      group: 'Review',
+      run: () => sayOfNext(true),
+      disabled,
+    },
+    {
+      keys: 'n',
+      label: 'Note from an earlier version: still open',
+      group: 'Review',
+      run: () => sayOfNext(false),
+      disabled,
+    },
+  ])
+  return (
+    <section className={classes.carried} aria-label="Carried over from earlier versions">
+      <p className={`row small ${classes.carriedHead}`}>
+        <span className="strong">Carried over from earlier versions</span>
+        <span className="dim end nowrap">
+          {done} of {carried.length} done
+        </span>
+      </p>
+      <ul>
+        {carried.map((one) => (
+          <Line
+            key={one.note.id}
+            carried={one}
+            hand={hand}
+            isNext={one === next}
+            onSpot={onSpot}
+            onSay={(isDone) => say(one, isDone)}
+          />
+        ))}
+      </ul>
+      {answer.error instanceof ApiProblem && <ProblemNote detail={answer.error.detail} fix={answer.error.fix} />}
+    </section>
+  )
+}
+
+interface LineProps {
+  carried: Carried
+  hand: ReviewTake
+  isNext: boolean
+  onSpot: (startS: number) => void
+  onSay: (isDone: boolean) => void
+}
+
+function Line({ carried, hand, isNext, onSpot, onSay }: LineProps) {
+  const { note, number, startS, endS } = carried
+  const { answer } = note
+  const isSaid = isAnswered(carried, hand)
+  const about = <span className="visually-hidden">: {note.text}</span>
+  return (
+    <li className={classes.said} aria-current={isNext || undefined}>
+      <p className="row">
+        {number !== null && <span className={classes.saidNumber}>{number}</span>}
+        <Face name={note.author.name} />
+        <span className="strong cut-text">{note.author.name}</span>
+        <span className="small dim nowrap">
+          {note.kind === 'change' ? 'requested a change' : note.decides ? 'approver' : 'advises'}, version {note.number}
+        </span>
+        {startS !== null && (
+          <button type="button" className="link small mono dim end nowrap" onClick={() => onSpot(startS)}>
+            {spot(startS, endS)}
+          </button>
+        )}
+      </p>
+      <p className={classes.saidText}>{note.text}</p>
+      {answer && (
+        <p className={answer.is_done ? 'small tone-ok toned' : 'small mid'}>
+          {answer.is_done && <Icon name="tick" size={14} />} {answer.is_done ? 'Done' : 'Still open'} in version{' '}
+          {answer.number}, {answer.given_by.name}, {age(answer.created_at)}
+        </p>
+      )}
+      <p className={classes.saidActs}>
+        <Button
+          className="small"
+          keys={isNext ? 'Enter' : undefined}
+          pressed={isSaid && answer?.is_done === true}
+          onClick={() => onSay(true)}
+        >
+          Done{about}
+        </Button>
+        <Button
+          className="small"
+          keys={isNext ? 'n' : undefined}
+          pressed={isSaid && answer?.is_done === false}
+          onClick={() => onSay(false)}
+        >
+          Still open{about}
+        </Button>
+      </p>
+    </li>
+  )
+}
