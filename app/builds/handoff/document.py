@@ -20,7 +20,7 @@ def document(cues: Sequence[HandedCue]) -> bytes:
     files = distinct(
         (_key(cue, place), identifier(file.stem, cue.label)) for cue in cues for place, file in enumerate(cue.files)
     )
-    events = distinct((cue.label, "/".join(_event(cue))) for cue in cues)
+    events = _events(cues)
     sounds = [
         {
             "cue": cue.label,
@@ -44,6 +44,16 @@ def document(cues: Sequence[HandedCue]) -> bytes:
 
 def _key(cue: HandedCue, place: int) -> str:
     return f"{cue.label}_{place + 1:02d}"
+
+
+def _events(cues: Sequence[HandedCue]) -> dict[str, str]:
+    """Return a path for each cue's event: its own, and no folder of another's."""
+    paths = {cue.label: "/".join(_event(cue)) for cue in cues}
+    folders = {path[:place].casefold() for path in paths.values() for place, char in enumerate(path) if char == "/"}
+    for label in paths:
+        while paths[label].casefold() in folders:
+            paths[label] += f"_{identifier(label)}"
+    return distinct(paths.items())
 
 
 def _event(cue: HandedCue) -> list[str]:

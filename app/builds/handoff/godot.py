@@ -11,7 +11,7 @@ import hashlib
 from collections.abc import Sequence
 from pathlib import PurePosixPath
 
-from app.builds.handoff.cues import HandedCue, HandedFile, file_safe
+from app.builds.handoff.cues import HandedCue, HandedFile, distinct, file_safe
 
 UID_DIGITS = "abcdefghijklmnopqrstuvwxy012345678"  # those of ResourceUID
 DISABLED, FORWARD = 1, 2  # of edit/loop_mode
@@ -26,13 +26,14 @@ IMPORTERS = {
 def godot_files(cues: Sequence[HandedCue]) -> dict[str, bytes]:
     """Return an import file for each sound that Godot reads, and a randomizer for each set."""
     made: dict[str, bytes] = {}
+    names = distinct((cue.label, file_safe(cue.name)) for cue in cues)
     for cue in cues:
         for file in cue.files:
             if _ending(file) in IMPORTERS:
                 made[f"{file.path}.import"] = _import_file(cue, file)
         if cue.is_set:
             folder = PurePosixPath(cue.files[0].path).parent
-            path = str(folder / f"{file_safe(cue.name)}.tres")
+            path = str(folder / f"{names[cue.label]}.tres")
             made[path] = _randomizer(cue, path)
     return made
 

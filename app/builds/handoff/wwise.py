@@ -34,14 +34,15 @@ def wwise_files(cues: Sequence[HandedCue], known_paths: Collection[str]) -> dict
     `known_paths` are files of earlier packs for Wwise: a cue of which one is there has its event already.
     """
     tables: dict[str, list[Sequence[str]]] = {}
+    paths = _object_paths(cues)
     events = distinct((cue.label, event_name(cue)) for cue in cues)
     for cue in cues:
         name = f"voices-{identifier(cue.language)}.tsv" if cue.language else "sounds.tsv"
-        tables.setdefault(name, []).extend(_rows(cue))
+        tables.setdefault(name, []).extend(_rows(cue, paths[cue.label]))
     made = {f"{FOLDER}/{name}": _table(COLUMNS, rows) for name, rows in sorted(tables.items())}
     new = [cue for cue in cues if not any(file.path in known_paths for file in cue.files)]
     if new:
-        rows = [("", _object_path(cue), _kind(cue), rf"{EVENTS}\{events[cue.label]}@Play") for cue in new]
+        rows = [("", paths[cue.label], _kind(cue), rf"{EVENTS}\{events[cue.label]}@Play") for cue in new]
         made[f"{FOLDER}/events.tsv"] = _table(EVENT_COLUMNS, rows)
     return made
 
@@ -53,14 +54,29 @@ def event_name(cue: HandedCue) -> str:
     return f"Play_{identifier(cue.name, cue.label)}"
 
 
-def _rows(cue: HandedCue) -> Iterator[Sequence[str]]:
+def _object_paths(cues: Sequence[HandedCue]) -> dict[str, str]:
+    """Return the path of each cue's object, no two alike, and none that of a category's folder."""
+    folders = {_object_name(cue.category).casefold() for cue in cues if cue.category}
+    own = {}
+    for cue in cues:
+        name = _object_name(cue.name)
+        own[cue.label] = f"{name}_{identifier(cue.label)}" if name.casefold() in folders else name
+    names = distinct(own.items())
+    paths = {}
+    for cue in cues:
+        folder = rf"<Virtual Folder>{_object_name(cue.category)}" + "\\" if cue.category else ""
+        paths[cue.label] = f"{folder}<{_kind(cue)}>{names[cue.label]}"
+    return paths
+
+
+def _rows(cue: HandedCue, path: str) -> Iterator[Sequence[str]]:
     if not cue.is_set:
-        yield _sound_row(cue, cue.files[0], _object_path(cue), cue.notes)
+        yield _sound_row(cue, cue.files[0], path, cue.notes)
         return
-    yield "", _object_path(cue), CONTAINER, cue.notes, "", ""
-    for file in cue.files:
-        path = rf"{_object_path(cue)}\<{_sound_type(cue)}>{_object_name(file.stem)}"
-        yield _sound_row(cue, file, path, "")
+    yield "", path, CONTAINER, cue.notes, "", ""
+    names = distinct((f"{place:02d}", _object_name(file.stem)) for place, file in enumerate(cue.files, start=1))
+    for file, name in zip(cue.files, names.values(), strict=True):
+        yield _sound_row(cue, file, rf"{path}\<{_sound_type(cue)}>{name}", "")
 
 
 def _sound_row(cue: HandedCue, file: HandedFile, path: str, notes: str) -> Sequence[str]:
@@ -75,11 +91,6 @@ def _sound_type(cue: HandedCue) -> str:
 
 def _kind(cue: HandedCue) -> str:
     return CONTAINER if cue.is_set else _sound_type(cue)
-
-
-def _object_path(cue: HandedCue) -> str:
-    folder = rf"<Virtual Folder>{_object_name(cue.category)}" + "\\" if cue.category else ""
-    return f"{folder}<{_kind(cue)}>{_object_name(cue.name)}"
 
 
 def _object_name(name: str) -> str:

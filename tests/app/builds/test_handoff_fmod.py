@@ -94,6 +94,13 @@ def test_without_the_document_it_says_where_the_pack_belongs(tmp_path: Path) -> 
     assert "Unpack the pack there." in run(folder)["runs"][0]["shown"]
 
 
+def test_an_event_that_is_called_as_a_folder_has_a_name_of_its_own(tmp_path: Path) -> None:
+    both = [cue(1, "a.wav", event="UI"), cue(2, "b.wav", event="ui/Back"), cue(3, "c.wav", event="UI")]
+    found = run(unpack(tmp_path, both), "2")
+    assert [event["path"] for event in found["events"]] == ["event:/UI_SW_001", "event:/ui/Back", "event:/UI_SW_003"]
+    assert found["runs"][1]["changes"] == 0
+
+
 @settings(max_examples=5, deadline=None)
 @given(cues=hostile_cues())
 def test_hostile_names_are_only_names(tmp_path_factory, cues: list[HandedCue]) -> None:

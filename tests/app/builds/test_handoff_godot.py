@@ -96,6 +96,7 @@ def test_a_randomizer_keeps_what_the_list_says() -> None:
 def test_hostile_names_stay_in_their_strings(cues: list[HandedCue]) -> None:
     made = godot_files(cues)
     assert made == godot_files(cues)
+    assert len(made) == sum(len(one.files) + one.is_set for one in cues)
     for path, content in made.items():
         text = content.decode()
         bare = re.sub(r'"(?:[^"\\]|\\.)*"', '""', text)

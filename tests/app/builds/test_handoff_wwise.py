@@ -180,6 +180,24 @@ def test_an_event_keeps_the_name_that_the_list_states(stated: str, named: str) -
     assert found[1] == named
 
 
+def test_names_that_are_alike_in_wwise_are_parted() -> None:
+    alike = [
+        cue(1, "a@b.wav"),
+        cue(2, "a_b.wav"),
+        cue(3, "ui.wav"),
+        cue(4, "ui/c@_1.wav", "ui/c__1.wav", name="c", category="ui"),
+    ]
+    assert list(imported(alike).objects) == [
+        "\\a_b",
+        "\\a_b_sw_002",
+        "\\ui_sw_003",
+        "\\ui",
+        "\\ui\\c",
+        "\\ui\\c\\c__1",
+        "\\ui\\c\\c__1_02",
+    ]
+
+
 def test_two_cues_with_one_event_have_two() -> None:
     both = [CONFIRM, cue(9, "ui_cancel.wav", event="play_confirm")]
     assert list(imported(both).events) == ["Play_Confirm", "play_confirm_SW_009"]
@@ -190,6 +208,8 @@ def test_two_cues_with_one_event_have_two() -> None:
 def test_hostile_names_stay_in_their_cells(cues: list[HandedCue]) -> None:
     files = wwise_files(cues, set())
     assert files == wwise_files(cues, set())
+    objects = imported(cues).objects
+    assert len([one for one in objects.values() if "Audio File" in one]) == sum(len(one.files) for one in cues)
     rows = [row for name, table in files.items() if name != "wwise/events.tsv" for row in read(table)]
     assert len([row for row in rows if row["Audio File"]]) == sum(len(one.files) for one in cues)
     for row in rows:
