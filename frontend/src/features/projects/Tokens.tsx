@@ -65,7 +65,7 @@ export function TokenMaker({ projectId }: { projectId: string }) {
       <Checkbox
         name="rights"
         label="Also reads contracts and sources of approved sounds"
-        description="For soundlist why. Leave it out for CI."
+        description="For soundlist why; CI does not need it."
       />
       <div className="row wrap">
         <Button type="submit" variant="primary" aria-busy={make.isPending}>
