@@ -26,6 +26,7 @@ from app.reviews.errors import (
     TooLateToUndo,
     VerdictSince,
 )
+from app.reviews.fit_schemas import DeliveryFitRead, TakeFitRead
 from app.reviews.rules import VerdictKind
 from app.reviews.schemas import (
     CarriedNote,
@@ -35,7 +36,6 @@ from app.reviews.schemas import (
     CueCut,
     CueCutRead,
     CueReviewRead,
-    DeliveryFitRead,
     FeedbackAdd,
     FeedbackRead,
     HistoryEntry,
@@ -44,7 +44,6 @@ from app.reviews.schemas import (
     QueueItem,
     SetAccept,
     SetAccepted,
-    TakeFitRead,
     VerdictGive,
     VerdictGiven,
     VerdictUndone,

@@ -26,7 +26,7 @@ from app.reviews.fit_rules import (
     middle_of,
     shift,
 )
-from app.reviews.schemas import DeliveryFitRead, DeliveryShift, FitPoint, MeasureFit, TakeFitRead
+from app.reviews.fit_schemas import DeliveryFitRead, DeliveryShift, FitPoint, MeasureFit, TakeFitRead
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import label
 
