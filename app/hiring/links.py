@@ -64,7 +64,7 @@ def join(session: Session, actor: Actor, secret: str) -> UUID:
 
 
 def ask_for_link(session: Session, secret: str, email: str) -> None:
-    """Mail a personal link to whoever came by the link for everyone; to a person who was taken off, nothing."""
+    """Mail a personal link to a person who came by the link for everyone; a person taken off gets nothing."""
     posting, _ = posting_by_link(session, secret)
     address = ensure_address(email)
     with bypass_row_policies(session):  # nobody is signed in

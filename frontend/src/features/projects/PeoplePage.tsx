@@ -3,7 +3,8 @@ import { Link, useParams } from '@tanstack/react-router'
 
 import { useTitle } from '@/app/title'
 
-import { membersQuery, projectQuery } from './api'
+import { projectQuery } from './api'
+import { membersQuery } from './people/api'
 import { ApproverCard } from './people/ApproverCard'
 import { DesignersCard } from './people/DesignersCard'
 import { TeamCard } from './people/TeamCard'

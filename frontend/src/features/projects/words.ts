@@ -1,6 +1,7 @@
 import { ApiProblem } from '@/api'
 
-import type { EngagementKind, Project } from './api'
+import type { Project } from './api'
+import type { EngagementKind } from './people/api'
 
 /** Figures with the minus that they are read with. */
 export const trueMinus = (text: string): string => text.replace(/(^|[\s(])-(?=\d|∞|inf)/g, '$1−')

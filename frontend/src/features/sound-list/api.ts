@@ -26,9 +26,6 @@ export type Revision = Schemas['RevisionRead']
 export type Comparison = Schemas['ListComparison']
 export type Difference = Schemas['CueDifference']
 export type FieldChange = Schemas['FieldChange']
-export type ImportAsk = Schemas['ImportAsk']
-export type ImportRead = Schemas['ImportRead']
-export type ImportField = ImportRead['columns'][number]['field']
 
 const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
 const ofCue = (cueId: string) => ({ params: { path: { cue_id: cueId } } })
@@ -347,56 +344,6 @@ export function useAnswer(projectId: string) {
           body: { text, joins },
         }),
       ),
-    onSuccess: () => refreshList(client, projectId),
-  })
-}
-
-export const importSheet = (projectId: string, body: ImportAsk): Promise<ImportRead> =>
-  answered(api.POST('/v1/projects/{project_id}/sound-list/import', { ...inProject(projectId), body }))
-
-/** Import a sheet for good. */
-export function useImport(projectId: string) {
-  const client = useQueryClient()
-  return useMutation({
-    mutationFn: (body: Omit<ImportAsk, 'dry_run'>) => importSheet(projectId, { ...body, dry_run: false }),
-    onSuccess: ({ imported }) => (imported ? refreshList(client, projectId) : undefined),
-  })
-}
-
-export type SharedField = 'category' | 'state' | 'placeholder' | 'palette'
-
-const quoted = (text: string): string => `"${text.replaceAll('"', '""')}"`
-const written = (value: string | boolean): string => (typeof value === 'boolean' ? (value ? 'yes' : 'no') : value)
-
-/** Set one fact of several cues: all of them as one revision, or none. */
-export function useSetForSeveral(projectId: string) {
-  const client = useQueryClient()
-  return useMutation({
-    mutationFn: async ({
-      field,
-      values,
-    }: {
-      field: SharedField
-      values: readonly { cue: Cue; value: string | boolean }[]
-    }) => {
-      const lines = values.map(({ cue, value }) => `${cue.number},${quoted(written(value))}`)
-      const answer = await importSheet(projectId, {
-        format: 'csv',
-        text: ['number,' + field, ...lines].join('\n'),
-        mapping: { number: 'number', [field]: field },
-        match: 'number',
-        dry_run: false,
-      })
-      const fault = answer.errors[0]
-      if (fault) {
-        const label = values[fault.row - 2]?.cue.label
-        throw new ApiProblem(422, {
-          code: 'rows-invalid',
-          detail: `Nothing was changed. ${label ? `${label}: ` : ''}${fault.message}.`,
-        })
-      }
-      return answer
-    },
     onSuccess: () => refreshList(client, projectId),
   })
 }

@@ -1,6 +1,7 @@
 import { length } from '@/ui/format'
 
-import type { CueStatus, ImportField } from './api'
+import type { CueStatus } from './api'
+import type { ImportField } from './import/api'
 
 /** The facts of a cue as screens call them. */
 const FIELD_WORDS: Record<string, string> = {

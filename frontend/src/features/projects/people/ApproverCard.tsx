@@ -12,14 +12,8 @@ import { Face } from '@/ui/Face'
 import { shortDay } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
-import {
-  approverHistoryQuery,
-  invitedApproversQuery,
-  type Member,
-  type Project,
-  useInviteApprover,
-  useNameApprover,
-} from '../api'
+import { type Project } from '../api'
+import { approverHistoryQuery, invitedApproversQuery, type Member, useInviteApprover, useNameApprover } from './api'
 import { Refusal } from '../Refusal'
 import { against, sentence } from '../words'
 import classes from './People.module.css'

@@ -14,17 +14,17 @@ import { Icon } from '@/ui/Icon'
 import { Row, Rows } from '@/ui/Rows'
 import { State } from '@/ui/State'
 
+import { type Project } from '../api'
 import {
   type Engagement,
   type EngagementKind,
   type Invitation,
   invitationsQuery,
-  type Project,
   useChangeEngagement,
   useInvitationLinks,
   useInviteDesigner,
   useRevokeInvitation,
-} from '../api'
+} from './api'
 import { Refusal } from '../Refusal'
 import { against, KIND_MEANINGS, KIND_WORDS, KINDS, speaks } from '../words'
 import classes from './People.module.css'

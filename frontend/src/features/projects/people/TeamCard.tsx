@@ -6,7 +6,8 @@ import { Card, CardHead } from '@/ui/Card'
 import { Face } from '@/ui/Face'
 import { Row, Rows } from '@/ui/Rows'
 
-import { type Member, type Project, useSetLiaison } from '../api'
+import { type Project } from '../api'
+import { type Member, useSetLiaison } from './api'
 import { Refusal } from '../Refusal'
 import classes from './People.module.css'
 

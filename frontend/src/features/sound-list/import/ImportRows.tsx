@@ -5,7 +5,7 @@ import { day, figure } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { Segmented } from '@/ui/Segmented'
 
-import type { ImportRead } from '../api'
+import type { ImportRead } from './api'
 import { Changes } from '../Changes'
 import classes from './Import.module.css'
 import { useVirtualRows } from '../useVirtualRows'

@@ -1,6 +1,6 @@
 import { keepDraft, keptDraft } from '@/app/drafts'
 
-import type { ImportAsk, ImportField } from '../api'
+import type { ImportAsk, ImportField } from './api'
 
 /** A sheet on its way into the list, with how it is to be read. */
 export interface SheetDraft {

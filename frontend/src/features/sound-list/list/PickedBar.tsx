@@ -6,7 +6,8 @@ import { plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { ProblemNote } from '@/ui/ProblemNote'
 
-import { type Cue, problemIn, type SharedField, useSetForSeveral } from '../api'
+import { type Cue, problemIn } from '../api'
+import { type SharedField, useSetForSeveral } from '../import/api'
 import classes from './SoundList.module.css'
 import { SETTLED } from '../words'
 
