@@ -293,9 +293,7 @@ class NextStep(Schema):
 
     kind: NextStepKind
     count: int = 1
-    subject: str = Field(
-        default="", description="The title of a contract or posting, an invoice's number or a person's name."
-    )
+    subject: str = Field(default="", description="A title, an invoice's number or a person's name.")
     who: str = Field(default="", description="The other side, where there is one.")
     since: datetime | None = None
     contract_id: UUID | None = None

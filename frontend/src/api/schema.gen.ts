@@ -11128,7 +11128,7 @@ export interface components {
             count: number;
             /**
              * Subject
-             * @description The title of a contract or posting, an invoice's number or a person's name.
+             * @description A title, an invoice's number or a person's name.
              * @default
              */
             subject: string;
