@@ -90,23 +90,23 @@ function Line({ carried, hand, isNext, onSpot, onSay }: LineProps) {
         {number !== null && <span className={classes.saidNumber}>{number}</span>}
         <Face name={note.author.name} />
         <span className="strong cut-text">{note.author.name}</span>
-        <span className="small dim nowrap">
-          {note.kind === 'change' ? 'requested a change' : note.decides ? 'approver' : 'advises'}, version {note.number}
-        </span>
         {startS !== null && (
           <button type="button" className="link small mono dim end nowrap" onClick={() => onSpot(startS)}>
             {spot(startS, endS)}
           </button>
         )}
       </p>
-      <p className={classes.saidText}>{note.text}</p>
+      <p className="small dim">
+        {note.kind === 'change' ? 'requested a change' : note.decides ? 'approver' : 'advises'}, version {note.number}
+      </p>
+      <p className={classes.carriedText}>{note.text}</p>
       {answer && (
         <p className={answer.is_done ? 'small tone-ok toned' : 'small mid'}>
           {answer.is_done && <Icon name="tick" size={14} />} {answer.is_done ? 'Done' : 'Still open'} in version{' '}
           {answer.number}, {answer.given_by.name}, {age(answer.created_at)}
         </p>
       )}
-      <p className={classes.saidActs}>
+      <p className={classes.carriedActs}>
         <Button
           className="small"
           keys={isNext ? 'Enter' : undefined}

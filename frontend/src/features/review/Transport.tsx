@@ -37,6 +37,7 @@ function HeardAs({ condition, choose }: Conditions) {
       button={
         <Button
           icon="headphones"
+          className={condition ? classes.early : undefined}
           pressed={condition !== null}
           title={condition ? `Heard only: ${condition.figures}. Files and measurements stay as they are.` : undefined}
         >
