@@ -13,7 +13,7 @@ from typing import cast
 
 import httpx
 
-from tests.attack.attacks import ATTACKS, NO_ANSWER, Target
+from tests.attack.attacks import ATTACKS, NO_ANSWER, Target, every_route
 from tests.attack.honest import Visit, honest_person, visits
 from tests.kill.processes import ProcessServer, Zygote
 from tests.support.server import RunningServer, World
@@ -26,6 +26,7 @@ POLL_EVERY_S = 0.02
 RETURNS_WITHIN_S = 20.0
 IDLE_S = 3.0
 WARM_UPS = 8  # of some process
+WARM_UP_EVERY_S = 15.0  # a long siege knows every route before it begins
 NOTES = "honest.jsonl"
 MAX_ROUNDS = 100_000
 ATTACK_LASTS_S = 20.0  # then its other requests are left out
@@ -126,7 +127,7 @@ def lay_siege(
         watched = Watched(server)
         target = Target(world, server.port)
         siege = Siege({name: Result(name) for name in names})
-        _warm_up(target)
+        _warm_up(target, rounds=int(seconds / WARM_UP_EVERY_S))
         watched.begin()
         with watched.memory(), _at_work(target, folder):
             time.sleep(IDLE_S)
@@ -213,8 +214,11 @@ class Watched:
         return [self._web.pid, *_children(self._web.pid)]
 
 
-def _warm_up(target: Target) -> None:
-    """Use what a process loads, starts and keeps when it is used first: what stays of that is no leak."""
+def _warm_up(target: Target, *, rounds: int) -> None:
+    """Use what a process loads, starts and keeps when it is used first: what stays of that is no leak.
+
+    A process that has answered every route keeps some 330 compiled statements and what they load: 70 MiB.
+    """
     for _ in range(WARM_UPS):
         with target.world.signed_in(target.world.producer_id) as producer:  # a connection of its own, to some process
             for path in (target.project, f"{target.project}/sound-list", f"{target.project}/documentation-key.pdf"):
@@ -222,6 +226,9 @@ def _warm_up(target: Target) -> None:
             body = {"dry_run": True, "format": "csv", "text": "name\nDoor\n"}
             producer.post(f"{target.project}/sound-list/import", json=body)
             producer.post("/v1/sign-in", json={"email": "nobody@example.test", "password": "not the right one"})
+    for _ in range(rounds):
+        for _status in every_route(target):
+            pass
 
 
 def _at_work(target: Target, folder: Path) -> AbstractContextManager[None]:
