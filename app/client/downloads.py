@@ -82,8 +82,9 @@ class Downloads:
                 from_start = True
             except RangeRefused:
                 part.unlink(missing_ok=True)
-                if before == 0:
-                    raise
+                if before == 0 or from_start:
+                    raise NotFetched("what the server sends is shorter than the approved file") from None
+                from_start = True
             except (_Cut, ServerUnreachable) as error:
                 if _size(part) > before:
                     tries = iter((*RETRY_DELAYS_S, None))  # it moves: only tries without a byte are counted

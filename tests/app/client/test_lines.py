@@ -180,6 +180,16 @@ def test_a_target_of_the_server_cannot_add_lines_to_the_lock_file(client: Client
     assert not (game / "soundlist.lock").exists()
 
 
+def test_a_file_that_is_always_shorter_than_approved_is_given_up(client: Client, game: Path) -> None:
+    def lengthen(said: dict[str, Any]) -> None:
+        said["files"][0].update(bytes=said["files"][0]["bytes"] + 100, sha256="0" * 64)
+
+    client.line.change_listing = lengthen
+    assert client.pull(game) == 1
+    assert f"not renewed  {PATHS[0]}  SW-001: what the server sends is shorter than the approved file" in client.out
+    assert set(files_in(game)) == set(PATHS[1:])
+
+
 def test_an_address_of_a_file_stays_on_the_server(client: Client, game: Path) -> None:
     client.line.change_listing = lambda said: said["files"][0].update(url="//elsewhere.example/x")
     assert client.pull(game) == 1
