@@ -1,4 +1,4 @@
-"""Notes on earlier versions, carried over to the next one until somebody says that they are done."""
+"""Notes on earlier versions, carried over to the next one until they are said to be done."""
 
 from collections.abc import Collection, Iterable
 from uuid import UUID
