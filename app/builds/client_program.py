@@ -1,4 +1,4 @@
-"""The client as one file that runs wherever Python is: what `soundlist pull` needs, and nothing else."""
+"""The client as one file that Python runs: what `soundlist pull` and `soundlist why` need, and nothing else."""
 
 import io
 import zipfile

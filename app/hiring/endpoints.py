@@ -26,6 +26,7 @@ from app.hiring.errors import (
     OwnPosting,
     PersonalLinkNeeded,
     PostingChanged,
+    PostingClosed,
     PostingInvalid,
     PostingNotFound,
     WrongPostingState,
@@ -168,7 +169,9 @@ def preview_posting(secret: str, session: DbSession, actor: Actor = allows(Audie
 
 
 @_unsaved_router.post(
-    "/posting-links/{secret}/ask", status_code=202, responses=problems(PostingNotFound, BadAddress, TooManyAttempts)
+    "/posting-links/{secret}/ask",
+    status_code=202,
+    responses=problems(PostingNotFound, BadAddress, PostingClosed, TooManyAttempts),
 )
 def ask_for_posting_link(
     secret: str, body: CandidateAdd, request: Request, begin: DeferredSession, _actor: Actor = allows(Audience.ANYONE)

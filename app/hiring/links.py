@@ -9,11 +9,11 @@ from app.accounts.models import Person
 from app.accounts.people import person_by_link
 from app.accounts.rules import Actor, ensure_address
 from app.hiring import queries
-from app.hiring.access import is_nda_open
+from app.hiring.access import is_nda_open, today_of
 from app.hiring.errors import LinkTaken, OwnPosting, PersonalLinkNeeded, PostingNotFound
 from app.hiring.models import Candidate, Posting
 from app.hiring.postings import LINK_LIFETIME, mail_link
-from app.hiring.rules import PostingState
+from app.hiring.rules import PostingState, ensure_takes_bids
 from app.kit import clock
 from app.kit.db import bypass_row_policies, widen_reach
 from app.kit.reach import Reach
@@ -64,8 +64,12 @@ def join(session: Session, actor: Actor, secret: str) -> UUID:
 
 
 def ask_for_link(session: Session, secret: str, email: str) -> None:
-    """Mail a personal link to a person who came by the link for everyone; a person taken off gets nothing."""
+    """Mail a personal link to a person who came by the link for everyone; a person taken off gets nothing.
+
+    Raises PostingClosed where the posting takes no bids.
+    """
     posting, _ = posting_by_link(session, secret)
+    ensure_takes_bids(posting.state, posting.bids_until_on, today_of(posting))
     address = ensure_address(email)
     with bypass_row_policies(session):  # nobody is signed in
         candidate = queries.candidate_by_address(session, posting.id, address)

@@ -6,22 +6,13 @@ from typer.testing import CliRunner
 from app.cli import cli
 from app.cli import projects as commands
 from app.kit.db import new_id
+from tests.support.commands import use_server_of
 from tests.support.server import World
-
-
-class _Kept:
-    def __init__(self, world: World) -> None:
-        self.database = world.server.runtime.database
-
-    def close(self) -> None:
-        pass
 
 
 @pytest.fixture(autouse=True)
 def _this_server(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let the command use the database of the running server, and leave it open."""
-    monkeypatch.setattr(commands, "read_settings_or_exit", lambda: world.server.runtime.settings)
-    monkeypatch.setattr(commands, "opened", lambda _: _Kept(world))
+    use_server_of(world, commands, monkeypatch)
 
 
 def test_postings_with_their_bids(world: World) -> None:

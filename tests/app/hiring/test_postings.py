@@ -233,6 +233,9 @@ def test_who_came_by_the_link_asks_for_their_own_and_makes_an_account_by_it(worl
     assert (again.status_code, again.json()) == (202, None)
     world.server.wait_for_jobs()
     assert len(mails_to(world, "ada@tones.example")) == 1, "who was taken off gets no link"
+    world.producer.post(f"/v1/postings/{posting['id']}/close")
+    late = world.nobody.post(f"/v1/posting-links/{secret}/ask", json={"email": "late@tones.example"})
+    assert (late.status_code, late.json()["code"]) == (409, "posting-closed")
 
 
 def own_secret(world: World, address: str) -> str:

@@ -96,10 +96,10 @@ def test_what_is_still_open_moves_on_again_and_what_is_done_does_not(stage: Stag
     stage.send()
     third = stage.take(cue_id)
     assert open_notes(stage) == 2
-    told = {note["text"]: note["answer"] for note in notes_of(stage, cue_id)}
-    assert told["The tail is long."]["number"] == 2
-    assert told["a duller clank"]["is_done"] is False
-    assert told["the clank again"] is None
+    answers = {note["text"]: note["answer"] for note in notes_of(stage, cue_id)}
+    assert answers["The tail is long."]["number"] == 2
+    assert answers["a duller clank"]["is_done"] is False
+    assert answers["the clank again"] is None
     body_of(answer(stage.world.approver, third, clank, is_done=True))
     assert open_notes(stage) == 1
 

@@ -46,7 +46,7 @@ export function PostingLinkPage() {
       {visitor === null && posting.email !== null && (
         <AccountCard secret={secret} email={posting.email} hasAccount={posting.has_account} onSignedIn={begin} />
       )}
-      {visitor === null && posting.email === null && <AskCard secret={secret} />}
+      {visitor === null && posting.email === null && posting.takes_bids && <AskCard secret={secret} />}
     </div>
   )
 }

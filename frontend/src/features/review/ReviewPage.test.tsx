@@ -39,7 +39,7 @@ const walk = anItem(
 let server: ReturnType<typeof aServer>
 let queue: QueueItem[]
 
-const tell = (review: CueReview) => server.on(`GET /v1/cues/${review.cue.id}/review`, review)
+const serveReview = (review: CueReview) => server.on(`GET /v1/cues/${review.cue.id}/review`, review)
 
 beforeEach(() => {
   dismissToast()
@@ -61,8 +61,8 @@ beforeEach(() => {
   for (const id of ['a', 'b', 'w1', 'w2', 'old']) {
     server.on(`GET /v1/sounds/${id}/preview`, aPreview).on(`GET /v1/sounds/${id}/peaks.json`, somePeaks)
   }
-  tell(aReview(shield))
-  tell(aReview(walk))
+  serveReview(aReview(shield))
+  serveReview(aReview(walk))
 })
 
 const open = (path = '/shield') => openApp(`/projects/${PROJECT}/review${path}`)
@@ -83,7 +83,7 @@ describe('a version that answers a change', () => {
   beforeEach(() => {
     queue = [anItem({ id: 'shield', name: 'shield_hit' }, [after])]
     const item = anItem({ id: 'shield', name: 'shield_hit' }, [after, before])
-    tell(aReview(item, { change_requests: [{ ...change, take_id: before.id }] }))
+    serveReview(aReview(item, { change_requests: [{ ...change, take_id: before.id }] }))
   })
 
   test('shows what was asked, and b flips to the version that it was asked of and back', async () => {
@@ -192,7 +192,7 @@ describe('alternates', () => {
       aTake('a', { alternate: 1, number: 1, loudness_lufs: -16, true_peak_dbtp: -3 }),
       aTake('b', { alternate: 2, number: 2, loudness_lufs: -20, true_peak_dbtp: -2 }),
     ]
-    tell(aReview(anItem({ id: 'shield', name: 'shield_hit' }, takes)))
+    serveReview(aReview(anItem({ id: 'shield', name: 'shield_hit' }, takes)))
     await opened()
     expect(screen.getByText('matched: A −3.0 dB, B +1.0 dB')).toBeVisible()
     expect(alternate('B')).toHaveTextContent('+1.0 dB')
@@ -220,7 +220,7 @@ describe('alternates', () => {
 
   test('older versions can be heard, and get no verdict', async () => {
     const old = aTake('old', { number: 3, state: 'change_requested' })
-    tell(aReview(shield, { takes: [...shield.takes, old] }))
+    serveReview(aReview(shield, { takes: [...shield.takes, old] }))
     await opened()
     await userEvent.click(screen.getByRole('button', { name: /^Version 1 of 3/ }))
     await userEvent.click(await screen.findByRole('menuitem', { name: /^Version 3/ }))
@@ -266,7 +266,7 @@ describe('notes on earlier versions', () => {
   })
 
   test('stay open with the reason when an answer is refused', async () => {
-    tell(aReview(item, { takes: [now, old], carried_notes: [tail] }))
+    serveReview(aReview(item, { takes: [now, old], carried_notes: [tail] }))
     server.on('POST /v1/takes/a/carried-notes/tail', () => refusal(404, 'note-not-found', 'No such note.'))
     await opened()
     await userEvent.click(screen.getByRole('button', { name: 'Done: Tail a little shorter.' }))
@@ -311,7 +311,7 @@ describe('a set', () => {
   test('a noted variation keeps it from being accepted whole', async () => {
     const [w1, w2] = walk.takes
     if (!w1 || !w2) throw new Error('the set has two variations')
-    tell(aReview({ ...walk, takes: [w1, { ...w2, draft_change: aDraft(w2, walk.cue, 'Too loud.') }] }))
+    serveReview(aReview({ ...walk, takes: [w1, { ...w2, draft_change: aDraft(w2, walk.cue, 'Too loud.') }] }))
     await opened('/walk')
     expect(screen.queryByRole('button', { name: 'Accept the set' })).toBeNull()
     expect(screen.getByRole('button', { name: 'Approve _01' })).toBeVisible()
@@ -358,7 +358,7 @@ describe('what is said', () => {
   })
 
   test('those who advise say which they would take, and are told who decides', async () => {
-    tell(aReview(shield, { may_approve: false }))
+    serveReview(aReview(shield, { may_approve: false }))
     server.on('POST /v1/takes/a/comments', { id: 'c1', take_id: 'a' })
     await opened()
     expect(screen.getByText('You can comment. Audio director approves.')).toBeVisible()
@@ -384,7 +384,7 @@ describe('a version that came back', () => {
   })
 
   test('is let through by the approver alone, with a reason', async () => {
-    tell(aReview(shield, { takes: [came] }))
+    serveReview(aReview(shield, { takes: [came] }))
     server.on('POST /v1/takes/a/waiver', {})
     await opened()
     await userEvent.click(screen.getByRole('tab', { name: 'Findings 1' }))
@@ -397,7 +397,7 @@ describe('a version that came back', () => {
   })
 
   test('is not offered to those who advise', async () => {
-    tell(aReview(shield, { takes: [came], may_approve: false }))
+    serveReview(aReview(shield, { takes: [came], may_approve: false }))
     await opened()
     await userEvent.click(screen.getByRole('tab', { name: 'Findings 1' }))
     expect(screen.queryByRole('button', { name: /through/ })).toBeNull()
@@ -452,7 +452,7 @@ describe('what a pick makes due', () => {
 
   test('waits for the whole set', async () => {
     const one = aReview({ ...walk, takes: walk.takes.slice(0, 1) })
-    tell(one)
+    serveReview(one)
     server.on('GET /v1/me', aMe({ is_producer: true })).on('GET /v1/cues/walk/money', MONEY)
     await opened('/walk')
     await waitFor(() => expect(server.of('GET /v1/cues/walk/money')).toHaveLength(1))
