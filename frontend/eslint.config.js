@@ -33,6 +33,27 @@ export default tseslint.config(
     },
   },
   {
+    files: ['src/**/*.{ts,tsx}'],
+    ignores: ['src/api/queryKeys.ts', 'src/**/*.test.{ts,tsx}'],
+    rules: {
+      'no-restricted-syntax': [
+        'error',
+        ...[
+          ':matches(Property[key.name="queryKey"], VariableDeclarator[id.name=/[kK]eys?$/]) > ArrayExpression',
+          ':matches(Property[key.name="queryKey"], VariableDeclarator[id.name=/[kK]eys?$/]) > TSAsExpression > ArrayExpression',
+          'VariableDeclarator[id.name=/[kK]ey(s|Of)?$/] ArrowFunctionExpression ArrayExpression',
+          'CallExpression[callee.property.name=/^(get|set|ensure)Quer(y|ies)(Data|State)$/] > ArrayExpression',
+          'CallExpression[callee.name="invalidate"] > ArrayExpression',
+        ].map((selector) => ({ selector, message: 'Take the key from src/api/queryKeys.ts, or add it there.' })),
+        {
+          selector:
+            'CallExpression[callee.property.name="invalidateQueries"] Property[shorthand=true][key.name="queryKey"]',
+          message: 'Use invalidate(client, …) of src/api/queryKeys.ts.',
+        },
+      ],
+    },
+  },
+  {
     files: ['*.js', '*.cjs', 'scripts/**', 'public/**'],
     languageOptions: { globals: { ...globals.node, ...globals.browser } },
   },

@@ -1,6 +1,7 @@
 import { queryOptions, useQuery } from '@tanstack/react-query'
 
 import { answered, api } from './client'
+import { queryKeys } from './queryKeys'
 import type { components } from './schema.gen'
 
 type Schemas = components['schemas']
@@ -9,9 +10,18 @@ export type MyProject = Schemas['MyProject']
 
 /** The current person, with their studios and projects. */
 export const meQuery = queryOptions({
-  queryKey: ['me'],
+  queryKey: queryKeys.me(),
   queryFn: () => answered(api.GET('/v1/me')),
   staleTime: 60_000,
+})
+
+/** The current person, if signed in; the request also gives the page the token that its writes carry. */
+export const visitorQuery = queryOptions({
+  queryKey: queryKeys.visitor(),
+  queryFn: async () => {
+    const session = await answered(api.GET('/v1/session'))
+    return session.signed_in ? await answered(api.GET('/v1/me')) : null
+  },
 })
 
 /** The current person's roles in one project. */

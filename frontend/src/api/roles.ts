@@ -1,12 +1,11 @@
 import { useQuery } from '@tanstack/react-query'
 
-import { answered, api } from './client'
+import { projectQuery } from './project'
 
 /** What people of a project are in it, in a word beside their name; nothing is said of people it does not name. */
 export function useRoles(projectId: string): (personId: string | null | undefined) => string {
   const { data: project } = useQuery({
-    queryKey: ['project', projectId],
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}', { params: { path: { project_id: projectId } } })),
+    ...projectQuery(projectId),
     staleTime: 60_000,
   })
   return (personId) => {

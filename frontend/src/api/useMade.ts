@@ -1,5 +1,7 @@
 import { useMutation, useQuery } from '@tanstack/react-query'
 
+import { queryKeys } from './queryKeys'
+
 const LOOK_MS = 500
 
 /** What a worker makes when it is asked for, or says why it does not. */
@@ -17,7 +19,7 @@ export function useMade<Wanted, T extends Made>(
   const ask = useMutation({ mutationFn: askFor })
   const asked = ask.data
   const now = useQuery({
-    queryKey: [kind, asked?.id, ask.submittedAt],
+    queryKey: queryKeys.made(kind, asked?.id, ask.submittedAt),
     queryFn: () => read(asked?.id ?? ''),
     enabled: asked?.state === 'making',
     refetchInterval: ({ state: { data } }) => (data === undefined || data.state === 'making' ? LOOK_MS : false),

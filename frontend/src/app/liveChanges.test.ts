@@ -1,5 +1,7 @@
-import { QueryClient, QueryObserver } from '@tanstack/react-query'
+import { QueryClient, type QueryKey, QueryObserver } from '@tanstack/react-query'
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+
+import { queryKeys } from '@/api/queryKeys'
 
 import { concerns, followChanges, Refresher } from './liveChanges'
 
@@ -9,20 +11,21 @@ const projects = new Set([HERE, THERE])
 describe('what a change concerns', () => {
   test('is what a page shows of its project', () => {
     const hint = { project_id: HERE, rooms: ['deliveries'] }
-    expect(concerns(['desk', HERE], hint, projects)).toBe(true)
-    expect(concerns(['take', 't1'], hint, projects)).toBe(true)
-    expect(concerns(['desk', THERE], hint, projects)).toBe(false)
-    expect(concerns(['contract-library', 'single'], hint, projects)).toBe(false)
+    expect(concerns(queryKeys.desk(HERE), hint, projects)).toBe(true)
+    expect(concerns(queryKeys.take('t1'), hint, projects)).toBe(true)
+    expect(concerns(queryKeys.desk(THERE), hint, projects)).toBe(false)
+    expect(concerns(queryKeys.contractLibrary('single'), hint, projects)).toBe(false)
   })
 
   test('of mails or people is little', () => {
-    expect(concerns(['desk', HERE], { project_id: null, rooms: ['notifications'] }, projects)).toBe(false)
-    expect(concerns(['outbox', 's1'], { project_id: null, rooms: ['notifications'] }, projects)).toBe(true)
-    expect(concerns(['me'], { project_id: null, rooms: ['accounts'] }, projects)).toBe(true)
+    expect(concerns(queryKeys.desk(HERE), { project_id: null, rooms: ['notifications'] }, projects)).toBe(false)
+    expect(concerns(queryKeys.outbox('s1'), { project_id: null, rooms: ['notifications'] }, projects)).toBe(true)
+    expect(concerns(queryKeys.me(), { project_id: null, rooms: ['accounts'] }, projects)).toBe(true)
+    expect(concerns(queryKeys.desk(HERE), { project_id: null, rooms: ['accounts'] }, projects)).toBe(false)
   })
 })
 
-function shown(client: QueryClient, queryKey: string[]) {
+function shown(client: QueryClient, queryKey: QueryKey) {
   const queryFn = vi.fn(() => Promise.resolve('read'))
   new QueryObserver(client, { queryKey, queryFn, staleTime: Infinity }).subscribe(() => undefined)
   return queryFn
@@ -34,7 +37,7 @@ describe('asking again', () => {
 
   test('is at once after a calm, and less and less often in a burst', async () => {
     const client = new QueryClient()
-    const desk = shown(client, ['desk', HERE])
+    const desk = shown(client, queryKeys.desk(HERE))
     await vi.advanceTimersByTimeAsync(10_000)
     const refresher = new Refresher(client, () => projects)
     refresher.add({ project_id: HERE, rooms: ['deliveries'] })
@@ -74,7 +77,7 @@ describe('a page', () => {
 
   test('asks again on a hint, and by itself once nothing is heard any more', async () => {
     const client = new QueryClient()
-    const desk = shown(client, ['desk', HERE])
+    const desk = shown(client, queryKeys.desk(HERE))
     await vi.advanceTimersByTimeAsync(10_000)
     const stop = followChanges(client, 'p', () => projects)
     FakeSource.last.say('open', { resumed: false })
@@ -93,7 +96,7 @@ describe('a page', () => {
 
   test('asks for everything when changes may have been missed, and not where none were', async () => {
     const client = new QueryClient()
-    const desk = shown(client, ['desk', HERE])
+    const desk = shown(client, queryKeys.desk(HERE))
     const stop = followChanges(client, 'p', () => projects)
     FakeSource.last.say('open', { resumed: false })
     FakeSource.last.say('open', { resumed: true })

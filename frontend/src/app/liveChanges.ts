@@ -1,6 +1,7 @@
 import type { Query, QueryClient } from '@tanstack/react-query'
 
 import { checkServer, connection } from '@/api'
+import { AFFECTED_BY, FIXED } from '@/api/queryKeys'
 
 /** What the server says of a change: where, and in which of its parts; never what. */
 export interface Hint {
@@ -19,33 +20,13 @@ const RETRY_MS = [2_000, 5_000, 15_000, 60_000]
 const GAP_MS = [1_000, 2_000, 4_000]
 const CALM_MS = 5_000
 
-/** What no change on the server makes another: texts of the product, and what was asked about something typed. */
-const FIXED = new Set([
-  'session',
-  'visitor',
-  'sign-up',
-  'sign-up-link',
-  'check-page',
-  'contract-library',
-  'import-plan',
-  'spec-draft-check',
-  'spec-version',
-  'bands',
-  'take-sounds',
-  'loss',
-])
-const OF_PEOPLE = new Set(['me', 'studio-people', 'studio-invitations', 'project', 'projects', 'quotas', 'today'])
-
 /** Whether what a query asks for may have become another by a change. */
 export function concerns(queryKey: readonly unknown[], { project_id, rooms }: Hint, projectIds: ReadonlySet<string>) {
   const family = String(queryKey[0])
   if (FIXED.has(family)) return false
   const isOfAnother = queryKey.some((part) => typeof part === 'string' && part !== project_id && projectIds.has(part))
   if (project_id !== null && isOfAnother) return false
-  return rooms.some((room) => {
-    if (room === 'notifications') return family === 'outbox'
-    return room === 'accounts' ? OF_PEOPLE.has(family) : true
-  })
+  return rooms.some((room) => AFFECTED_BY[room]?.has(family) ?? true)
 }
 
 /** Asks again for what is on the screen when something changed, at once after a calm and less often in a burst. */

@@ -1,6 +1,7 @@
 import { queryOptions } from '@tanstack/react-query'
 
 import { answered, api } from '@/api'
+import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { money } from '@/money/words'
 import { plural } from '@/ui/format'
@@ -12,7 +13,7 @@ export type Awaited = components['schemas']['Awaited']
 /** What the current person is to do in a project, the first thing first, and for whom they wait. */
 export const nextStepsQuery = (projectId: string) =>
   queryOptions({
-    queryKey: ['next-steps', projectId],
+    queryKey: queryKeys.nextSteps(projectId),
     queryFn: () =>
       answered(api.GET('/v1/projects/{project_id}/next-steps', { params: { path: { project_id: projectId } } })),
   })

@@ -1,6 +1,7 @@
-import { type QueryClient, queryOptions, useMutation, useQuery, useQueryClient } from '@tanstack/react-query'
+import { queryOptions, useMutation, useQuery, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 type Schemas = components['schemas']
@@ -13,17 +14,17 @@ export type Sounds = Schemas['TakeSoundsRead']
 export type SoundBrief = Schemas['SoundBrief']
 
 const POLL_MS = 700
-/** Where the answers that a fix touches are kept. */
+/** What a fix changes elsewhere. */
 const TOUCHED = [
-  'fixes',
-  'desk',
-  'delivery',
-  'deliveries',
-  'unmatched',
-  'progress',
-  'take',
-  'take-history',
-  'cue-review',
+  queryKeys.fixes.all,
+  queryKeys.desk.all,
+  queryKeys.delivery.all,
+  queryKeys.deliveries.all,
+  queryKeys.unmatched.all,
+  queryKeys.progress.all,
+  queryKeys.take.all,
+  queryKeys.takeHistory.all,
+  queryKeys.cueReview.all,
 ]
 
 const ofTake = (takeId: string) => ({ params: { path: { take_id: takeId } } })
@@ -31,7 +32,7 @@ const ofTake = (takeId: string) => ({ params: { path: { take_id: takeId } } })
 /** What a fix can do, or did, about a take; asked again while it is being made. */
 export const fixQuery = (takeId: string) =>
   queryOptions({
-    queryKey: ['fix', takeId],
+    queryKey: queryKeys.fix(takeId),
     queryFn: () => answered(api.GET('/v1/takes/{take_id}/fix', ofTake(takeId))),
     refetchInterval: ({ state: { data } }) => (data?.state === 'making' ? POLL_MS : false),
   })
@@ -41,7 +42,7 @@ export const useFix = (takeId: string) => useQuery(fixQuery(takeId))
 /** What can be heard of a take, its fixed copy too; asked again while something is still being drawn. */
 export const useSounds = (takeId: string, fix?: Fix) =>
   useQuery({
-    queryKey: ['take-sounds', takeId],
+    queryKey: queryKeys.takeSounds(takeId),
     queryFn: () => answered(api.GET('/v1/takes/{take_id}/sounds', ofTake(takeId))),
     refetchInterval: ({ state: { data } }) =>
       data && (data.master.state === 'drawing' || (fix?.state === 'made' && data.fix === null)) ? POLL_MS : false,
@@ -50,7 +51,7 @@ export const useSounds = (takeId: string, fix?: Fix) =>
 /** The takes of a project of which a fix would be enough. */
 export const fixesQuery = (projectId: string) =>
   queryOptions({
-    queryKey: ['fixes', projectId],
+    queryKey: queryKeys.fixes(projectId),
     queryFn: () =>
       answered(api.GET('/v1/projects/{project_id}/fixes', { params: { path: { project_id: projectId } } })),
   })
@@ -72,13 +73,8 @@ export function useUseFix(takeId: string, onUsed: (made: Schemas['TakeRead']) =>
   return useMutation({
     mutationFn: () => answered(api.POST('/v1/takes/{take_id}/fix/use', ofTake(takeId))),
     onSuccess: onUsed,
-    onSettled: () => refresh(client, takeId),
+    onSettled: () => invalidate(client, queryKeys.fix(takeId), ...TOUCHED),
   })
-}
-
-async function refresh(client: QueryClient, takeId: string): Promise<void> {
-  const touched = [fixQuery(takeId).queryKey, ...TOUCHED.map((key) => [key])]
-  await Promise.all(touched.map((queryKey) => client.invalidateQueries({ queryKey })))
 }
 
 const AT_ONCE = 3
@@ -94,6 +90,6 @@ export function useUseFixes() {
       }
       return takeIds.length
     },
-    onSettled: () => Promise.all(TOUCHED.map((key) => client.invalidateQueries({ queryKey: [key] }))),
+    onSettled: () => invalidate(client, ...TOUCHED),
   })
 }

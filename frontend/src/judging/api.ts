@@ -7,6 +7,7 @@ import {
 } from '@tanstack/react-query'
 
 import { answered, api, everyPage } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 type Schemas = components['schemas']
@@ -21,17 +22,15 @@ export type ChangeRequest = Schemas['ChangeRequestRead']
 export type CarriedNote = Schemas['CarriedNote']
 export type Sending = Schemas['FeedbackRead']
 
-/** Where the answers that reviewing rests on are kept. */
-export const keys = {
-  queue: (projectId: string) => ['review-queue', projectId] as const,
-  queueCount: (projectId: string) => ['review-queue', projectId, 'count'] as const,
-  review: (cueId: string) => ['cue-review', cueId] as const,
-  drafts: (projectId: string) => ['change-requests', projectId, 'draft'] as const,
-  history: (takeId: string) => ['take-history', takeId] as const,
-}
-
 /** What a verdict changes elsewhere: lists and dashboards of the project, on any page. */
-const TOUCHED = ['today', 'overview', 'progress', 'judged', 'take-history', 'money']
+const TOUCHED = [
+  queryKeys.today.all,
+  queryKeys.overview.all,
+  queryKeys.progress.all,
+  queryKeys.judged.all,
+  queryKeys.takeHistory.all,
+  queryKeys.money.all,
+]
 
 const everyItem = async <T>(read: (cursor?: string) => Promise<{ items: T[]; next?: string | null }>): Promise<T[]> =>
   (await everyPage(read)).flatMap(({ items }) => items)
@@ -39,7 +38,7 @@ const everyItem = async <T>(read: (cursor?: string) => Promise<{ items: T[]; nex
 /** The cues that wait for a verdict, the oldest first, as far as they were asked for. */
 export const queueQuery = (projectId: string) =>
   infiniteQueryOptions({
-    queryKey: keys.queue(projectId),
+    queryKey: queryKeys.reviewQueue(projectId),
     queryFn: ({ pageParam: cursor }) =>
       answered(api.GET('/v1/review-queue', { params: { query: { project_id: projectId, cursor } } })),
     initialPageParam: undefined as string | undefined,
@@ -50,20 +49,26 @@ export const queueQuery = (projectId: string) =>
 /** How many cues wait for a verdict, those that are noted included. */
 export const countQuery = (projectId: string) =>
   queryOptions({
-    queryKey: keys.queueCount(projectId),
+    queryKey: queryKeys.reviewQueue(projectId, 'count'),
     queryFn: () => answered(api.GET('/v1/review-queue/count', { params: { query: { project_id: projectId } } })),
   })
 
 export const reviewQuery = (cueId: string) =>
   queryOptions({
-    queryKey: keys.review(cueId),
+    queryKey: queryKeys.cueReview(cueId),
     queryFn: () => answered(api.GET('/v1/cues/{cue_id}/review', { params: { path: { cue_id: cueId } } })),
+  })
+
+export const historyQuery = (takeId: string) =>
+  queryOptions({
+    queryKey: queryKeys.takeHistory(takeId),
+    queryFn: () => answered(api.GET('/v1/takes/{take_id}/history', { params: { path: { take_id: takeId } } })),
   })
 
 /** Changes that are noted and not sent. */
 export const draftsQuery = (projectId: string) =>
   queryOptions({
-    queryKey: keys.drafts(projectId),
+    queryKey: queryKeys.changeRequests(projectId, 'draft'),
     queryFn: () =>
       everyItem((cursor) =>
         answered(
@@ -76,8 +81,13 @@ export const draftsQuery = (projectId: string) =>
 
 /** Refetch what a verdict, a change or a sending affected. */
 export async function refresh(client: QueryClient, projectId: string): Promise<void> {
-  const touched = [keys.queue(projectId), keys.drafts(projectId), ['cue-review'], ...TOUCHED.map((key) => [key])]
-  await Promise.all(touched.map((queryKey) => client.invalidateQueries({ queryKey })))
+  await invalidate(
+    client,
+    queryKeys.reviewQueue(projectId),
+    queryKeys.changeRequests(projectId, 'draft'),
+    queryKeys.cueReview.all,
+    ...TOUCHED,
+  )
 }
 
 /** Send every draft together. */

@@ -1,6 +1,7 @@
 import { useQuery } from '@tanstack/react-query'
 
 import { answered } from '@/api'
+import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { finePeaks, type Peaks } from '@/audio'
 
@@ -17,7 +18,7 @@ async function readPeaks(url: string): Promise<Peaks> {
 /** The fine shape of one sound: undefined while it is on its way, null where the server has none. */
 export function usePeaks(url: string | null | undefined): Peaks | null | undefined {
   const { data, isError } = useQuery({
-    queryKey: ['peaks', url ?? ''],
+    queryKey: queryKeys.peaks(url ?? ''),
     queryFn: () => readPeaks(url ?? ''),
     enabled: Boolean(url),
     staleTime: Infinity,

@@ -2,10 +2,11 @@ import { type InfiniteData, type QueryClient, useMutation, useQueryClient } from
 import { useState } from 'react'
 
 import { answered, api, ApiProblem, lineLost } from '@/api'
+import { queryKeys } from '@/api/queryKeys'
 import { dismissToast, showToast } from '@/app/toast'
 
 import { withoutVerdict } from './afterVerdict'
-import { keys, type QueueCount, type QueuePage, refresh, type ReviewCue, type ReviewTake } from './api'
+import { type QueueCount, type QueuePage, refresh, type ReviewCue, type ReviewTake } from './api'
 
 /** What was refused, and why: said where it happened. */
 export interface Refusal {
@@ -50,8 +51,8 @@ interface Decided {
 export function useJudge(projectId: string, onBack?: (cueId: string) => void) {
   const client = useQueryClient()
   const [refusal, setRefusal] = useState<Refusal | null>(null)
-  const queueKey = keys.queue(projectId)
-  const countKey = keys.queueCount(projectId)
+  const queueKey = queryKeys.reviewQueue(projectId)
+  const countKey = queryKeys.reviewQueue(projectId, 'count')
 
   const decide = async (decided: Decided, send: () => Promise<unknown>, undoOn: readonly string[]) => {
     setRefusal(null)

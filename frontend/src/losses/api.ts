@@ -1,6 +1,7 @@
 import { queryOptions } from '@tanstack/react-query'
 
 import { answered, api } from '@/api'
+import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 export type Loss = components['schemas']['LossRead']
@@ -8,7 +9,7 @@ export type Loss = components['schemas']['LossRead']
 /** What a game file lost against its master; a file is never altered, so it is asked once. */
 export const lossQuery = (renderId: string) =>
   queryOptions({
-    queryKey: ['loss', renderId],
+    queryKey: queryKeys.loss(renderId),
     queryFn: () => answered(api.GET('/v1/renders/{render_id}/loss', { params: { path: { render_id: renderId } } })),
     staleTime: Infinity,
     retry: false,

@@ -1,6 +1,7 @@
 import { keepPreviousData, queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api, everyPage } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 type Schemas = components['schemas']
@@ -29,19 +30,16 @@ export type WorkedDay = Schemas['WorkedDayRead']
 export type WorkedDayAdd = Schemas['WorkedDayAdd']
 export type WorkLogAdd = Schemas['WorkLogAdd']
 
-/** After any change to money, every screen that sums it up is refetched. */
-const MONEY = 'money'
-
 export const moneyQuery = (projectId: string) =>
   queryOptions({
-    queryKey: [MONEY, projectId],
+    queryKey: queryKeys.money(projectId),
     queryFn: () =>
       answered(api.GET('/v1/projects/{project_id}/money', { params: { path: { project_id: projectId } } })),
   })
 
 export const cueMoneyQuery = (cueId: string) =>
   queryOptions({
-    queryKey: [MONEY, 'cue', cueId],
+    queryKey: queryKeys.money('cue', cueId),
     queryFn: () => answered(api.GET('/v1/cues/{cue_id}/money', { params: { path: { cue_id: cueId } } })),
   })
 
@@ -49,20 +47,20 @@ const of = (contractId: string) => ({ params: { path: { contract_id: contractId 
 
 export const ledgerQuery = (contractId: string) =>
   queryOptions({
-    queryKey: [MONEY, 'ledger', contractId],
+    queryKey: queryKeys.money('ledger', contractId),
     queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/ledger', of(contractId))),
   })
 
 export const invoicesQuery = (contractId: string) =>
   queryOptions({
-    queryKey: [MONEY, 'invoices', contractId],
+    queryKey: queryKeys.money('invoices', contractId),
     queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/invoices', of(contractId))),
   })
 
 /** The next invoice, under the number that was typed or, without one, the number after the last. */
 export const invoiceDraftQuery = (contractId: string, fullNumber = '') =>
   queryOptions({
-    queryKey: [MONEY, 'invoice-draft', contractId, fullNumber],
+    queryKey: queryKeys.money('invoice-draft', contractId, fullNumber),
     queryFn: () =>
       answered(
         api.GET('/v1/contracts/{contract_id}/invoice-draft', {
@@ -75,7 +73,7 @@ export const invoiceDraftQuery = (contractId: string, fullNumber = '') =>
 
 export const estimatesQuery = (contractId: string) =>
   queryOptions({
-    queryKey: [MONEY, 'estimates', contractId],
+    queryKey: queryKeys.money('estimates', contractId),
     queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/estimates', of(contractId))),
     retry: false,
   })
@@ -90,36 +88,30 @@ export const proposedPlan = (contractId: string, totalMinor: number | null) =>
 
 export const milestoneQuery = (milestoneId: string) =>
   queryOptions({
-    queryKey: [MONEY, 'milestone', milestoneId],
+    queryKey: queryKeys.money('milestone', milestoneId),
     queryFn: () =>
       answered(api.GET('/v1/milestones/{milestone_id}', { params: { path: { milestone_id: milestoneId } } })),
   })
 
 export const planQuery = (contractId: string) =>
   queryOptions({
-    queryKey: [MONEY, 'plan', contractId],
+    queryKey: queryKeys.money('plan', contractId),
     queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/milestones', of(contractId))),
   })
 
 /** What is wrong and what is unwise about a plan as it is typed. */
 export const planCheckQuery = (contractId: string, plan: PlanSet) =>
   queryOptions({
-    queryKey: [MONEY, 'plan-check', contractId, plan],
+    queryKey: queryKeys.money('plan-check', contractId, plan),
     queryFn: () => answered(api.POST('/v1/contracts/{contract_id}/plan-check', { ...of(contractId), body: plan })),
     staleTime: Infinity,
     gcTime: 60_000,
   })
 
-export const contractQuery = (contractId: string) =>
-  queryOptions({
-    queryKey: ['contract', contractId],
-    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}', of(contractId))),
-  })
-
 /** The cues that a plan may share out, in the order of the list. */
 export const plannableQuery = (projectId: string) =>
   queryOptions({
-    queryKey: ['sound-list', projectId, 'plannable'],
+    queryKey: queryKeys.soundList(projectId, 'plannable'),
     queryFn: async () => {
       const pages = await everyPage((cursor) =>
         answered(
@@ -134,7 +126,7 @@ export const plannableQuery = (projectId: string) =>
 
 export const daysQuery = (contractId: string) =>
   queryOptions({
-    queryKey: [MONEY, 'days', contractId],
+    queryKey: queryKeys.money('days', contractId),
     queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/worked-days', of(contractId))),
   })
 
@@ -142,7 +134,7 @@ function useMoneyChange<Given, Answer>(change: (given: Given) => Promise<Answer>
   const client = useQueryClient()
   return useMutation({
     mutationFn: change,
-    onSettled: () => void client.invalidateQueries({ queryKey: [MONEY] }),
+    onSettled: () => void invalidate(client, queryKeys.money.all),
   })
 }
 

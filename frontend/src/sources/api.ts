@@ -1,6 +1,7 @@
 import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 type Schemas = components['schemas']
@@ -8,17 +9,15 @@ export type Sources = Schemas['Sources']
 export type TakeSources = Schemas['TakeSources']
 export type DeliverySources = Schemas['DeliverySources']
 
-const ROOT = 'sources'
-
 export const takeSourcesQuery = (takeId: string) =>
   queryOptions({
-    queryKey: [ROOT, 'take', takeId] as const,
+    queryKey: queryKeys.sources('take', takeId),
     queryFn: () => answered(api.GET('/v1/takes/{take_id}/sources', { params: { path: { take_id: takeId } } })),
   })
 
 export const deliverySourcesQuery = (deliveryId: string) =>
   queryOptions({
-    queryKey: [ROOT, 'delivery', deliveryId] as const,
+    queryKey: queryKeys.sources('delivery', deliveryId),
     queryFn: () =>
       answered(api.GET('/v1/deliveries/{delivery_id}/sources', { params: { path: { delivery_id: deliveryId } } })),
   })
@@ -28,7 +27,7 @@ export function useStateTakeSources(takeId: string) {
   return useMutation({
     mutationFn: (body: Sources) =>
       answered(api.PUT('/v1/takes/{take_id}/sources', { params: { path: { take_id: takeId } }, body })),
-    onSuccess: () => client.invalidateQueries({ queryKey: [ROOT] }),
+    onSuccess: () => invalidate(client, queryKeys.sources.all),
   })
 }
 
@@ -39,6 +38,6 @@ export function useStateDeliverySources(deliveryId: string) {
       answered(
         api.PUT('/v1/deliveries/{delivery_id}/sources', { params: { path: { delivery_id: deliveryId } }, body }),
       ),
-    onSuccess: () => client.invalidateQueries({ queryKey: [ROOT] }),
+    onSuccess: () => invalidate(client, queryKeys.sources.all),
   })
 }

@@ -1,6 +1,6 @@
 import { useQuery } from '@tanstack/react-query'
 
-import { answered, api } from '@/api'
+import { contractsQuery } from '@/api/project'
 import { EmptyState } from '@/ui/EmptyState'
 import { Button } from '@/ui/Button'
 
@@ -16,11 +16,7 @@ export const isClosed = (pathname: string, projectId: string): boolean => {
 /** In the place of every page of a project until its NDA is agreed: what waits, for whom, and the way to read it. */
 export function NdaFirst({ projectId, go }: { projectId: string; go: (path: string) => void }) {
   useTitle('NDA required')
-  const { data: contracts, isPending } = useQuery({
-    queryKey: ['contracts', projectId],
-    queryFn: () =>
-      answered(api.GET('/v1/projects/{project_id}/contracts', { params: { path: { project_id: projectId } } })),
-  })
+  const { data: contracts, isPending } = useQuery(contractsQuery(projectId))
   const nda = contracts?.findLast(({ kind, state }) => kind === 'nda' && state !== 'ended')
   const path = `/projects/${projectId}/contracts`
   if (isPending) return <h1 className="visually-hidden">NDA required</h1>

@@ -3,10 +3,10 @@ import { useQueryClient } from '@tanstack/react-query'
 import { useRouter } from '@tanstack/react-router'
 
 import { answered, api } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 import { meQuery } from '@/api/me'
 import { showToast } from '@/app/toast'
 
-import { sessionQuery } from './api'
 import { type DemoPart, demoPartOf } from './parts'
 
 const PARTS: { part: DemoPart; label: string }[] = [
@@ -30,7 +30,7 @@ function usePlayPart(): (part: DemoPart, href?: string) => Promise<void> {
     const forget = () => client.removeQueries({ type: 'inactive', fetchStatus: 'idle' })
     forget()
     client.setQueryData(meQuery.queryKey, await answered(api.GET('/v1/me')))
-    void client.invalidateQueries({ queryKey: sessionQuery.queryKey })
+    void invalidate(client, queryKeys.session())
     await router.navigate({ href })
     forget()
     await client.invalidateQueries()

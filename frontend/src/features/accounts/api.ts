@@ -1,7 +1,7 @@
 import { queryOptions, useMutation, useQuery, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api } from '@/api'
-import { meQuery } from '@/api/me'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 type Schemas = components['schemas']
@@ -17,7 +17,7 @@ const MINUTE_MS = 60_000
 
 /** Whether the person is signed in; the request also fetches the token that this page's writes must carry. */
 export const sessionQuery = queryOptions({
-  queryKey: ['session'],
+  queryKey: queryKeys.session(),
   queryFn: () => answered(api.GET('/v1/session')),
   staleTime: MINUTE_MS,
 })
@@ -42,7 +42,7 @@ export const useSignUp = () => useEntrance((body: Schemas['SignUpAdd']) => answe
 
 /** Whether anyone may open an account here, and whether a link is mailed first. */
 export const signUpQuery = queryOptions({
-  queryKey: ['sign-up'],
+  queryKey: queryKeys.signUp(),
   queryFn: () => answered(api.GET('/v1/sign-up')),
 })
 
@@ -53,7 +53,7 @@ export const useAskSignUp = () =>
 
 export const signUpLinkQuery = (secret: string) =>
   queryOptions({
-    queryKey: ['sign-up-link', secret],
+    queryKey: queryKeys.signUpLink(secret),
     queryFn: () => answered(api.GET('/v1/sign-ups/{secret}', { params: { path: { secret } } })),
     retry: false,
   })
@@ -70,16 +70,14 @@ export function useVerifyEmail(secret: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: () => answered(api.POST('/v1/email-verifications/{secret}', { params: { path: { secret } } })),
-    onSuccess: () => client.invalidateQueries({ queryKey: meQuery.queryKey }),
+    onSuccess: () => invalidate(client, queryKeys.me()),
   })
 }
 
 export type SignIn = Schemas['SignInRead']
 
-const signInsKey = ['sign-ins']
-
 export const signInsQuery = queryOptions({
-  queryKey: signInsKey,
+  queryKey: queryKeys.signIns(),
   queryFn: () => answered(api.GET('/v1/me/sign-ins')),
 })
 
@@ -88,7 +86,7 @@ export function useEndSignIn() {
   return useMutation({
     mutationFn: (id: string) =>
       answered(api.DELETE('/v1/me/sign-ins/{sign_in_id}', { params: { path: { sign_in_id: id } } })),
-    onSettled: () => client.invalidateQueries({ queryKey: signInsKey }),
+    onSettled: () => invalidate(client, queryKeys.signIns()),
   })
 }
 
@@ -96,7 +94,7 @@ export function useEndOtherSignIns() {
   const client = useQueryClient()
   return useMutation({
     mutationFn: () => answered(api.DELETE('/v1/me/sign-ins')),
-    onSettled: () => client.invalidateQueries({ queryKey: signInsKey }),
+    onSettled: () => invalidate(client, queryKeys.signIns()),
   })
 }
 
@@ -117,7 +115,7 @@ export const useAskReset = () =>
 
 export const studioInvitationQuery = (secret: string) =>
   queryOptions({
-    queryKey: ['studio-invitation', secret],
+    queryKey: queryKeys.studioInvitation(secret),
     queryFn: () => answered(api.GET('/v1/studio-invitations/{secret}', { params: { path: { secret } } })),
   })
 
@@ -125,7 +123,7 @@ export function useRename() {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (name: string) => answered(api.PUT('/v1/me', { body: { name } })),
-    onSuccess: () => client.invalidateQueries({ queryKey: meQuery.queryKey }),
+    onSuccess: () => invalidate(client, queryKeys.me()),
   })
 }
 
@@ -138,32 +136,28 @@ export function useOpenStudio() {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (name: string) => answered(api.POST('/v1/studios', { body: { name } })),
-    onSuccess: () => client.invalidateQueries({ queryKey: meQuery.queryKey }),
+    onSuccess: () => invalidate(client, queryKeys.me()),
   })
 }
-
-const peopleKey = (studioId: string) => ['studio-people', studioId]
-const invitationsKey = (studioId: string) => ['studio-invitations', studioId]
-const outboxKey = (studioId: string) => ['outbox', studioId]
 
 const inStudio = (studioId: string) => ({ params: { path: { studio_id: studioId } } })
 
 export const usePeople = (studioId: string) =>
   useQuery({
-    queryKey: peopleKey(studioId),
+    queryKey: queryKeys.studioPeople(studioId),
     queryFn: () => answered(api.GET('/v1/studios/{studio_id}/people', inStudio(studioId))),
   })
 
 export const useInvitations = (studioId: string, enabled: boolean) =>
   useQuery({
-    queryKey: invitationsKey(studioId),
+    queryKey: queryKeys.studioInvitations(studioId),
     queryFn: () => answered(api.GET('/v1/studios/{studio_id}/invitations', inStudio(studioId))),
     enabled,
   })
 
 export const useOutbox = (studioId: string, enabled: boolean) =>
   useQuery({
-    queryKey: outboxKey(studioId),
+    queryKey: queryKeys.outbox(studioId),
     queryFn: () => answered(api.GET('/v1/studios/{studio_id}/outbox', inStudio(studioId))),
     enabled,
     // The worker writes and sends mails a moment after their event.
@@ -172,7 +166,7 @@ export const useOutbox = (studioId: string, enabled: boolean) =>
 
 export const useQuotas = (studioId: string) =>
   useQuery({
-    queryKey: ['quotas', studioId],
+    queryKey: queryKeys.quotas(studioId),
     queryFn: () => answered(api.GET('/v1/studios/{studio_id}/quotas', inStudio(studioId))),
   })
 
@@ -186,7 +180,7 @@ export function useSetRoles(studioId: string) {
           body: { roles },
         }),
       ),
-    onSettled: () => client.invalidateQueries({ queryKey: peopleKey(studioId) }),
+    onSettled: () => invalidate(client, queryKeys.studioPeople(studioId)),
   })
 }
 
@@ -199,7 +193,7 @@ export function useRemoveMember(studioId: string) {
           params: { path: { studio_id: studioId, person_id: personId } },
         }),
       ),
-    onSettled: () => client.invalidateQueries({ queryKey: peopleKey(studioId) }),
+    onSettled: () => invalidate(client, queryKeys.studioPeople(studioId)),
   })
 }
 
@@ -208,10 +202,7 @@ export function useInvite(studioId: string) {
   return useMutation({
     mutationFn: (body: Schemas['StudioInvitationAdd']) =>
       answered(api.POST('/v1/studios/{studio_id}/invitations', { ...inStudio(studioId), body })),
-    onSuccess: () =>
-      Promise.all(
-        [invitationsKey(studioId), outboxKey(studioId)].map((queryKey) => client.invalidateQueries({ queryKey })),
-      ),
+    onSuccess: () => invalidate(client, queryKeys.studioInvitations(studioId), queryKeys.outbox(studioId)),
   })
 }
 
@@ -224,7 +215,7 @@ export function useWithdraw(studioId: string) {
           params: { path: { studio_id: studioId, studio_invitation_id: invitationId } },
         }),
       ),
-    onSettled: () => client.invalidateQueries({ queryKey: invitationsKey(studioId) }),
+    onSettled: () => invalidate(client, queryKeys.studioInvitations(studioId)),
   })
 }
 
@@ -233,15 +224,13 @@ export function useSendMail(studioId: string) {
   return useMutation({
     mutationFn: (mailId: string) =>
       answered(api.POST('/v1/mails/{mail_id}/send', { params: { path: { mail_id: mailId } } })),
-    onSettled: () => client.invalidateQueries({ queryKey: outboxKey(studioId) }),
+    onSettled: () => invalidate(client, queryKeys.outbox(studioId)),
   })
 }
 
-const calendarKey = (studioId: string) => ['studio-calendar', studioId] as const
-
 export const useStudioCalendar = (studioId: string) =>
   useQuery({
-    queryKey: calendarKey(studioId),
+    queryKey: queryKeys.studioCalendar(studioId),
     queryFn: () => answered(api.GET('/v1/studios/{studio_id}/calendar', inStudio(studioId))),
   })
 
@@ -255,6 +244,6 @@ export function useSaveStudioCalendar(studioId: string) {
           body: { time_zone, holidays: holidays.map(({ day, name }) => ({ day, name })) },
         }),
       ),
-    onSuccess: (saved) => client.setQueryData(calendarKey(studioId), saved),
+    onSuccess: (saved) => client.setQueryData(queryKeys.studioCalendar(studioId), saved),
   })
 }

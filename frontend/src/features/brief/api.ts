@@ -1,6 +1,7 @@
 import { queryOptions, useInfiniteQuery, useMutation, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api, everyPage } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 type Schemas = components['schemas']
@@ -20,19 +21,19 @@ const inProject = (projectId: string) => ({ params: { path: { project_id: projec
 
 export const briefQuery = (projectId: string) =>
   queryOptions({
-    queryKey: ['brief', projectId],
+    queryKey: queryKeys.brief(projectId),
     queryFn: () => answered(api.GET('/v1/projects/{project_id}/brief', inProject(projectId))),
   })
 
 export const readsQuery = (projectId: string) =>
   queryOptions({
-    queryKey: ['brief-reads', projectId],
+    queryKey: queryKeys.briefReads(projectId),
     queryFn: () => answered(api.GET('/v1/projects/{project_id}/brief/reads', inProject(projectId))),
   })
 
 export const useBriefVersions = (projectId: string) =>
   useInfiniteQuery({
-    queryKey: ['brief-versions', projectId],
+    queryKey: queryKeys.briefVersions(projectId),
     queryFn: ({ pageParam: cursor }) =>
       answered(
         api.GET('/v1/projects/{project_id}/brief/versions', {
@@ -45,7 +46,7 @@ export const useBriefVersions = (projectId: string) =>
 
 export const comparisonQuery = (projectId: string, from: number, to: number | undefined) =>
   queryOptions({
-    queryKey: ['brief-comparison', projectId, from, to ?? 'now'],
+    queryKey: queryKeys.briefComparison(projectId, from, to ?? 'now'),
     queryFn: () =>
       answered(
         api.GET('/v1/projects/{project_id}/brief/compare', {
@@ -57,7 +58,7 @@ export const comparisonQuery = (projectId: string, from: number, to: number | un
 /** Names and categories of the list, for the rows of the form and the example of a file's name. */
 export const listedCuesQuery = (projectId: string) =>
   queryOptions({
-    queryKey: ['sound-list', projectId, 'of the brief'],
+    queryKey: queryKeys.soundList(projectId, 'of the brief'),
     queryFn: async () => {
       const pages = await everyPage((cursor) =>
         answered(
@@ -77,11 +78,12 @@ export function useSaveAnswers(projectId: string) {
       answered(api.PATCH('/v1/projects/{project_id}/brief', { ...inProject(projectId), body })),
     onSuccess: (brief) => {
       client.setQueryData(briefQuery(projectId).queryKey, brief)
-      return Promise.all([
-        client.invalidateQueries({ queryKey: proposalQuery(projectId).queryKey }),
-        client.invalidateQueries({ queryKey: coverageQuery(projectId).queryKey }),
-        client.invalidateQueries({ queryKey: ['next-steps', projectId] }),
-      ])
+      return invalidate(
+        client,
+        queryKeys.brief(projectId, 'spec'),
+        queryKeys.coverage(projectId),
+        queryKeys.nextSteps(projectId),
+      )
     },
   })
 }
@@ -92,25 +94,18 @@ export function usePublishBrief(projectId: string) {
     mutationFn: (body: { revision: number; note: string }) =>
       answered(api.POST('/v1/projects/{project_id}/brief/versions', { ...inProject(projectId), body })),
     onSuccess: () =>
-      Promise.all(
-        [
-          ['brief', projectId],
-          ['brief-versions', projectId],
-          ['brief-reads', projectId],
-        ].map((queryKey) => client.invalidateQueries({ queryKey })),
+      invalidate(
+        client,
+        queryKeys.brief(projectId),
+        queryKeys.briefVersions(projectId),
+        queryKeys.briefReads(projectId),
       ),
   })
 }
 
-export const coverageQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: ['coverage', projectId],
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/sound-list/coverage', inProject(projectId))),
-  })
-
 export const proposalQuery = (projectId: string) =>
   queryOptions({
-    queryKey: ['brief', projectId, 'spec'],
+    queryKey: queryKeys.brief(projectId, 'spec'),
     queryFn: () => answered(api.GET('/v1/projects/{project_id}/brief/spec', inProject(projectId))),
   })
 
@@ -120,13 +115,12 @@ export function useApplyProposal(projectId: string) {
     mutationFn: (body: { based_on_version: number; brief_revision: number }) =>
       answered(api.POST('/v1/projects/{project_id}/brief/spec', { ...inProject(projectId), body })),
     onSuccess: () =>
-      Promise.all(
-        [
-          ['brief', projectId, 'spec'],
-          ['spec', projectId],
-          ['spec-versions', projectId],
-          ['project', projectId],
-        ].map((queryKey) => client.invalidateQueries({ queryKey })),
+      invalidate(
+        client,
+        queryKeys.brief(projectId, 'spec'),
+        queryKeys.spec(projectId),
+        queryKeys.specVersions(projectId),
+        queryKeys.project(projectId),
       ),
   })
 }
@@ -146,7 +140,7 @@ export function useAskFollowUp(projectId: string) {
   return useMutation({
     mutationFn: (body: { question: string; text: string }) =>
       answered(api.POST('/v1/projects/{project_id}/brief/follow-ups', { ...inProject(projectId), body })),
-    onSuccess: () => client.invalidateQueries({ queryKey: ['brief', projectId] }),
+    onSuccess: () => invalidate(client, queryKeys.brief(projectId)),
   })
 }
 
@@ -160,6 +154,6 @@ export function useAnswerFollowUp(projectId: string) {
           body: { text },
         }),
       ),
-    onSuccess: () => client.invalidateQueries({ queryKey: ['brief', projectId] }),
+    onSuccess: () => invalidate(client, queryKeys.brief(projectId)),
   })
 }

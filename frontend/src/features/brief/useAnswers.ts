@@ -2,6 +2,7 @@ import { useQueryClient } from '@tanstack/react-query'
 import { useCallback, useEffect, useRef, useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { invalidate } from '@/api/queryKeys'
 import { useDraft } from '@/app/drafts'
 
 import { type AnswerWrite, type Brief, briefQuery, type Question, useSaveAnswers } from './api'
@@ -74,7 +75,7 @@ export function useAnswers(projectId: string, brief: Brief): Answers {
           ...now,
           ...Object.fromEntries(error.errors.map(({ field, message }) => [field, { message, isConflict }])),
         }))
-        if (isConflict) await client.invalidateQueries({ queryKey: briefQuery(projectId).queryKey })
+        if (isConflict) await invalidate(client, briefQuery(projectId).queryKey)
       } else {
         setLost(true)
         setTimeout(() => setRetries((count) => count + 1), AGAIN_AFTER_MS)

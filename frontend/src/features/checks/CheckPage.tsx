@@ -1,6 +1,7 @@
 import { useQuery } from '@tanstack/react-query'
 import { useParams } from '@tanstack/react-router'
 
+import { queryKeys } from '@/api/queryKeys'
 import { useTitle } from '@/app/title'
 import { EmptyState } from '@/ui/EmptyState'
 
@@ -21,7 +22,7 @@ export function CheckPage() {
   useTitle(check)
   const load = pageOf(check)
   const { data: text } = useQuery({
-    queryKey: ['check-page', check],
+    queryKey: queryKeys.checkPage(check),
     queryFn: () => load?.() ?? '',
     enabled: load !== undefined,
     staleTime: Infinity,

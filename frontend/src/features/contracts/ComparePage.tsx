@@ -1,6 +1,7 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams, useSearch } from '@tanstack/react-router'
 
+import { contractQuery } from '@/api/project'
 import { useTitle } from '@/app/title'
 import { ButtonLink } from '@/ui/Button'
 import { Card } from '@/ui/Card'
@@ -8,7 +9,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { plural } from '@/ui/format'
 import { Select } from '@/ui/Select'
 
-import { type Compared, comparisonQuery, contractQuery, versionsQuery } from './api'
+import { type Compared, comparisonQuery, versionsQuery } from './api'
 import classes from './Contracts.module.css'
 import { Refusal } from './Refusal'
 

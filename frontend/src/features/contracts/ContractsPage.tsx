@@ -2,6 +2,7 @@ import { Checkbox } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 
+import { contractsQuery, projectQuery } from '@/api/project'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
 import { Button, ButtonLink } from '@/ui/Button'
@@ -13,9 +14,7 @@ import { State } from '@/ui/State'
 
 import {
   type ContractBrief,
-  contractsQuery,
   type Project,
-  projectQuery,
   templatesQuery,
   useAskForNda,
   useDropTemplate,

@@ -1,11 +1,12 @@
 import { Select } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 
+import { projectQuery, studioPeopleQuery } from '@/api/project'
 import { showToast } from '@/app/toast'
 import { Card, CardHead } from '@/ui/Card'
 import { Row, Rows } from '@/ui/Rows'
 
-import { type Contract, projectQuery, studioPeopleQuery, useDeed } from './api'
+import { type Contract, useDeed } from './api'
 import classes from './Contracts.module.css'
 import { Refusal } from './Refusal'
 

@@ -1,7 +1,7 @@
 import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api } from '@/api'
-import { meQuery } from '@/api/me'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 type Schemas = components['schemas']
@@ -30,43 +30,15 @@ export type Template = Schemas['TemplateBrief']
 const of = (contractId: string) => ({ params: { path: { contract_id: contractId } } })
 const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
 const ofStudio = (studioId: string) => ({ params: { path: { studio_id: studioId } } })
-const keys = {
-  list: (projectId: string) => ['contracts', projectId] as const,
-  contract: (contractId: string) => ['contract', contractId] as const,
-  versions: (contractId: string) => ['contract', contractId, 'versions'] as const,
-  record: (contractId: string) => ['contract', contractId, 'record'] as const,
-  changes: (contractId: string) => ['contract', contractId, 'change-orders'] as const,
-  ending: (contractId: string) => ['contract', contractId, 'ending'] as const,
-  templates: (studioId: string) => ['contract-templates', studioId] as const,
-}
-
-export const projectQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: ['project', projectId],
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}', inProject(projectId))),
-  })
-
-export const contractsQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: keys.list(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/contracts', inProject(projectId))),
-  })
-
-export const contractQuery = (contractId: string) =>
-  queryOptions({
-    queryKey: keys.contract(contractId),
-    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}', of(contractId))),
-  })
-
 export const versionsQuery = (contractId: string) =>
   queryOptions({
-    queryKey: keys.versions(contractId),
+    queryKey: queryKeys.contract(contractId, 'versions'),
     queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/versions', of(contractId))),
   })
 
 export const comparisonQuery = (contractId: string, from: number, to: number) =>
   queryOptions({
-    queryKey: ['contract', contractId, 'comparison', from, to],
+    queryKey: queryKeys.contract(contractId, 'comparison', from, to),
     queryFn: () =>
       answered(
         api.GET('/v1/contracts/{contract_id}/comparison', {
@@ -77,25 +49,25 @@ export const comparisonQuery = (contractId: string, from: number, to: number) =>
 
 export const recordQuery = (contractId: string) =>
   queryOptions({
-    queryKey: keys.record(contractId),
+    queryKey: queryKeys.contract(contractId, 'record'),
     queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/record', of(contractId))),
   })
 
 export const endingQuery = (contractId: string) =>
   queryOptions({
-    queryKey: keys.ending(contractId),
+    queryKey: queryKeys.contract(contractId, 'ending'),
     queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/ending', of(contractId))),
   })
 
 export const changeOrdersQuery = (contractId: string) =>
   queryOptions({
-    queryKey: keys.changes(contractId),
+    queryKey: queryKeys.contract(contractId, 'change-orders'),
     queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/change-orders', of(contractId))),
   })
 
 export const changePreviewQuery = (contractId: string, changes: Change[]) =>
   queryOptions({
-    queryKey: [...keys.changes(contractId), 'preview', changes],
+    queryKey: queryKeys.contract(contractId, 'change-orders', 'preview', changes),
     queryFn: () =>
       answered(api.POST('/v1/contracts/{contract_id}/change-order-preview', { ...of(contractId), body: { changes } })),
     enabled: changes.length > 0,
@@ -103,21 +75,21 @@ export const changePreviewQuery = (contractId: string, changes: Change[]) =>
 
 export const libraryQuery = (kind: ContractKind) =>
   queryOptions({
-    queryKey: ['contract-library', kind],
+    queryKey: queryKeys.contractLibrary(kind),
     queryFn: () => answered(api.GET('/v1/contract-library/{kind}', { params: { path: { kind } } })),
     staleTime: Infinity,
   })
 
 export const templatesQuery = (studioId: string) =>
   queryOptions({
-    queryKey: keys.templates(studioId),
+    queryKey: queryKeys.contractTemplates(studioId),
     queryFn: () => answered(api.GET('/v1/studios/{studio_id}/contract-templates', ofStudio(studioId))),
   })
 
 /** The contract that a new one can begin like: the last of its kind with this designer, else the studio's last. */
 export const lastContractQuery = (projectId: string, engagementId: string, kind: ContractKind) =>
   queryOptions({
-    queryKey: [...keys.list(projectId), 'last', engagementId, kind],
+    queryKey: queryKeys.contracts(projectId, 'last', engagementId, kind),
     queryFn: async () => {
       const { contract } = await answered(
         api.GET('/v1/projects/{project_id}/last-contract', {
@@ -130,7 +102,7 @@ export const lastContractQuery = (projectId: string, engagementId: string, kind:
 
 export const previewQuery = (contractId: string, draft: Draft) =>
   queryOptions({
-    queryKey: ['contract', contractId, 'preview', draft],
+    queryKey: queryKeys.contract(contractId, 'preview', draft),
     queryFn: () => answered(api.POST('/v1/contracts/{contract_id}/preview', { ...of(contractId), body: draft })),
     staleTime: Infinity,
     gcTime: 60_000,
@@ -141,7 +113,7 @@ export function useBeginContract(projectId: string) {
   return useMutation({
     mutationFn: (body: Schemas['ContractAdd']) =>
       answered(api.POST('/v1/projects/{project_id}/contracts', { ...inProject(projectId), body })),
-    onSuccess: () => client.invalidateQueries({ queryKey: keys.list(projectId) }),
+    onSuccess: () => invalidate(client, queryKeys.contracts(projectId)),
   })
 }
 
@@ -150,7 +122,7 @@ export function useAskForNda(projectId: string) {
   return useMutation({
     mutationFn: (needed: boolean) =>
       answered(api.PATCH('/v1/projects/{project_id}', { ...inProject(projectId), body: { nda_needed: needed } })),
-    onSuccess: (project) => client.setQueryData(['project', projectId], project),
+    onSuccess: (project) => client.setQueryData(queryKeys.project(projectId), project),
   })
 }
 
@@ -189,13 +161,6 @@ export const verifyPdf = (file: File) =>
       bodySerializer: (body: unknown) => body as BodyInit,
     }),
   )
-
-/** The studio's people, of whom its producers can be named to sign. */
-export const studioPeopleQuery = (studioId: string) =>
-  queryOptions({
-    queryKey: ['studio-people', studioId],
-    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/people', ofStudio(studioId))),
-  })
 
 /** What a party does with a contract; each answers the contract as it is then. */
 export type Deed =
@@ -236,15 +201,16 @@ export function useDeed(contractId: string) {
   return useMutation({
     mutationFn: (deed: Deed) => done(contractId, deed),
     onSuccess: async (contract) => {
-      client.setQueryData(keys.contract(contractId), contract)
-      await Promise.all([
-        client.invalidateQueries({ queryKey: keys.versions(contractId) }),
-        client.invalidateQueries({ queryKey: keys.record(contractId) }),
-        client.invalidateQueries({ queryKey: keys.list(contract.project_id) }),
-        client.invalidateQueries({ queryKey: ['project', contract.project_id] }),
+      client.setQueryData(queryKeys.contract(contractId), contract)
+      await invalidate(
+        client,
+        queryKeys.contract(contractId, 'versions'),
+        queryKeys.contract(contractId, 'record'),
+        queryKeys.contracts(contract.project_id),
+        queryKeys.project(contract.project_id),
         // An NDA that is agreed opens the project.
-        client.invalidateQueries({ queryKey: meQuery.queryKey }),
-      ])
+        queryKeys.me(),
+      )
     },
   })
 }
@@ -276,12 +242,13 @@ export function useEnding(contractId: string) {
   return useMutation({
     mutationFn: (deed: EndingDeed) => doneToEnd(contractId, deed),
     onSuccess: async (ending) => {
-      client.setQueryData(keys.ending(contractId), ending)
-      await Promise.all([
-        client.invalidateQueries({ queryKey: keys.contract(contractId) }),
-        client.invalidateQueries({ queryKey: keys.list(ending.project_id) }),
-        client.invalidateQueries({ queryKey: ['project', ending.project_id] }),
-      ])
+      client.setQueryData(queryKeys.contract(contractId, 'ending'), ending)
+      await invalidate(
+        client,
+        queryKeys.contract(contractId),
+        queryKeys.contracts(ending.project_id),
+        queryKeys.project(ending.project_id),
+      )
     },
   })
 }
@@ -316,12 +283,13 @@ export function useChangeOrder(contractId: string) {
   return useMutation({
     mutationFn: (deed: ChangeDeed) => doneToChange(contractId, deed),
     onSuccess: async (orders) => {
-      client.setQueryData(keys.changes(contractId), orders)
-      await Promise.all([
-        client.invalidateQueries({ queryKey: keys.record(contractId) }),
-        client.invalidateQueries({ queryKey: keys.ending(contractId) }),
-        client.invalidateQueries({ queryKey: ['project', orders.project_id] }),
-      ])
+      client.setQueryData(queryKeys.contract(contractId, 'change-orders'), orders)
+      await invalidate(
+        client,
+        queryKeys.contract(contractId, 'record'),
+        queryKeys.contract(contractId, 'ending'),
+        queryKeys.project(orders.project_id),
+      )
     },
   })
 }
@@ -331,7 +299,7 @@ export function useKeepAsTemplate(contractId: string) {
   return useMutation({
     mutationFn: (name: string) =>
       answered(api.POST('/v1/contracts/{contract_id}/template', { ...of(contractId), body: { name } })),
-    onSuccess: () => client.invalidateQueries({ queryKey: ['contract-templates'] }),
+    onSuccess: () => invalidate(client, queryKeys.contractTemplates.all),
   })
 }
 
@@ -342,7 +310,7 @@ export function useImportTemplate(studioId: string) {
       answered(
         api.POST('/v1/studios/{studio_id}/contract-templates/import', { ...ofStudio(studioId), body: { toml } }),
       ),
-    onSuccess: () => client.invalidateQueries({ queryKey: keys.templates(studioId) }),
+    onSuccess: () => invalidate(client, queryKeys.contractTemplates(studioId)),
   })
 }
 
@@ -355,6 +323,6 @@ export function useDropTemplate(studioId: string) {
           params: { path: { studio_id: studioId, template_id: templateId } },
         }),
       ),
-    onSuccess: () => client.invalidateQueries({ queryKey: keys.templates(studioId) }),
+    onSuccess: () => invalidate(client, queryKeys.contractTemplates(studioId)),
   })
 }

@@ -8,6 +8,7 @@ import {
 } from '@tanstack/react-query'
 
 import { answered, api, everyPage } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { deskQuery } from '@/app/desk'
 import type { Accepts } from '@/uploads'
@@ -48,13 +49,6 @@ const DRAWN_WITHIN_MS = 60_000
 
 const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
 
-const keys = {
-  deliveries: (projectId: string) => ['deliveries', projectId] as const,
-  delivery: (deliveryId: string) => ['delivery', deliveryId] as const,
-  unmatched: (projectId: string) => ['unmatched', projectId] as const,
-  sounds: (takeId: string) => ['take-sounds', takeId] as const,
-}
-
 /** What the check returned is on the desk at once; its picture follows. */
 const isBeingDrawn = ({ preview_url, since }: CameBack): boolean =>
   preview_url === null && Date.now() - Date.parse(since) < DRAWN_WITHIN_MS
@@ -69,7 +63,7 @@ export const useDesk = (projectId: string) =>
 /** The delivery that files go into now: the newest one that is not closed. */
 export const openDeliveryQuery = (projectId: string) =>
   queryOptions({
-    queryKey: keys.deliveries(projectId),
+    queryKey: queryKeys.deliveries(projectId),
     queryFn: async () => {
       const { items } = await answered(
         api.GET('/v1/projects/{project_id}/deliveries', {
@@ -89,7 +83,7 @@ const isMoving = (detail: DeliveryDetail): boolean =>
 
 export const deliveryQuery = (deliveryId: string) =>
   queryOptions({
-    queryKey: keys.delivery(deliveryId),
+    queryKey: queryKeys.delivery(deliveryId),
     queryFn: () => answered(api.GET('/v1/deliveries/{delivery_id}', { params: { path: { delivery_id: deliveryId } } })),
   })
 
@@ -133,7 +127,7 @@ export function useSaveNote(projectId: string) {
       ),
     onSuccess: (saved) => {
       client.setQueryData(openDeliveryQuery(projectId).queryKey, saved)
-      void client.invalidateQueries({ queryKey: keys.delivery(saved.id) })
+      void invalidate(client, queryKeys.delivery(saved.id))
     },
   })
 }
@@ -143,7 +137,7 @@ export function useCloseDelivery(projectId: string) {
   return useMutation({
     mutationFn: (deliveryId: string) =>
       answered(api.POST('/v1/deliveries/{delivery_id}/close', { params: { path: { delivery_id: deliveryId } } })),
-    onSuccess: () => client.invalidateQueries({ queryKey: keys.deliveries(projectId) }),
+    onSuccess: () => invalidate(client, queryKeys.deliveries(projectId)),
   })
 }
 
@@ -153,7 +147,7 @@ export function useCloseDelivery(projectId: string) {
  */
 export const unmatchedQuery = (projectId: string, count: number) =>
   queryOptions({
-    queryKey: [...keys.unmatched(projectId), count],
+    queryKey: queryKeys.unmatched(projectId, count),
     queryFn: () =>
       everyPage((cursor) =>
         answered(
@@ -230,14 +224,14 @@ export function useReply(takeId: string) {
   return useMutation({
     mutationFn: (body: { text: string; reply_to_id?: string; change_request_id?: string }) =>
       answered(api.POST('/v1/takes/{take_id}/comments', { params: { path: { take_id: takeId } }, body })),
-    onSuccess: () => client.invalidateQueries({ queryKey: ['desk'] }),
+    onSuccess: () => invalidate(client, queryKeys.desk.all),
   })
 }
 
 /** What can be seen and heard of one take, once it was checked; asked again while it is being drawn. */
 export const useSounds = ({ id, state }: Pick<Take, 'id' | 'state'>) =>
   useQuery({
-    queryKey: keys.sounds(id),
+    queryKey: queryKeys.takeSounds(id),
     queryFn: () => answered(api.GET('/v1/takes/{take_id}/sounds', { params: { path: { take_id: id } } })),
     enabled: state !== 'received',
     refetchInterval: ({ state: { data } }) => (data?.master.state === 'drawing' ? SLOW_POLL_MS : false),
@@ -245,7 +239,7 @@ export const useSounds = ({ id, state }: Pick<Take, 'id' | 'state'>) =>
 
 export const useCues = (projectId: string, enabled = true) =>
   useQuery({
-    queryKey: ['sound-list', projectId, 'to choose from'],
+    queryKey: queryKeys.soundList(projectId, 'to choose from'),
     queryFn: async () => {
       const pages = await everyPage((cursor) =>
         answered(
@@ -262,7 +256,7 @@ export const useCues = (projectId: string, enabled = true) =>
 /** What kinds of file some category of the spec takes: only what none takes is stopped in the browser. */
 export const acceptedFilesQuery = (projectId: string) =>
   queryOptions({
-    queryKey: ['accepted-files', projectId],
+    queryKey: queryKeys.acceptedFiles(projectId),
     queryFn: async (): Promise<Accepts> => {
       const { tables } = await answered(api.GET('/v1/projects/{project_id}/spec', inProject(projectId)))
       return acceptedFiles(tables)
@@ -275,23 +269,18 @@ export function useAsk(projectId: string) {
   return useMutation({
     mutationFn: ({ cueId, text }: { cueId: string; text: string }) =>
       answered(api.POST('/v1/cues/{cue_id}/questions', { params: { path: { cue_id: cueId } }, body: { text } })),
-    onSuccess: () =>
-      Promise.all([
-        client.invalidateQueries({ queryKey: deskQuery(projectId).queryKey }),
-        client.invalidateQueries({ queryKey: ['sound-list', projectId] }),
-      ]),
+    onSuccess: () => invalidate(client, queryKeys.desk(projectId), queryKeys.soundList(projectId)),
   })
 }
 
 /** Refetch everything that an arriving or matched file changes. */
-export async function refresh(client: QueryClient, projectId: string): Promise<void> {
-  const touched = [
-    deskQuery(projectId).queryKey,
-    keys.deliveries(projectId),
-    keys.unmatched(projectId),
-    ['delivery'],
-    ['progress', projectId],
-    ['sound-list', projectId],
-  ]
-  await Promise.all(touched.map((queryKey) => client.invalidateQueries({ queryKey })))
-}
+export const refresh = (client: QueryClient, projectId: string) =>
+  invalidate(
+    client,
+    queryKeys.desk(projectId),
+    queryKeys.deliveries(projectId),
+    queryKeys.unmatched(projectId),
+    queryKeys.delivery.all,
+    queryKeys.progress(projectId),
+    queryKeys.soundList(projectId),
+  )

@@ -2,7 +2,7 @@ import { useInfiniteQuery, useQueryClient } from '@tanstack/react-query'
 import { useEffect, useEffectEvent, useState } from 'react'
 
 import { answered, api } from '@/api'
-import { deskQuery } from '@/app/desk'
+import { queryKeys } from '@/api/queryKeys'
 
 import type { CameBack, Desk, ToMake } from './api'
 
@@ -37,7 +37,7 @@ function usePages<T>(list: keyof typeof READS, projectId: string, items: T[], ne
   const client = useQueryClient()
   const [isOpened, setOpened] = useState(false)
   const read = READS[list] as unknown as Read<T>
-  const queryKey = [...deskQuery(projectId).queryKey, list]
+  const queryKey = queryKeys.desk(projectId, list)
   const { data, refetch, fetchNextPage, hasNextPage, isFetchingNextPage } = useInfiniteQuery({
     queryKey,
     queryFn: ({ pageParam: cursor }) => read(projectId, cursor),

@@ -1,11 +1,12 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 
+import { projectQuery } from '@/api/project'
 import { useTitle } from '@/app/title'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 
-import { type Preset, projectQuery, type Target, targetsQuery } from './api'
+import { type Preset, type Target, targetsQuery } from './api'
 import { BatchesCard } from './BatchesCard'
 import classes from './Files.module.css'
 import { MemoryBars } from './MemoryBars'

@@ -1,6 +1,7 @@
 import { queryOptions, useInfiniteQuery, useMutation, useQuery, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 type Schemas = components['schemas']
@@ -19,21 +20,9 @@ const POLL_MS = 1_000
 const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
 const open = ({ state }: Batch): boolean => state === 'planning' || state === 'running'
 
-const keys = {
-  batches: (projectId: string) => ['batches', projectId] as const,
-  sealed: (projectId: string) => ['sealed-packs', projectId] as const,
-  placeholders: (projectId: string) => ['placeholders', projectId] as const,
-}
-
-export const projectQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: ['project', projectId],
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}', inProject(projectId))),
-  })
-
 export const targetsQuery = (projectId: string) =>
   queryOptions({
-    queryKey: ['targets', projectId],
+    queryKey: queryKeys.targets(projectId),
     queryFn: () => answered(api.GET('/v1/projects/{project_id}/targets', inProject(projectId))),
   })
 
@@ -41,7 +30,7 @@ export const targetsQuery = (projectId: string) =>
 
 export const useBatches = (projectId: string) =>
   useInfiniteQuery({
-    queryKey: keys.batches(projectId),
+    queryKey: queryKeys.batches(projectId),
     queryFn: ({ pageParam: cursor }) =>
       answered(
         api.GET('/v1/projects/{project_id}/batches', {
@@ -56,7 +45,7 @@ export const useBatches = (projectId: string) =>
 /** One batch with its sizes; refetched at each progress. */
 export const useBatch = (batch: Batch) =>
   useQuery({
-    queryKey: ['batch', batch.id, batch.state, batch.waiting],
+    queryKey: queryKeys.batch(batch.id, batch.state, batch.waiting),
     queryFn: () => answered(api.GET('/v1/batches/{batch_id}', { params: { path: { batch_id: batch.id } } })),
     staleTime: Infinity,
     placeholderData: (before) => before,
@@ -66,7 +55,7 @@ function useBatchAct<Asked>(projectId: string, act: (asked: Asked) => Promise<un
   const client = useQueryClient()
   return useMutation({
     mutationFn: act,
-    onSettled: () => client.invalidateQueries({ queryKey: keys.batches(projectId) }),
+    onSettled: () => invalidate(client, queryKeys.batches(projectId)),
   })
 }
 
@@ -84,7 +73,7 @@ export const useCancelBatch = (projectId: string) =>
 
 export const packQuery = (projectId: string, target: string) =>
   queryOptions({
-    queryKey: ['packs', projectId, target],
+    queryKey: queryKeys.packs(projectId, target),
     queryFn: () =>
       answered(
         api.GET('/v1/projects/{project_id}/pack', { params: { path: { project_id: projectId }, query: { target } } }),
@@ -93,7 +82,7 @@ export const packQuery = (projectId: string, target: string) =>
 
 export const useSealedPacks = (projectId: string) =>
   useInfiniteQuery({
-    queryKey: keys.sealed(projectId),
+    queryKey: queryKeys.sealedPacks(projectId),
     queryFn: ({ pageParam: cursor }) =>
       answered(
         api.GET('/v1/projects/{project_id}/packs', {
@@ -108,7 +97,7 @@ export const useSealedPacks = (projectId: string) =>
 
 export const useSealedPack = (packId: string, enabled: boolean) =>
   useQuery({
-    queryKey: ['sealed-pack', packId],
+    queryKey: queryKeys.sealedPack(packId),
     queryFn: () => answered(api.GET('/v1/packs/{pack_id}', { params: { path: { pack_id: packId } } })),
     enabled,
     staleTime: Infinity,
@@ -119,10 +108,7 @@ export function useSealPack(projectId: string) {
   return useMutation({
     mutationFn: (body: Schemas['PackAdd']) =>
       answered(api.POST('/v1/projects/{project_id}/packs', { ...inProject(projectId), body })),
-    onSettled: () =>
-      Promise.all(
-        [keys.sealed(projectId), ['packs', projectId]].map((queryKey) => client.invalidateQueries({ queryKey })),
-      ),
+    onSettled: () => invalidate(client, queryKeys.sealedPacks(projectId), queryKeys.packs(projectId)),
   })
 }
 
@@ -134,7 +120,7 @@ const toMake = ({ items }: Register): number =>
 /** What is still a placeholder; read again while placeholder files are being made. */
 export const useRegister = (projectId: string, target: string | undefined, isMaking: boolean) =>
   useQuery({
-    queryKey: [...keys.placeholders(projectId), target],
+    queryKey: queryKeys.placeholders(projectId, target),
     queryFn: () =>
       answered(
         api.GET('/v1/projects/{project_id}/placeholders', {
@@ -151,6 +137,6 @@ export function useMakePlaceholders(projectId: string) {
   return useMutation({
     mutationFn: (target: string) =>
       answered(api.POST('/v1/projects/{project_id}/placeholders', { ...inProject(projectId), body: { target } })),
-    onSettled: () => client.invalidateQueries({ queryKey: keys.placeholders(projectId) }),
+    onSettled: () => invalidate(client, queryKeys.placeholders(projectId)),
   })
 }

@@ -1,12 +1,13 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams } from '@tanstack/react-router'
 
+import { visitorQuery } from '@/api/me'
 import { Field, Form } from '@/app/Form'
 import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 
-import { linkQuery, useAskForLink, useJoin, useOpenAccount, visitorQuery } from './api'
+import { linkQuery, useAskForLink, useJoin, useOpenAccount } from './api'
 import classes from './Hiring.module.css'
 import { PostingFacts } from './PostingFacts'
 import { Refusal } from './Refusal'

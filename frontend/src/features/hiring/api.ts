@@ -1,6 +1,7 @@
 import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 type Schemas = components['schemas']
@@ -18,37 +19,28 @@ const at = (postingId: string) => ({ params: { path: { posting_id: postingId } }
 
 export const postingsQuery = (projectId: string) =>
   queryOptions({
-    queryKey: ['postings', projectId],
+    queryKey: queryKeys.postings(projectId),
     queryFn: () =>
       answered(api.GET('/v1/projects/{project_id}/postings', { params: { path: { project_id: projectId } } })),
   })
 
 export const postingQuery = (postingId: string) =>
   queryOptions({
-    queryKey: ['posting', postingId],
+    queryKey: queryKeys.posting(postingId),
     queryFn: () => answered(api.GET('/v1/postings/{posting_id}', at(postingId))),
   })
 
 export const comparisonQuery = (postingId: string) =>
   queryOptions({
-    queryKey: ['bids', postingId],
+    queryKey: queryKeys.bids(postingId),
     queryFn: () => answered(api.GET('/v1/postings/{posting_id}/bids', at(postingId))),
   })
 
 export const linkQuery = (secret: string) =>
   queryOptions({
-    queryKey: ['posting-link', secret],
+    queryKey: queryKeys.postingLink(secret),
     queryFn: () => answered(api.GET('/v1/posting-links/{secret}', { params: { path: { secret } } })),
   })
-
-/** The current person, if signed in; the request also gives the page the token that its writes carry. */
-export const visitorQuery = queryOptions({
-  queryKey: ['visitor'],
-  queryFn: async () => {
-    const session = await answered(api.GET('/v1/session'))
-    return session.signed_in ? await answered(api.GET('/v1/me')) : null
-  },
-})
 
 /** Has a link of one's own mailed, by the link for everyone. */
 export const useAskForLink = (secret: string) =>
@@ -74,7 +66,7 @@ export function useCreatePosting(projectId: string) {
   return useMutation({
     mutationFn: (body: PostingAdd) =>
       answered(api.POST('/v1/projects/{project_id}/postings', { params: { path: { project_id: projectId } }, body })),
-    onSuccess: () => client.invalidateQueries({ queryKey: ['postings', projectId] }),
+    onSuccess: () => invalidate(client, queryKeys.postings(projectId)),
   })
 }
 
@@ -85,7 +77,7 @@ function usePostingChange<T>(postingId: string, change: (value: T) => Promise<Po
     mutationFn: change,
     onSuccess: (posting) => {
       client.setQueryData(postingQuery(postingId).queryKey, posting)
-      return client.invalidateQueries({ queryKey: ['postings', posting.project_id] })
+      return invalidate(client, queryKeys.postings(posting.project_id))
     },
   })
 }
@@ -118,7 +110,7 @@ export function useWithdrawCandidate(postingId: string) {
           params: { path: { posting_id: postingId, candidate_id: candidateId } },
         }),
       ),
-    onSuccess: () => client.invalidateQueries({ queryKey: ['posting', postingId] }),
+    onSuccess: () => invalidate(client, queryKeys.posting(postingId)),
   })
 }
 
@@ -126,7 +118,7 @@ export function useMakeLink(postingId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: () => answered(api.POST('/v1/postings/{posting_id}/link', at(postingId))),
-    onSuccess: () => client.invalidateQueries({ queryKey: ['posting', postingId] }),
+    onSuccess: () => invalidate(client, queryKeys.posting(postingId)),
   })
 }
 
@@ -134,7 +126,7 @@ export function useRevokeLink(postingId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: () => answered(api.DELETE('/v1/postings/{posting_id}/link', at(postingId))),
-    onSuccess: () => client.invalidateQueries({ queryKey: ['posting', postingId] }),
+    onSuccess: () => invalidate(client, queryKeys.posting(postingId)),
   })
 }
 
@@ -195,10 +187,13 @@ export function useAward(postingId: string) {
     mutationFn: (bidId: string) =>
       answered(api.POST('/v1/bids/{bid_id}/award', { params: { path: { bid_id: bidId } } })),
     onSuccess: () =>
-      Promise.all(
-        [['bids', postingId], ['posting', postingId], ['postings'], ['next-steps'], ['project']].map((queryKey) =>
-          client.invalidateQueries({ queryKey }),
-        ),
+      invalidate(
+        client,
+        queryKeys.bids(postingId),
+        queryKeys.posting(postingId),
+        queryKeys.postings.all,
+        queryKeys.nextSteps.all,
+        queryKeys.project.all,
       ),
   })
 }

@@ -1,6 +1,7 @@
 import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api } from '@/api'
+import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 type Schemas = components['schemas']
@@ -10,18 +11,9 @@ export type Spec = Schemas['ResolvedSpec']
 
 export const invitationQuery = (secret: string) =>
   queryOptions({
-    queryKey: ['invitation', secret],
+    queryKey: queryKeys.invitation(secret),
     queryFn: () => answered(api.GET('/v1/invitations/{secret}', { params: { path: { secret } } })),
   })
-
-/** The current person, if signed in; the request also gives the page the token that its writes carry. */
-export const visitorQuery = queryOptions({
-  queryKey: ['visitor'],
-  queryFn: async () => {
-    const session = await answered(api.GET('/v1/session'))
-    return session.signed_in ? await answered(api.GET('/v1/me')) : null
-  },
-})
 
 export function useAccept(secret: string) {
   const client = useQueryClient()

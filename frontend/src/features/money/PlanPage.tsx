@@ -3,13 +3,13 @@ import { Link, useNavigate, useParams } from '@tanstack/react-router'
 import { useEffect, useMemo, useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { contractQuery } from '@/api/project'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
 import {
   type Contract,
-  contractQuery,
   type ListedCue,
   type Plan,
   plannableQuery,

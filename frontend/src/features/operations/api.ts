@@ -1,6 +1,7 @@
 import { infiniteQueryOptions, queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 type Schemas = components['schemas']
@@ -60,7 +61,7 @@ async function readKept(scope: Scope): Promise<Kept> {
 /** Summed up over everything delivered, so asked for once a visit and not every few seconds. */
 export const keptQuery = (scope: Scope) =>
   queryOptions({
-    queryKey: ['operations', keyOf(scope), 'kept'],
+    queryKey: queryKeys.operations(keyOf(scope), 'kept'),
     queryFn: () => readKept(scope),
     staleTime: KEPT_FOR_MS,
   })
@@ -86,21 +87,21 @@ export const share = ({ used, limit }: Quota): number => (limit === 0 ? Infinity
 
 export const limitsQuery = (scope: Scope) =>
   queryOptions({
-    queryKey: ['operations', keyOf(scope), 'limits'],
+    queryKey: queryKeys.operations(keyOf(scope), 'limits'),
     queryFn: () => readLimits(scope),
     staleTime: KEPT_FOR_MS,
   })
 
 export const operationsQuery = (scope: Scope) =>
   queryOptions({
-    queryKey: ['operations', keyOf(scope), 'sums'],
+    queryKey: queryKeys.operations(keyOf(scope), 'sums'),
     queryFn: () => (scope === 'server' ? readServer() : readStudio(scope.studioId)),
     refetchInterval: ALIVE_MS,
   })
 
 export const jobsQuery = (scope: Scope, state: JobState | undefined) =>
   infiniteQueryOptions({
-    queryKey: ['operations', keyOf(scope), 'jobs', state],
+    queryKey: queryKeys.operations(keyOf(scope), 'jobs', state),
     queryFn: ({ pageParam: cursor }) =>
       scope === 'server'
         ? answered(api.GET('/v1/operations/jobs', { params: { query: { state, cursor } } }))
@@ -127,8 +128,6 @@ export function useRetry(scope: Scope) {
             }),
           ),
     onSettled: () =>
-      Promise.all(
-        ['sums', 'jobs'].map((what) => client.invalidateQueries({ queryKey: ['operations', keyOf(scope), what] })),
-      ),
+      invalidate(client, queryKeys.operations(keyOf(scope), 'sums'), queryKeys.operations(keyOf(scope), 'jobs')),
   })
 }

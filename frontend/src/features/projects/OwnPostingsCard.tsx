@@ -2,6 +2,7 @@ import { queryOptions, useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 
 import { answered, api } from '@/api'
+import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { Card, CardHead } from '@/ui/Card'
 import { day } from '@/ui/format'
@@ -10,7 +11,7 @@ import { Row, Rows } from '@/ui/Rows'
 type PostingSummary = components['schemas']['PostingSummary']
 
 const ownPostingsQuery = queryOptions({
-  queryKey: ['own-postings'],
+  queryKey: queryKeys.ownPostings(),
   queryFn: () => answered(api.GET('/v1/postings')),
 })
 

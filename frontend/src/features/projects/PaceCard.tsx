@@ -2,6 +2,7 @@ import { queryOptions, useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 
 import { answered, api } from '@/api'
+import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { money } from '@/money/words'
 import { Card, CardHead } from '@/ui/Card'
@@ -18,7 +19,7 @@ const FEWER_BY = 0.1 // of the share: less is chance
 
 const paceQuery = (projectId: string) =>
   queryOptions({
-    queryKey: ['pace', projectId],
+    queryKey: queryKeys.pace(projectId),
     queryFn: () => answered(api.GET('/v1/projects/{project_id}/pace', { params: { path: { project_id: projectId } } })),
   })
 

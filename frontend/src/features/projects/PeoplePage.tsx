@@ -1,10 +1,9 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 
+import { projectQuery, studioPeopleQuery } from '@/api/project'
 import { useTitle } from '@/app/title'
 
-import { projectQuery } from './api'
-import { membersQuery } from './people/api'
 import { ApproverCard } from './people/ApproverCard'
 import { DesignersCard } from './people/DesignersCard'
 import { TeamCard } from './people/TeamCard'
@@ -18,7 +17,7 @@ export function PeoplePage() {
   const { data: project, error } = useQuery(projectQuery(projectId))
   const isTeam = project?.mine.is_team ?? false
   const { data: members, error: noMembers } = useQuery({
-    ...membersQuery(project?.studio.id ?? ''),
+    ...studioPeopleQuery(project?.studio.id ?? ''),
     enabled: isTeam,
   })
   return (

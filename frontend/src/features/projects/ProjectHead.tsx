@@ -3,6 +3,7 @@ import { useQuery } from '@tanstack/react-query'
 import { Link, type LinkProps } from '@tanstack/react-router'
 import { type FormEvent, useState } from 'react'
 
+import { studioPeopleQuery } from '@/api/project'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card } from '@/ui/Card'
@@ -10,7 +11,6 @@ import { Face } from '@/ui/Face'
 import { plural } from '@/ui/format'
 
 import { type Project, useChangeProject } from './api'
-import { membersQuery } from './people/api'
 import classes from './Project.module.css'
 import { Refusal } from './Refusal'
 import { against, KIND_WORDS, speaks } from './words'
@@ -23,7 +23,7 @@ interface Someone {
 
 /** Those who run, decide and make, in this order; the rest of the studio is a number. */
 function usePeople(project: Project): Someone[] {
-  const { data: members } = useQuery({ ...membersQuery(project.studio.id), enabled: project.mine.is_team })
+  const { data: members } = useQuery({ ...studioPeopleQuery(project.studio.id), enabled: project.mine.is_team })
   const { approver } = project
   const designers = project.engagements.filter(({ ended_at }) => ended_at === null)
   const producers = (members ?? []).filter(

@@ -8,7 +8,7 @@ import {
 } from '@tanstack/react-query'
 
 import { answered, api, everyPage } from '@/api'
-import { meQuery } from '@/api/me'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 type Schemas = components['schemas']
@@ -44,43 +44,26 @@ export interface ReportFile {
 
 const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
 
-const keys = {
-  projects: (archived: boolean) => ['projects', { archived }] as const,
-  project: (projectId: string) => ['project', projectId] as const,
-  overview: (projectId: string) => ['overview', projectId] as const,
-  spec: (projectId: string) => ['spec', projectId] as const,
-  versions: (projectId: string) => ['spec-versions', projectId] as const,
-  builds: (projectId: string) => ['builds', projectId] as const,
-  tokens: (projectId: string) => ['tokens', projectId] as const,
-  packs: (projectId: string) => ['packs', projectId] as const,
-}
-
 // Projects
 
 export const useProjects = (archived: boolean) =>
   useInfiniteQuery({
-    queryKey: keys.projects(archived),
+    queryKey: queryKeys.projects({ archived }),
     queryFn: ({ pageParam: cursor }) => answered(api.GET('/v1/projects', { params: { query: { cursor, archived } } })),
     initialPageParam: undefined as string | undefined,
     getNextPageParam: ({ next }) => next ?? undefined,
   })
 
-export const projectQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: keys.project(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}', inProject(projectId))),
-  })
-
 export const overviewQuery = (projectId: string) =>
   queryOptions({
-    queryKey: keys.overview(projectId),
+    queryKey: queryKeys.overview(projectId),
     queryFn: () => answered(api.GET('/v1/projects/{project_id}/overview', inProject(projectId))),
   })
 
 /** The cues of the list, for the columns next to their names: category and file names. */
 export const cuesQuery = (projectId: string) =>
   queryOptions({
-    queryKey: ['sound-list', projectId, 'of the project'],
+    queryKey: queryKeys.soundList(projectId, 'of the project'),
     queryFn: async () => {
       const pages = await everyPage((cursor) =>
         answered(
@@ -95,7 +78,7 @@ export const cuesQuery = (projectId: string) =>
 
 /** What the server checks: it stays the same as long as the page is open. */
 export const checksQuery = queryOptions({
-  queryKey: ['checks'] as const,
+  queryKey: queryKeys.checks(),
   queryFn: () => answered(api.GET('/v1/checks')),
   staleTime: Infinity,
 })
@@ -104,11 +87,7 @@ export function useOpenProject() {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (body: Schemas['ProjectAdd']) => answered(api.POST('/v1/projects', { body })),
-    onSuccess: () =>
-      Promise.all([
-        client.invalidateQueries({ queryKey: meQuery.queryKey }),
-        client.invalidateQueries({ queryKey: ['projects'] }),
-      ]),
+    onSuccess: () => invalidate(client, queryKeys.me(), queryKeys.projects.all),
   })
 }
 
@@ -118,12 +97,8 @@ export function useChangeProject(projectId: string) {
     mutationFn: (body: Schemas['ProjectChange']) =>
       answered(api.PATCH('/v1/projects/{project_id}', { ...inProject(projectId), body })),
     onSuccess: (project) => {
-      client.setQueryData(keys.project(projectId), project)
-      return Promise.all([
-        client.invalidateQueries({ queryKey: meQuery.queryKey }),
-        client.invalidateQueries({ queryKey: ['projects'] }),
-        client.invalidateQueries({ queryKey: keys.overview(projectId) }),
-      ])
+      client.setQueryData(queryKeys.project(projectId), project)
+      return invalidate(client, queryKeys.me(), queryKeys.projects.all, queryKeys.overview(projectId))
     },
   })
 }
@@ -132,13 +107,13 @@ export function useChangeProject(projectId: string) {
 
 export const specQuery = (projectId: string) =>
   queryOptions({
-    queryKey: keys.spec(projectId),
+    queryKey: queryKeys.spec(projectId),
     queryFn: () => answered(api.GET('/v1/projects/{project_id}/spec', inProject(projectId))),
   })
 
 export const specVersionQuery = (projectId: string, version: number) =>
   queryOptions({
-    queryKey: ['spec-version', projectId, version],
+    queryKey: queryKeys.specVersion(projectId, version),
     queryFn: () =>
       answered(
         api.GET('/v1/projects/{project_id}/spec/versions/{version}', {
@@ -150,7 +125,7 @@ export const specVersionQuery = (projectId: string, version: number) =>
 
 export const useSpecVersions = (projectId: string) =>
   useInfiniteQuery({
-    queryKey: keys.versions(projectId),
+    queryKey: queryKeys.specVersions(projectId),
     queryFn: ({ pageParam: cursor }) =>
       answered(
         api.GET('/v1/projects/{project_id}/spec/versions', {
@@ -167,7 +142,7 @@ export type Written = { toml: string } | { tables: Record<string, unknown> }
 /** What a text or a form's tables come to; nothing is saved. */
 export const useSpecTry = (projectId: string, written: Written, enabled: boolean) =>
   useQuery({
-    queryKey: ['spec-draft-check', projectId, written],
+    queryKey: queryKeys.specDraftCheck(projectId, written),
     queryFn: () =>
       answered(api.POST('/v1/projects/{project_id}/spec/check-toml', { ...inProject(projectId), body: written })),
     enabled,
@@ -186,15 +161,14 @@ export function useSaveSpec(projectId: string) {
         ? answered(api.PUT('/v1/projects/{project_id}/spec', { ...inProject(projectId), body }))
         : answered(api.POST('/v1/projects/{project_id}/spec/form', { ...inProject(projectId), body })),
     onSuccess: (spec) => {
-      client.setQueryData(keys.spec(projectId), spec)
-      return Promise.all(
-        [
-          keys.versions(projectId),
-          keys.project(projectId),
-          keys.overview(projectId),
-          keys.packs(projectId),
-          ['accepted-kinds', projectId],
-        ].map((queryKey) => client.invalidateQueries({ queryKey })),
+      client.setQueryData(queryKeys.spec(projectId), spec)
+      return invalidate(
+        client,
+        queryKeys.specVersions(projectId),
+        queryKeys.project(projectId),
+        queryKeys.overview(projectId),
+        queryKeys.packs(projectId),
+        queryKeys.acceptedFiles(projectId),
       )
     },
   })
@@ -204,7 +178,7 @@ export function useSaveSpec(projectId: string) {
 
 export const useBuilds = (projectId: string) =>
   useInfiniteQuery({
-    queryKey: keys.builds(projectId),
+    queryKey: queryKeys.builds(projectId),
     queryFn: ({ pageParam: cursor }) =>
       answered(
         api.GET('/v1/projects/{project_id}/builds', {
@@ -217,7 +191,7 @@ export const useBuilds = (projectId: string) =>
 
 export const useBuildReport = (buildId: string) =>
   useQuery({
-    queryKey: ['build', buildId],
+    queryKey: queryKeys.build(buildId),
     queryFn: async () => {
       const { report } = await answered(api.GET('/v1/builds/{build_id}', { params: { path: { build_id: buildId } } }))
       return report as unknown as BuildReport
@@ -227,13 +201,13 @@ export const useBuildReport = (buildId: string) =>
 
 export const ciQuery = (projectId: string) =>
   queryOptions({
-    queryKey: ['ci', projectId],
+    queryKey: queryKeys.ci(projectId),
     queryFn: () => answered(api.GET('/v1/projects/{project_id}/ci', inProject(projectId))),
   })
 
 export const useTokens = (projectId: string, enabled: boolean) =>
   useQuery({
-    queryKey: keys.tokens(projectId),
+    queryKey: queryKeys.tokens(projectId),
     queryFn: () => answered(api.GET('/v1/projects/{project_id}/tokens', inProject(projectId))),
     enabled,
   })
@@ -243,7 +217,7 @@ export function useMakeToken(projectId: string) {
   return useMutation({
     mutationFn: (body: Schemas['TokenAdd']) =>
       answered(api.POST('/v1/projects/{project_id}/tokens', { ...inProject(projectId), body })),
-    onSuccess: () => client.invalidateQueries({ queryKey: keys.tokens(projectId) }),
+    onSuccess: () => invalidate(client, queryKeys.tokens(projectId)),
   })
 }
 
@@ -256,21 +230,21 @@ export function useRevokeToken(projectId: string) {
           params: { path: { project_id: projectId, token_id: tokenId } },
         }),
       ),
-    onSettled: () => client.invalidateQueries({ queryKey: keys.tokens(projectId) }),
+    onSettled: () => invalidate(client, queryKeys.tokens(projectId)),
   })
 }
 
 /** How much is still a placeholder for the spec's first target. */
 export const countdownQuery = (projectId: string) =>
   queryOptions({
-    queryKey: ['placeholders', projectId, 'countdown'],
+    queryKey: queryKeys.placeholders(projectId, 'countdown'),
     queryFn: () => answered(api.GET('/v1/projects/{project_id}/placeholders/countdown', inProject(projectId))),
   })
 
 /** The approved pack of every target, in the order of the spec. */
 export const packsQuery = (projectId: string) =>
   queryOptions({
-    queryKey: keys.packs(projectId),
+    queryKey: queryKeys.packs(projectId),
     queryFn: async (): Promise<Pack[]> => {
       const read = (target?: string) =>
         answered(

@@ -4,7 +4,7 @@ import { type Dispatch, type KeyboardEvent, type ReactNode, type SetStateAction,
 
 import { ApiProblem } from '@/api'
 import { useRoles } from '@/api/roles'
-import type { CueReview, ReviewFinding, ReviewTake } from '@/judging/api'
+import { type CueReview, historyQuery, type ReviewFinding, type ReviewTake } from '@/judging/api'
 import { ReplyField } from '@/judging/ReplyField'
 import { capital, happened, sentence, spot, historyText } from '@/judging/words'
 import { TakeSourcesPart } from '@/sources'
@@ -16,7 +16,7 @@ import { Key } from '@/ui/Key'
 import { Person } from '@/ui/Person'
 import { ProblemNote } from '@/ui/ProblemNote'
 
-import { historyQuery, useComment, useResolve } from './api'
+import { useComment, useResolve } from './api'
 import type { Carried } from './carried'
 import { CarriedNotes } from './CarriedNotes'
 import { Composer, type Writing } from './Composer'

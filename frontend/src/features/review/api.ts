@@ -1,8 +1,9 @@
 import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
-import { type CarriedNote, type CueReview, keys, refresh } from '@/judging/api'
+import { type CarriedNote, type CueReview, refresh } from '@/judging/api'
 
 type Schemas = components['schemas']
 export type Comment = Schemas['CommentRead']
@@ -14,7 +15,7 @@ export type Judged = Schemas['RecentVerdict']
 /** What was decided within a week, the newest first. */
 export const judgedQuery = (projectId: string) =>
   queryOptions({
-    queryKey: ['judged', projectId],
+    queryKey: queryKeys.judged(projectId),
     queryFn: () =>
       answered(api.GET('/v1/projects/{project_id}/judged-lately', { params: { path: { project_id: projectId } } })),
   })
@@ -22,18 +23,12 @@ export const judgedQuery = (projectId: string) =>
 /** The sounds that new ones are compared with. */
 export const paletteQuery = (projectId: string) =>
   queryOptions({
-    queryKey: ['palette', projectId],
+    queryKey: queryKeys.palette(projectId),
     queryFn: async (): Promise<PaletteSound[]> => {
       const params = { params: { path: { project_id: projectId } } }
       return (await answered(api.GET('/v1/projects/{project_id}/overview', params))).palette
     },
     staleTime: 60_000,
-  })
-
-export const historyQuery = (takeId: string) =>
-  queryOptions({
-    queryKey: keys.history(takeId),
-    queryFn: () => answered(api.GET('/v1/takes/{take_id}/history', { params: { path: { take_id: takeId } } })),
   })
 
 export interface CommentSaid {
@@ -57,13 +52,10 @@ export function useComment(cueId: string) {
       ),
     onSuccess: (comment) => {
       client.setQueryData<CueReview>(
-        keys.review(cueId),
+        queryKeys.cueReview(cueId),
         (review) => review && { ...review, comments: [...review.comments, comment] },
       )
-      return Promise.all([
-        client.invalidateQueries({ queryKey: keys.review(cueId) }),
-        client.invalidateQueries({ queryKey: keys.history(comment.take_id) }),
-      ])
+      return invalidate(client, queryKeys.cueReview(cueId), queryKeys.takeHistory(comment.take_id))
     },
   })
 }
@@ -81,16 +73,12 @@ export function useAnswerNote(projectId: string, cueId: string) {
       ),
     onSuccess: (note) => {
       client.setQueryData<CueReview>(
-        keys.review(cueId),
+        queryKeys.cueReview(cueId),
         (review) =>
           review && { ...review, carried_notes: review.carried_notes.map((one) => (one.id === note.id ? note : one)) },
       )
     },
-    onSettled: () =>
-      Promise.all([
-        client.invalidateQueries({ queryKey: keys.review(cueId) }),
-        client.invalidateQueries({ queryKey: keys.queue(projectId) }),
-      ]),
+    onSettled: () => invalidate(client, queryKeys.cueReview(cueId), queryKeys.reviewQueue(projectId)),
   })
 }
 
@@ -99,7 +87,7 @@ export function useResolve(cueId: string) {
   return useMutation({
     mutationFn: (comment: Comment) =>
       answered(api.POST('/v1/comments/{comment_id}/resolve', { params: { path: { comment_id: comment.id } } })),
-    onSettled: () => client.invalidateQueries({ queryKey: keys.review(cueId) }),
+    onSettled: () => invalidate(client, queryKeys.cueReview(cueId)),
   })
 }
 
@@ -110,7 +98,7 @@ export function useCut(projectId: string, cueId: string) {
     mutationFn: (reason: string) =>
       answered(api.POST('/v1/cues/{cue_id}/cut', { params: { path: { cue_id: cueId } }, body: { reason } })),
     onSuccess: async () => {
-      await Promise.all([refresh(client, projectId), client.invalidateQueries({ queryKey: ['sound-list'] })])
+      await Promise.all([refresh(client, projectId), invalidate(client, queryKeys.soundList.all)])
     },
   })
 }
@@ -124,8 +112,8 @@ export function useWaive(projectId: string, cueId: string) {
     onSuccess: async () => {
       await Promise.all([
         refresh(client, projectId),
-        client.invalidateQueries({ queryKey: keys.review(cueId) }),
-        client.invalidateQueries({ queryKey: ['sound-list'] }),
+        invalidate(client, queryKeys.cueReview(cueId)),
+        invalidate(client, queryKeys.soundList.all),
       ])
     },
   })

@@ -7,6 +7,7 @@ import {
 } from '@tanstack/react-query'
 
 import { answered, api, ApiProblem, everyPage } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 import { useMyProject } from '@/api/me'
 import type { components } from '@/api/schema.gen'
 import { useMade } from '@/api/useMade'
@@ -29,19 +30,6 @@ export type FieldChange = Schemas['FieldChange']
 
 const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
 const ofCue = (cueId: string) => ({ params: { path: { cue_id: cueId } } })
-
-const keys = {
-  list: (projectId: string) => ['sound-list', projectId, 'list'] as const,
-  progressList: (projectId: string) => ['progress', projectId] as const,
-  progress: (projectId: string) => ['progress', projectId, 'cues'] as const,
-  counts: (projectId: string) => ['progress', projectId, 'counts'] as const,
-  questions: (projectId: string) => ['sound-list', projectId, 'open questions'] as const,
-  unmatched: (projectId: string) => ['sound-list', projectId, 'unmatched'] as const,
-  revisions: (projectId: string) => ['sound-list', projectId, 'revisions'] as const,
-  compare: (projectId: string, from: number, to: number) => ['revisions', projectId, from, to] as const,
-  cue: (cueId: string) => ['cue', cueId] as const,
-  takes: (cueId: string) => ['cue-takes', cueId] as const,
-}
 
 /** Cues a page after the first one, which comes with the server's own, shorter length. */
 const AT_ONCE = 500
@@ -66,7 +54,7 @@ async function readAll<P extends { next: string | null }, T>(
 
 export const listQuery = (projectId: string) =>
   queryOptions({
-    queryKey: keys.list(projectId),
+    queryKey: queryKeys.soundList(projectId, 'list'),
     queryFn: ({ client, queryKey }) =>
       readAll(
         client,
@@ -81,7 +69,7 @@ const SOON_MS = 3000
 /** Where every cue stands; asked again soon while something is being checked, the longer the list the later. */
 export const progressQuery = (projectId: string) =>
   queryOptions({
-    queryKey: keys.progress(projectId),
+    queryKey: queryKeys.progress(projectId, 'cues'),
     queryFn: ({ client, queryKey }) =>
       readAll(
         client,
@@ -96,13 +84,13 @@ export const progressQuery = (projectId: string) =>
 /** How many cues stand where, in the whole list. */
 export const countsQuery = (projectId: string) =>
   queryOptions({
-    queryKey: keys.counts(projectId),
+    queryKey: queryKeys.progress(projectId, 'counts'),
     queryFn: () => answered(api.GET('/v1/projects/{project_id}/sound-list/counts', inProject(projectId))),
   })
 
 export const openQuestionsQuery = (projectId: string) =>
   queryOptions({
-    queryKey: keys.questions(projectId),
+    queryKey: queryKeys.soundList(projectId, 'open questions'),
     queryFn: () =>
       everyPage((cursor) =>
         answered(
@@ -116,7 +104,7 @@ export const openQuestionsQuery = (projectId: string) =>
 /** Files that no cue owns yet; each names the cues it may be for. */
 export const unmatchedQuery = (projectId: string) =>
   queryOptions({
-    queryKey: keys.unmatched(projectId),
+    queryKey: queryKeys.soundList(projectId, 'unmatched'),
     queryFn: async () =>
       (
         await answered(
@@ -129,7 +117,7 @@ export const unmatchedQuery = (projectId: string) =>
 
 export const revisionsQuery = (projectId: string) =>
   infiniteQueryOptions({
-    queryKey: keys.revisions(projectId),
+    queryKey: queryKeys.soundList(projectId, 'revisions'),
     queryFn: ({ pageParam }) => readRevisions(projectId, pageParam),
     initialPageParam: undefined as number | undefined,
     getNextPageParam: ({ next }) => (next ? Number(next) : undefined),
@@ -145,7 +133,7 @@ const readRevisions = (projectId: string, before?: number) =>
 /** What happened between two revisions; both are kept as they were, so it never changes. */
 export const compareQuery = (projectId: string, from: number, to: number) =>
   queryOptions({
-    queryKey: keys.compare(projectId, from, to),
+    queryKey: queryKeys.comparedRevisions(projectId, from, to),
     queryFn: () =>
       answered(
         api.GET('/v1/projects/{project_id}/sound-list/revisions/compare', {
@@ -167,7 +155,7 @@ const BACK = 10
 /** The changes of one cue, from the newest revision back, a few revisions at a time. */
 export const cueChangesQuery = (projectId: string, cue: Pick<Cue, 'id' | 'label' | 'edition'>) =>
   infiniteQueryOptions({
-    queryKey: ['sound-list', projectId, 'changes', cue.id, cue.edition],
+    queryKey: queryKeys.soundList(projectId, 'changes', cue.id, cue.edition),
     queryFn: async ({ pageParam, client }) => {
       const page = await readRevisions(projectId, pageParam)
       const looked = page.items.slice(0, BACK)
@@ -197,7 +185,7 @@ export const cueChangesQuery = (projectId: string, cue: Pick<Cue, 'id' | 'label'
 
 export const cueQuery = (cueId: string) =>
   queryOptions({
-    queryKey: keys.cue(cueId),
+    queryKey: queryKeys.cue(cueId),
     queryFn: () => answered(api.GET('/v1/cues/{cue_id}', ofCue(cueId))),
   })
 
@@ -213,7 +201,7 @@ export interface Version {
 /** Every version of a cue that the person may see, the newest first. */
 export const versionsQuery = (projectId: string, cueId: string) =>
   queryOptions({
-    queryKey: keys.takes(cueId),
+    queryKey: queryKeys.cueTakes(cueId),
     queryFn: async (): Promise<Version[]> => {
       const pages = await everyPage((cursor) =>
         answered(
@@ -274,20 +262,19 @@ export function useRights(projectId: string): Rights {
 }
 
 /** Refetch everything that a change of the list affects, on any page. */
-export async function refreshList(client: QueryClient, projectId: string): Promise<void> {
-  const touched = [
-    ['sound-list', projectId],
-    ['coverage', projectId],
-    keys.progressList(projectId),
-    ['cue'],
-    ['cue-review'],
-    ['review-queue', projectId],
-    ['desk', projectId],
-    ['today'],
-    ['overview'],
-  ]
-  await Promise.all(touched.map((queryKey) => client.invalidateQueries({ queryKey })))
-}
+export const refreshList = (client: QueryClient, projectId: string) =>
+  invalidate(
+    client,
+    queryKeys.soundList(projectId),
+    queryKeys.coverage(projectId),
+    queryKeys.progress(projectId),
+    queryKeys.cue.all,
+    queryKeys.cueReview.all,
+    queryKeys.reviewQueue(projectId),
+    queryKeys.desk(projectId),
+    queryKeys.today.all,
+    queryKeys.overview.all,
+  )
 
 export function useAddCues(projectId: string) {
   const client = useQueryClient()
@@ -353,7 +340,7 @@ export const problemIn = (error: unknown): ApiProblem | null => (error instanceo
 
 /** The cue as it stands now, whatever is kept here. */
 export async function readAgain(client: QueryClient, projectId: string, cueId: string): Promise<CueDetail> {
-  void client.invalidateQueries({ queryKey: keys.list(projectId) })
+  void invalidate(client, queryKeys.soundList(projectId, 'list'))
   return client.fetchQuery({ ...cueQuery(cueId), staleTime: 0 })
 }
 

@@ -1,17 +1,16 @@
 import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 export type FactQuestion = components['schemas']['FactQuestion']
 type Fact = FactQuestion['fact']
 
-const keyOf = (projectId: string) => ['sound-list', projectId, 'clarity'] as const
-
 /** What a designer could not know from the words of each cue. */
 export const clarityQuery = (projectId: string) =>
   queryOptions({
-    queryKey: keyOf(projectId),
+    queryKey: queryKeys.soundList(projectId, 'clarity'),
     queryFn: async () => {
       const { unclear } = await answered(
         api.GET('/v1/projects/{project_id}/clarity', { params: { path: { project_id: projectId } } }),
@@ -28,13 +27,7 @@ export function useAnswerFact(projectId: string, cueId: string) {
   return useMutation({
     mutationFn: ({ fact, text }: { fact: Fact; text: string }) =>
       answered(api.POST('/v1/cues/{cue_id}/clarity/{fact}/answer', { ...pathOf(cueId, fact), body: { text } })),
-    onSuccess: () =>
-      Promise.all(
-        [
-          ['sound-list', projectId],
-          ['cue', cueId],
-        ].map((queryKey) => client.invalidateQueries({ queryKey })),
-      ),
+    onSuccess: () => invalidate(client, queryKeys.soundList(projectId), queryKeys.cue(cueId)),
   })
 }
 
@@ -44,6 +37,6 @@ export function useDismissFact(projectId: string, cueId: string) {
   return useMutation({
     mutationFn: ({ fact, dismissed }: { fact: Fact; dismissed: boolean }) =>
       answered(api.PUT('/v1/cues/{cue_id}/clarity/{fact}/dismissed', { ...pathOf(cueId, fact), body: { dismissed } })),
-    onSuccess: () => client.invalidateQueries({ queryKey: keyOf(projectId) }),
+    onSuccess: () => invalidate(client, queryKeys.soundList(projectId, 'clarity')),
   })
 }

@@ -2,6 +2,7 @@ import { useQueryClient } from '@tanstack/react-query'
 import { useCallback, useEffect, useRef, useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 import { ended } from '@/judging/findings'
 import { Button, ButtonLink } from '@/ui/Button'
 import { ago, bytes, bytesOf, figure } from '@/ui/format'
@@ -105,7 +106,7 @@ function Give({ take, isFirst }: { take: Take; isFirst: boolean }) {
       transport: partsTransport({ ...where, otherwise: tusTransport(where) }),
       onFinished: async (_, uploadId) => {
         await giveDryStem(take.id, uploadId)
-        await client.invalidateQueries({ queryKey: ['take', take.id] })
+        await invalidate(client, queryKeys.take(take.id))
       },
     })
   })

@@ -1,6 +1,7 @@
 import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
+import { historyQuery } from '@/judging/api'
 import { happened, sentence, spot, historyText } from '@/judging/words'
 import { LossPanel } from '@/losses'
 import { Card, CardHead } from '@/ui/Card'
@@ -8,7 +9,7 @@ import { age, bytes, channels, clock, day, figure, rate } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { State } from '@/ui/State'
 
-import { type Check, type Finding, type GameFile, historyQuery } from './api'
+import { type Check, type Finding, type GameFile } from './api'
 import { groupsOf, judgementsOf, type Line, textsOf } from './figures'
 import classes from './Take.module.css'
 

@@ -1,9 +1,9 @@
 import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api, ApiProblem } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { useMade } from '@/api/useMade'
-import { keys } from '@/judging/api'
 
 type Schemas = components['schemas']
 export type Take = Schemas['TakeRead']
@@ -21,7 +21,7 @@ const ofTake = (takeId: string) => ({ params: { path: { take_id: takeId } } })
 /** One delivered file; asked again while it is being checked. */
 export const takeQuery = (takeId: string) =>
   queryOptions({
-    queryKey: ['take', takeId],
+    queryKey: queryKeys.take(takeId),
     queryFn: () => answered(api.GET('/v1/takes/{take_id}', ofTake(takeId))),
     refetchInterval: ({ state: { data } }) => (data?.state === 'received' ? POLL_MS : false),
   })
@@ -39,7 +39,7 @@ export const checkQuery = (take: Take) =>
   queryOptions({
     refetchInterval: ({ state: { data } }: { state: { data?: Check | null } }) =>
       data && isComparing(data) ? POLL_MS : false,
-    queryKey: ['take', take.id, 'check', take.state, take.state_since],
+    queryKey: queryKeys.take(take.id, 'check', take.state, take.state_since),
     queryFn: async (): Promise<Check | null> => {
       try {
         return await answered(api.GET('/v1/takes/{take_id}/check', ofTake(take.id)))
@@ -50,12 +50,6 @@ export const checkQuery = (take: Take) =>
     },
   })
 
-export const historyQuery = (takeId: string) =>
-  queryOptions({
-    queryKey: keys.history(takeId),
-    queryFn: () => answered(api.GET('/v1/takes/{take_id}/history', ofTake(takeId))),
-  })
-
 /** Give a version its dry stem, which an upload into its delivery brought. */
 export const giveDryStem = (takeId: string, uploadId: string) =>
   answered(api.PUT('/v1/takes/{take_id}/dry-stem', { ...ofTake(takeId), body: { upload_id: uploadId } }))
@@ -64,20 +58,20 @@ export function useWithdrawDryStem(takeId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: () => answered(api.DELETE('/v1/takes/{take_id}/dry-stem', ofTake(takeId))),
-    onSuccess: () => client.invalidateQueries({ queryKey: ['take', takeId] }),
+    onSuccess: () => invalidate(client, queryKeys.take(takeId)),
   })
 }
 
 /** How a version lies among the approved sounds; for the team. */
 export const fitQuery = (take: Take) =>
   queryOptions({
-    queryKey: ['take', take.id, 'fit', take.state_since],
+    queryKey: queryKeys.take(take.id, 'fit', take.state_since),
     queryFn: () => answered(api.GET('/v1/takes/{take_id}/fit', ofTake(take.id))),
   })
 
 export const deliveryFitQuery = (deliveryId: string) =>
   queryOptions({
-    queryKey: ['delivery-fit', deliveryId],
+    queryKey: queryKeys.deliveryFit(deliveryId),
     queryFn: () =>
       answered(api.GET('/v1/deliveries/{delivery_id}/fit', { params: { path: { delivery_id: deliveryId } } })),
   })
@@ -85,7 +79,7 @@ export const deliveryFitQuery = (deliveryId: string) =>
 /** The spectrum of a sound, in addition to its waveform; null if an earlier version drew it. */
 export const bandsQuery = (peaksUrl: string | null) =>
   queryOptions({
-    queryKey: ['bands', peaksUrl],
+    queryKey: queryKeys.bands(peaksUrl),
     queryFn: async (): Promise<Bands | null> => {
       const response = await fetch(peaksUrl ?? '', { credentials: 'same-origin' })
       if (!response.ok) return null

@@ -1,6 +1,7 @@
 import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api } from '@/api'
+import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { refresh } from '@/judging/api'
 
@@ -9,7 +10,7 @@ export type AskedQuestion = components['schemas']['AskedQuestion']
 
 export const todayQuery = (projectId: string) =>
   queryOptions({
-    queryKey: ['today', projectId],
+    queryKey: queryKeys.today(projectId),
     queryFn: () =>
       answered(api.GET('/v1/projects/{project_id}/today', { params: { path: { project_id: projectId } } })),
   })

@@ -1,10 +1,11 @@
 import { queryOptions, useMutation, useQuery, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api } from '@/api'
-import { meQuery } from '@/api/me'
+import { projectQuery } from '@/api/project'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
-import { type Project, projectQuery } from '../api'
+import type { Project } from '../api'
 
 type Schemas = components['schemas']
 export type Member = Schemas['MemberRead']
@@ -15,22 +16,10 @@ export type ApproverChange = Schemas['ApproverChangeRead']
 
 const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
 
-const keys = {
-  invitations: (projectId: string) => ['project-invitations', projectId] as const,
-  approvers: (projectId: string) => ['approvers', projectId] as const,
-  studioInvitations: (studioId: string) => ['studio-invitations', studioId] as const,
-}
-
-export const membersQuery = (studioId: string) =>
-  queryOptions({
-    queryKey: ['studio-people', studioId],
-    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/people', { params: { path: { studio_id: studioId } } })),
-  })
-
 /** The newest link that was written to each address and not sent: what to copy where no mail leaves. */
 export const useInvitationLinks = (studioId: string, enabled: boolean) =>
   useQuery({
-    queryKey: ['outbox', studioId],
+    queryKey: queryKeys.outbox(studioId),
     queryFn: () => answered(api.GET('/v1/studios/{studio_id}/outbox', { params: { path: { studio_id: studioId } } })),
     enabled,
     // The worker writes the mail a moment after the invitation.
@@ -49,11 +38,7 @@ function useProjectChange<Asked>(projectId: string, change: (asked: Asked) => Pr
   return useMutation({
     mutationFn: change,
     onSuccess: (project) => client.setQueryData(projectQuery(projectId).queryKey, project),
-    onSettled: () =>
-      Promise.all([
-        client.invalidateQueries({ queryKey: meQuery.queryKey }),
-        client.invalidateQueries({ queryKey: keys.approvers(projectId) }),
-      ]),
+    onSettled: () => invalidate(client, queryKeys.me(), queryKeys.approvers(projectId)),
   })
 }
 
@@ -78,18 +63,19 @@ export function useInviteApprover(projectId: string, studioId: string) {
         api.POST('/v1/projects/{project_id}/approver-invitations', { ...inProject(projectId), body: { email } }),
       ),
     onSuccess: () =>
-      Promise.all([
-        client.invalidateQueries({ queryKey: projectQuery(projectId).queryKey }),
-        client.invalidateQueries({ queryKey: keys.approvers(projectId) }),
-        client.invalidateQueries({ queryKey: keys.studioInvitations(studioId) }),
-      ]),
+      invalidate(
+        client,
+        queryKeys.project(projectId),
+        queryKeys.approvers(projectId),
+        queryKeys.studioInvitations(studioId),
+      ),
   })
 }
 
 /** Addresses that become the approver of a project when they join. */
 export const invitedApproversQuery = (projectId: string, studioId: string) =>
   queryOptions({
-    queryKey: keys.studioInvitations(studioId),
+    queryKey: queryKeys.studioInvitations(studioId),
     queryFn: () =>
       answered(api.GET('/v1/studios/{studio_id}/invitations', { params: { path: { studio_id: studioId } } })),
     select: (invitations) => invitations.filter(({ approves_project_id: id }) => id === projectId),
@@ -97,13 +83,13 @@ export const invitedApproversQuery = (projectId: string, studioId: string) =>
 
 export const approverHistoryQuery = (projectId: string) =>
   queryOptions({
-    queryKey: keys.approvers(projectId),
+    queryKey: queryKeys.approvers(projectId),
     queryFn: () => answered(api.GET('/v1/projects/{project_id}/approver-history', inProject(projectId))),
   })
 
 export const invitationsQuery = (projectId: string) =>
   queryOptions({
-    queryKey: keys.invitations(projectId),
+    queryKey: queryKeys.projectInvitations(projectId),
     queryFn: () => answered(api.GET('/v1/projects/{project_id}/invitations', inProject(projectId))),
   })
 
@@ -112,11 +98,7 @@ export function useInviteDesigner(projectId: string) {
   return useMutation({
     mutationFn: (body: Schemas['InvitationAdd']) =>
       answered(api.POST('/v1/projects/{project_id}/invitations', { ...inProject(projectId), body })),
-    onSuccess: () =>
-      Promise.all([
-        client.invalidateQueries({ queryKey: keys.invitations(projectId) }),
-        client.invalidateQueries({ queryKey: ['outbox'] }),
-      ]),
+    onSuccess: () => invalidate(client, queryKeys.projectInvitations(projectId), queryKeys.outbox.all),
   })
 }
 
@@ -129,7 +111,7 @@ export function useRevokeInvitation(projectId: string) {
           params: { path: { project_id: projectId, invitation_id: invitationId } },
         }),
       ),
-    onSettled: () => client.invalidateQueries({ queryKey: keys.invitations(projectId) }),
+    onSettled: () => invalidate(client, queryKeys.projectInvitations(projectId)),
   })
 }
 
@@ -143,10 +125,6 @@ export function useChangeEngagement(projectId: string) {
           body,
         }),
       ),
-    onSettled: () =>
-      Promise.all([
-        client.invalidateQueries({ queryKey: projectQuery(projectId).queryKey }),
-        client.invalidateQueries({ queryKey: keys.invitations(projectId) }),
-      ]),
+    onSettled: () => invalidate(client, queryKeys.project(projectId), queryKeys.projectInvitations(projectId)),
   })
 }

@@ -1,10 +1,11 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 
+import { projectQuery } from '@/api/project'
 import { useTitle } from '@/app/title'
 import { EmptyState } from '@/ui/EmptyState'
 
-import { checksQuery, projectQuery, specQuery } from '../api'
+import { checksQuery, specQuery } from '../api'
 import { Refusal } from '../Refusal'
 import { speaks } from '../words'
 import { SpecEditor } from './SpecEditor'

@@ -4,9 +4,10 @@ import { useNavigate } from '@tanstack/react-router'
 import { useEffect, useMemo, useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 import { showToast } from '@/app/toast'
 
-import { type Spec, specQuery, useSaveSpec, useSpecTry } from '../api'
+import { type Spec, useSaveSpec, useSpecTry } from '../api'
 import { differs, draftOf, keepDraft, keptDraft, type SpecDraft, written } from './draft'
 import { hasComments } from './places'
 import { same, type Tables } from './tables'
@@ -91,7 +92,7 @@ export function useSpecDraft(projectId: string, spec: Spec) {
         },
         onError: (error) => {
           if (error instanceof ApiProblem && error.code === 'spec-changed') {
-            void client.invalidateQueries({ queryKey: specQuery(projectId).queryKey })
+            void invalidate(client, queryKeys.spec(projectId))
           }
         },
       },

@@ -5,6 +5,7 @@ import { Link, useNavigate, useParams } from '@tanstack/react-router'
 import { type ReactNode, useEffect, useEffectEvent, useRef, useState } from 'react'
 
 import { DraftNote } from '@/app/drafts'
+import { queryKeys } from '@/api/queryKeys'
 import { useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
 import { useTitle } from '@/app/title'
@@ -49,7 +50,7 @@ export function ImportPage(): ReactNode {
   const [asked] = useDebouncedValue(sheet, sheet.text === '' ? 0 : TYPING_MS)
   const picker = useRef<HTMLInputElement>(null)
   const plan = useQuery({
-    queryKey: ['import-plan', projectId, bodyOf(asked)],
+    queryKey: queryKeys.importPlan(projectId, bodyOf(asked)),
     queryFn: () => importSheet(projectId, { ...bodyOf(asked), dry_run: true }),
     enabled: rights.edits && isGiven(asked),
     placeholderData: keepPreviousData,

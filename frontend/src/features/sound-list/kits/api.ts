@@ -1,6 +1,7 @@
 import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 import { type Cue, refreshList } from '../api'
@@ -10,14 +11,14 @@ export type KitRow = components['schemas']['KitRow']
 
 /** Kinds of game that a list can be started from: part of the product, so they stay as long as the page is open. */
 export const kitsQuery = queryOptions({
-  queryKey: ['kits'],
+  queryKey: queryKeys.kits(),
   queryFn: () => answered(api.GET('/v1/kits')),
   staleTime: Infinity,
 })
 
 export const kitQuery = (projectId: string, key: string) =>
   queryOptions({
-    queryKey: ['kit', projectId, key],
+    queryKey: queryKeys.kit(projectId, key),
     queryFn: () =>
       answered(
         api.GET('/v1/projects/{project_id}/kits/{kit_key}', {
@@ -37,7 +38,6 @@ export function useUndoAddition(projectId: string) {
           body: { cue_ids: cues.map(({ id }) => id) },
         }),
       ),
-    onSuccess: () =>
-      Promise.all([refreshList(client, projectId), client.invalidateQueries({ queryKey: ['kit', projectId] })]),
+    onSuccess: () => Promise.all([refreshList(client, projectId), invalidate(client, queryKeys.kit(projectId))]),
   })
 }

@@ -1,20 +1,11 @@
-import { queryOptions, useQuery } from '@tanstack/react-query'
+import { useQuery } from '@tanstack/react-query'
 import { Link, type LinkProps } from '@tanstack/react-router'
 import type { ReactNode } from 'react'
 
-import { answered, api } from '@/api'
+import { coverageQuery } from '@/api/project'
 import { Icon } from '@/ui/Icon'
 
 import classes from './SoundList.module.css'
-
-const coverageQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: ['coverage', projectId],
-    queryFn: () =>
-      answered(
-        api.GET('/v1/projects/{project_id}/sound-list/coverage', { params: { path: { project_id: projectId } } }),
-      ),
-  })
 
 /** "a, b, c and 4 more" */
 function few(names: readonly string[]): string {

@@ -1,0 +1,172 @@
+import type { QueryClient, QueryKey } from '@tanstack/react-query'
+
+interface Family<Parts extends readonly unknown[]> {
+  (...parts: Parts): readonly [string, ...Parts]
+  /** The beginning of every key of the family, to refetch all of them. */
+  readonly all: readonly [string]
+}
+
+/** Keys that begin with one word. Ids come next, so that a key without its last parts stands for all that begin so. */
+const family = <Parts extends readonly unknown[] = []>(word: string): Family<Parts> =>
+  Object.assign((...parts: Parts) => [word, ...parts] as const, { all: [word] as const })
+
+/** The keys of the query cache, every one of them, in the order of the server's rooms. */
+export const queryKeys = {
+  // accounts
+  session: family('session'),
+  me: family('me'),
+  visitor: family('visitor'),
+  signUp: family('sign-up'),
+  signUpLink: family<[secret: string]>('sign-up-link'),
+  signIns: family('sign-ins'),
+  studioPeople: family<[studioId: string]>('studio-people'),
+  studioInvitations: family<[studioId: string]>('studio-invitations'),
+  studioInvitation: family<[secret: string]>('studio-invitation'),
+  studioCalendar: family<[studioId: string]>('studio-calendar'),
+  quotas: family<[studioId: string]>('quotas'),
+
+  // projects
+  projects: family<[filter: { archived: boolean }]>('projects'),
+  project: family<[projectId: string]>('project'),
+  approvers: family<[projectId: string]>('approvers'),
+  projectInvitations: family<[projectId: string]>('project-invitations'),
+  invitation: family<[secret: string]>('invitation'),
+  spec: family<[projectId: string]>('spec'),
+  specVersions: family<[projectId: string]>('spec-versions'),
+  specVersion: family<[projectId: string, version: number]>('spec-version'),
+  specDraftCheck: family<[projectId: string, written: unknown]>('spec-draft-check'),
+  acceptedFiles: family<[projectId: string]>('accepted-files'),
+  checks: family('checks'),
+  checkPage: family<[check: string]>('check-page'),
+
+  // briefs
+  brief: family<[projectId: string, part?: 'spec']>('brief'),
+  briefVersions: family<[projectId: string]>('brief-versions'),
+  briefComparison: family<[projectId: string, from: number, to: number | 'now']>('brief-comparison'),
+  briefReads: family<[projectId: string]>('brief-reads'),
+  coverage: family<[projectId: string]>('coverage'),
+
+  // sound lists
+  soundList: family<[projectId: string, part?: SoundListPart, ...of: unknown[]]>('sound-list'),
+  comparedRevisions: family<[projectId: string, from: number, to: number]>('revisions'),
+  cue: family<[cueId: string]>('cue'),
+  kits: family('kits'),
+  kit: family<[projectId: string, key?: string]>('kit'),
+  importPlan: family<[projectId: string, sheet: unknown]>('import-plan'),
+
+  // hiring
+  postings: family<[projectId: string]>('postings'),
+  ownPostings: family('own-postings'),
+  posting: family<[postingId: string]>('posting'),
+  postingLink: family<[secret: string]>('posting-link'),
+  bids: family<[postingId: string]>('bids'),
+
+  // contracts and money
+  contracts: family<[projectId: string, part?: 'last', ...of: unknown[]]>('contracts'),
+  contract: family<[contractId: string, part?: ContractPart, ...of: unknown[]]>('contract'),
+  contractLibrary: family<[kind: string]>('contract-library'),
+  contractTemplates: family<[studioId: string]>('contract-templates'),
+  money: family<[projectId: string] | [part: MoneyPart, id: string, ...of: unknown[]]>('money'),
+
+  // deliveries
+  deliveries: family<[projectId: string]>('deliveries'),
+  delivery: family<[deliveryId: string]>('delivery'),
+  deliveryFit: family<[deliveryId: string]>('delivery-fit'),
+  unmatched: family<[projectId: string, count?: number]>('unmatched'),
+  cueTakes: family<[cueId: string]>('cue-takes'),
+  take: family<[takeId: string, part?: 'check' | 'fit', ...of: unknown[]]>('take'),
+  takeSounds: family<[takeId: string]>('take-sounds'),
+  sources: family<[of: 'take' | 'delivery', id: string]>('sources'),
+  fix: family<[takeId: string]>('fix'),
+  fixes: family<[projectId: string]>('fixes'),
+
+  // renders
+  targets: family<[projectId: string]>('targets'),
+  batches: family<[projectId: string]>('batches'),
+  batch: family<[batchId: string, ...progress: unknown[]]>('batch'),
+  loss: family<[renderId: string]>('loss'),
+  peaks: family<[url: string]>('peaks'),
+  bands: family<[url: string | null]>('bands'),
+  made: family<[kind: string, id: string | undefined, askedAt: number]>('made'),
+
+  // reviews
+  reviewQueue: family<[projectId: string, part?: 'count']>('review-queue'),
+  cueReview: family<[cueId: string]>('cue-review'),
+  changeRequests: family<[projectId: string, state: 'draft']>('change-requests'),
+  takeHistory: family<[takeId: string]>('take-history'),
+  judged: family<[projectId: string]>('judged'),
+
+  // builds
+  packs: family<[projectId: string, target?: string]>('packs'),
+  sealedPacks: family<[projectId: string]>('sealed-packs'),
+  sealedPack: family<[packId: string]>('sealed-pack'),
+  placeholders: family<[projectId: string, part?: string]>('placeholders'),
+  builds: family<[projectId: string]>('builds'),
+  build: family<[buildId: string]>('build'),
+  ci: family<[projectId: string]>('ci'),
+  tokens: family<[projectId: string]>('tokens'),
+
+  // notifications, dashboards and operations
+  outbox: family<[studioId: string]>('outbox'),
+  today: family<[projectId: string]>('today'),
+  nextSteps: family<[projectId: string]>('next-steps'),
+  desk: family<[projectId: string, list?: string]>('desk'),
+  overview: family<[projectId: string]>('overview'),
+  palette: family<[projectId: string]>('palette'),
+  pace: family<[projectId: string]>('pace'),
+  progress: family<[projectId: string, part?: 'cues' | 'counts']>('progress'),
+  operations: family<[scope: string, part: 'kept' | 'limits' | 'sums' | 'jobs', state?: string]>('operations'),
+}
+
+type SoundListPart =
+  | 'list'
+  | 'open questions'
+  | 'unmatched'
+  | 'revisions'
+  | 'changes'
+  | 'clarity'
+  | 'of the brief'
+  | 'of the project'
+  | 'plannable'
+  | 'to choose from'
+type ContractPart =
+  'versions' | 'comparison' | 'preview' | 'record' | 'redlines' | 'redline-preview' | 'change-orders' | 'ending'
+type MoneyPart =
+  'cue' | 'ledger' | 'invoices' | 'invoice-draft' | 'estimates' | 'milestone' | 'plan' | 'plan-check' | 'days'
+
+/** Refetch what is shown of these keys and of all that begin with one of them; the rest when a page shows it again. */
+export const invalidate = (client: QueryClient, ...touched: readonly QueryKey[]): Promise<void[]> =>
+  Promise.all(touched.map((queryKey) => client.invalidateQueries({ queryKey })))
+
+const wordsOf = (...families: readonly { all: readonly [string] }[]): ReadonlySet<string> =>
+  new Set(families.map(({ all: [word] }) => word))
+
+/** Families that no change on the server affects: texts of the product, and answers about something typed. */
+export const FIXED = wordsOf(
+  queryKeys.session,
+  queryKeys.visitor,
+  queryKeys.signUp,
+  queryKeys.signUpLink,
+  queryKeys.checkPage,
+  queryKeys.contractLibrary,
+  queryKeys.importPlan,
+  queryKeys.specDraftCheck,
+  queryKeys.specVersion,
+  queryKeys.bands,
+  queryKeys.takeSounds,
+  queryKeys.loss,
+)
+
+/** Families that a change in these rooms affects; a change in any other room may affect every family. */
+export const AFFECTED_BY: Readonly<Record<string, ReadonlySet<string>>> = {
+  notifications: wordsOf(queryKeys.outbox),
+  accounts: wordsOf(
+    queryKeys.me,
+    queryKeys.studioPeople,
+    queryKeys.studioInvitations,
+    queryKeys.project,
+    queryKeys.projects,
+    queryKeys.quotas,
+    queryKeys.today,
+  ),
+}
