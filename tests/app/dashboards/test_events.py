@@ -22,7 +22,7 @@ from tests.support.server import RunningServer, World
 from tests.support.waiting import until
 
 pytestmark = pytest.mark.both_databases
-SOON_S = 5.0  # a second where nothing else runs; a page that polled would take 15
+SOON_S = 12.0  # a second where nothing else runs; a page that polled would take 15
 
 
 @pytest.fixture

@@ -78,7 +78,7 @@ def demo(data: Path, port: int, started_within_s: float) -> Iterator[httpx.Clien
         tree = children_of(process.pid)
         process.send_signal(signal.SIGTERM)
         assert process.wait(STOP_S) == 0, log.read_text()
-        until(lambda: not any(Path(f"/proc/{pid}/cmdline").exists() for pid in tree), 10)
+        until(lambda: not any(Path(f"/proc/{pid}/cmdline").exists() for pid in tree))
 
 
 @pytest.mark.slow

@@ -15,7 +15,7 @@ from tests.house.routes import document
 from tests.support.server import RunningServer
 
 MORE_THAN_THREADS = 50  # of the pool that answers requests, which has 40
-SOON_S = 10.0
+SOON_S = 60.0
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from app.kit import concurrency as rules
 from app.kit.concurrency import ConcurrencyLimiter, Overloaded
 
 LONG_S = 60.0
-SOON_S = 5.0
+SOON_S = 60.0
 
 
 async def upload(limiter: ConcurrencyLimiter, came: list[str], name: str) -> None:

@@ -7,7 +7,7 @@ import pytest
 
 from tests.support.server import World
 
-ANSWERED_WITHIN_S = 8.0  # the child that parses has 5
+ANSWERED_WITHIN_S = 60.0  # the child that parses has 5, and a busy machine is slow to start and to end it
 TEXTS = {
     "60 kB of dots": "format = 1\n" + ".".join("a" * 30_000) + " = 1\n",
     "a deep table of files": 'format = 1\nname = "x"\n[files]\n' + "a." * 500 + 'a = "x"\n',

@@ -2,7 +2,6 @@
 
 import hashlib
 import io
-import time
 import wave
 from collections.abc import Callable
 from pathlib import Path
@@ -28,6 +27,7 @@ from app.renders.models import Picture, Render, RenderSet
 from app.sound_lists.models import Cue
 from tests.app.renders.making import add_cue, deliver, deliver_sound
 from tests.support.server import RunningServer, World
+from tests.support.waiting import until
 from tests.support.waves import join, silence, sine, wav_bytes
 
 
@@ -314,10 +314,7 @@ def test_a_job_that_dies_after_the_verdict_draws_when_it_comes_again(
 
     monkeypatch.setattr(kill_points, "point", interrupt)
     take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
-    deadline = time.monotonic() + 20
-    while sounds(world, take_id)["master"]["state"] != "drawn":
-        assert time.monotonic() < deadline, "the job did not come again within 20 s"
-        time.sleep(0.1)
+    until(lambda: sounds(world, take_id)["master"]["state"] == "drawn")
     assert found == ["conforming, 0 drawn"]
     assert [one["state"] for one in sounds(world, take_id)["renders"]] == ["made", "made"]
     assert count(world.server, CheckRun.take_id == UUID(take_id)) == 1

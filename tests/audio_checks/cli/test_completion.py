@@ -120,7 +120,7 @@ def test_zsh(tmp_path, capsys):
 
 def until(terminal, wanted):
     """Read a terminal until it shows what is wanted."""
-    shown, deadline = "", time.monotonic() + 20
+    shown, deadline = "", time.monotonic() + 120
     while time.monotonic() < deadline:
         if select.select([terminal], [], [], 0.1)[0]:
             shown += os.read(terminal, 4096).decode(errors="replace")
