@@ -27,12 +27,12 @@ class WrongState(Conflict):
     """The take is not in a state from which this can be done."""
 
 
-class TakesActNotFound(NotFound):
-    """No act on takes of that id within the caller's sight."""
+class TrayActionNotFound(NotFound):
+    """No action on takes of that id within the caller's sight."""
 
 
 class AlreadyUndone(Conflict):
-    """The act was undone before."""
+    """The action was undone before."""
 
 
 class VariationUnknown(Invalid):

@@ -8,7 +8,7 @@ from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, ForeignKeyConstr
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
-from app.deliveries.rules import ArchiveState, TakesActKind, TakeState
+from app.deliveries.rules import ArchiveState, TakeState, TrayActionKind
 from app.kit import clock
 from app.kit.db import Base, new_id
 from app.kit.uploads import Upload
@@ -87,20 +87,20 @@ class Take(Base):
     cue: Mapped[Cue | None] = relationship(lazy="raise")
 
 
-class TakesAct(Base):
+class TrayAction(Base):
     """One action on many takes, with the earlier place of each: it can be undone."""
 
-    __tablename__ = "deliveries_takes_acts"
+    __tablename__ = "deliveries_takes_acts"  # not renamed: servers of the version before use it during an update
     __table_args__ = (Index("ix_deliveries_takes_acts_project", "project_id", "id"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"))
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
-    kind: Mapped[TakesActKind]
+    kind: Mapped[TrayActionKind]
     done_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     done_at: Mapped[datetime] = mapped_column(default=clock.now)
     undone_at: Mapped[datetime | None]
-    takes: Mapped[list[dict[str, Any]]]  # id, edition after the act, and the place before it
+    takes: Mapped[list[dict[str, Any]]]  # id, edition after the action, and the place before it
 
 
 class CueSums(Base):

@@ -9,7 +9,7 @@ from sqlalchemy import ColumnElement, Select, bindparam, func, select
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import Person
-from app.deliveries.models import Archive, Delivery, DryStem, Take, TakesAct
+from app.deliveries.models import Archive, Delivery, DryStem, Take, TrayAction
 from app.deliveries.rules import TakeState
 from app.deliveries.rules import stem_of as stem_of_name
 from app.kit.in_array import in_array
@@ -333,9 +333,9 @@ def takes_by_id(session: Session, project_id: UUID, take_ids: Collection[UUID], 
     return list(session.scalars(_locked(query.options(*_WITH_CUE_AND_DESIGNER).order_by(Take.id))))
 
 
-def act_by_id(session: Session, act_id: UUID) -> TakesAct | None:
-    """Return an act on many takes, locked."""
-    return session.scalar(select(TakesAct).where(TakesAct.id == act_id).with_for_update())
+def tray_action_by_id(session: Session, action_id: UUID) -> TrayAction | None:
+    """Return an action on many takes, locked."""
+    return session.scalar(select(TrayAction).where(TrayAction.id == action_id).with_for_update())
 
 
 def takes_in(session: Session, delivery_id: UUID) -> Sequence[Take]:

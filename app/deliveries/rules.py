@@ -36,7 +36,7 @@ class ArchiveState(StrEnum):
     REFUSED = "refused"
 
 
-class TakesActKind(StrEnum):
+class TrayActionKind(StrEnum):
     """The actions on many takes at once."""
 
     MATCHED = "matched"

@@ -7,7 +7,7 @@ from uuid import UUID
 from pydantic import BeforeValidator, Field, StringConstraints
 
 from app.accounts.schemas import Line, PersonBrief, Prose
-from app.deliveries.rules import ArchiveState, TakesActKind, TakeState, shown_name
+from app.deliveries.rules import ArchiveState, TakeState, TrayActionKind, shown_name
 from app.kit.http import Schema, Whole
 
 GivenName = Annotated[
@@ -212,17 +212,17 @@ class TakeRename(Schema):
     becomes: str
 
 
-class TakesActRead(Schema):
+class TrayActionRead(Schema):
     """One action on many takes at once."""
 
     id: UUID
-    kind: TakesActKind
+    kind: TrayActionKind
     done_at: datetime
     undone_at: datetime | None
     take_ids: list[UUID] = Field(description="The takes that changed.")
 
 
-class TakesActUndone(TakesActRead):
+class TrayActionUndone(TrayActionRead):
     """The undone action."""
 
     moved_back: int = Field(description="Takes that are where they were before.")

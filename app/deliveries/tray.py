@@ -1,4 +1,4 @@
-"""Many takes at once: matched where their names are sure, moved, discarded, restored; each act can be undone."""
+"""Many takes at once: matched where their names are sure, moved, discarded, restored; each action can be undone."""
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
@@ -9,16 +9,16 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.deliveries import queries, take_states
-from app.deliveries.errors import AlreadyUndone, TakeNotFound, TakesActNotFound
-from app.deliveries.models import Take, TakesAct
-from app.deliveries.rules import CHECKABLE, TakesActKind, TakeState, ensure_kept, ensure_no_verdict, named_for
+from app.deliveries.errors import AlreadyUndone, TakeNotFound, TrayActionNotFound
+from app.deliveries.models import Take, TrayAction
+from app.deliveries.rules import CHECKABLE, TakeState, TrayActionKind, ensure_kept, ensure_no_verdict, named_for
 from app.deliveries.slots import Slot, matching_for, slot_given, stems_of_slots
 from app.kit import clock
 from app.projects.errors import ProjectNotFound
 from app.projects.service import ProjectAccess, project_access
 from app.sound_lists.models import Cue
 
-MAX_TAKES = 2_000  # in one act
+MAX_TAKES = 2_000  # in one action
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class Move:
     variation: int | None
 
 
-def accept_sure(session: Session, actor: Actor, project_id: UUID, take_ids: Collection[UUID] | None) -> TakesAct:
+def accept_sure(session: Session, actor: Actor, project_id: UUID, take_ids: Collection[UUID] | None) -> TrayAction:
     """Match every take of the tray, or those named, whose name is sure; the others stay where they are."""
     access = _who_sorts(session, actor, project_id)
     takes = queries.tray(session, project_id, access.only_designer_id, limit=MAX_TAKES)
@@ -46,10 +46,10 @@ def accept_sure(session: Session, actor: Actor, project_id: UUID, take_ids: Coll
         before.append(_place_of(take))
         cue = session.get_one(Cue, sure.cue_id)
         take_states.place_take(session, take, Slot(cue, sure.variation, sure.alternate), by=actor.person)
-    return _record(session, access, TakesActKind.MATCHED, takes, before)
+    return _record(session, access, TrayActionKind.MATCHED, takes, before)
 
 
-def move_takes(session: Session, actor: Actor, project_id: UUID, moves: Sequence[Move]) -> TakesAct:
+def move_takes(session: Session, actor: Actor, project_id: UUID, moves: Sequence[Move]) -> TrayAction:
     """Move takes to the cues named, all or none; raise WrongState where one is decided upon."""
     access, takes = _takes_named(session, actor, project_id, [move.take_id for move in moves])
     before = []
@@ -61,7 +61,7 @@ def move_takes(session: Session, actor: Actor, project_id: UUID, moves: Sequence
         ensure_kept(take.discarded_at)
         before.append(_place_of(take))
         take_states.place_take(session, take, slot, by=actor.person)
-    return _record(session, access, TakesActKind.MOVED, takes, before)
+    return _record(session, access, TrayActionKind.MOVED, takes, before)
 
 
 def names_after(session: Session, actor: Actor, project_id: UUID, moves: Sequence[Move]) -> list[tuple[Take, str]]:
@@ -78,7 +78,7 @@ def names_after(session: Session, actor: Actor, project_id: UUID, moves: Sequenc
     ]
 
 
-def discard_takes(session: Session, actor: Actor, project_id: UUID, take_ids: Sequence[UUID]) -> TakesAct:
+def discard_takes(session: Session, actor: Actor, project_id: UUID, take_ids: Sequence[UUID]) -> TrayAction:
     """Take files out of the list and the tray, all or none; their masters are kept, and they can be restored."""
     access, takes = _takes_named(session, actor, project_id, take_ids)
     before = []
@@ -89,10 +89,10 @@ def discard_takes(session: Session, actor: Actor, project_id: UUID, take_ids: Se
             _leave_cue(session, take, by=actor.person)
             take.discarded_at = clock.now()
     session.flush()
-    return _record(session, access, TakesActKind.DISCARDED, takes, before)
+    return _record(session, access, TrayActionKind.DISCARDED, takes, before)
 
 
-def restore_takes(session: Session, actor: Actor, project_id: UUID, take_ids: Sequence[UUID]) -> TakesAct:
+def restore_takes(session: Session, actor: Actor, project_id: UUID, take_ids: Sequence[UUID]) -> TrayAction:
     """Put discarded takes back into the tray."""
     access, takes = _takes_named(session, actor, project_id, take_ids)
     before = []
@@ -101,35 +101,35 @@ def restore_takes(session: Session, actor: Actor, project_id: UUID, take_ids: Se
             before.append(_place_of(take))
             take.discarded_at = None
             take_states.start_recheck(session, take, by=actor.person)
-    return _record(session, access, TakesActKind.RESTORED, takes, before)
+    return _record(session, access, TrayActionKind.RESTORED, takes, before)
 
 
-def undo(session: Session, actor: Actor, act_id: UUID) -> tuple[TakesAct, int, int]:
+def undo(session: Session, actor: Actor, action_id: UUID) -> tuple[TrayAction, int, int]:
     """Put takes back where they were before an action; those changed or decided since stay.
 
     Return the action, how many went back, and how many stay.
     """
-    act = queries.act_by_id(session, act_id)
-    if act is None:
-        raise TakesActNotFound(f"no act {act_id}")
+    action = queries.tray_action_by_id(session, action_id)
+    if action is None:
+        raise TrayActionNotFound(f"no action {action_id}")
     try:
-        access = _who_sorts(session, actor, act.project_id)
+        access = _who_sorts(session, actor, action.project_id)
     except ProjectNotFound:
-        raise TakesActNotFound(f"no act {act_id}") from None
-    if access.only_designer_id not in (None, act.done_by):
-        raise TakesActNotFound(f"no act {act_id}")
-    if act.undone_at is not None:
+        raise TrayActionNotFound(f"no action {action_id}") from None
+    if access.only_designer_id not in (None, action.done_by):
+        raise TrayActionNotFound(f"no action {action_id}")
+    if action.undone_at is not None:
         raise AlreadyUndone("this was undone before")
-    places = {UUID(place["take_id"]): place for place in act.takes}
-    takes = queries.takes_by_id(session, act.project_id, list(places), access.only_designer_id)
+    places = {UUID(place["take_id"]): place for place in action.takes}
+    takes = queries.takes_by_id(session, action.project_id, list(places), access.only_designer_id)
     back = 0
     for take in takes:
         place = places[take.id]
         if take.edition == place["edition_after"]:
             back += _put_back(session, take, place, by=actor.person)
-    act.undone_at = clock.now()
+    action.undone_at = clock.now()
     session.flush()
-    return act, back, len(places) - back
+    return action, back, len(places) - back
 
 
 def _put_back(session: Session, take: Take, place: dict[str, Any], *, by: UUID) -> bool:
@@ -192,16 +192,20 @@ def _place_of(take: Take) -> dict[str, Any]:
 
 
 def _record(
-    session: Session, access: ProjectAccess, kind: TakesActKind, takes: Sequence[Take], before: Sequence[dict[str, Any]]
-) -> TakesAct:
+    session: Session,
+    access: ProjectAccess,
+    kind: TrayActionKind,
+    takes: Sequence[Take],
+    before: Sequence[dict[str, Any]],
+) -> TrayAction:
     editions = {str(take.id): take.edition for take in takes}
-    act = TakesAct(
+    action = TrayAction(
         studio_id=access.project.studio_id,
         project_id=access.project.id,
         kind=kind,
         done_by=access.actor.person,
         takes=[{**place, "edition_after": editions[place["take_id"]]} for place in before],
     )
-    session.add(act)
+    session.add(action)
     session.flush()
-    return act
+    return action

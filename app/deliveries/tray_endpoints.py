@@ -7,9 +7,9 @@ from fastapi import APIRouter
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.deliveries import tray
-from app.deliveries.errors import AlreadyUndone, TakeNotFound, TakesActNotFound, VariationUnknown, WrongState
-from app.deliveries.models import TakesAct
-from app.deliveries.schemas import SureAccept, TakeRename, TakesActRead, TakesActUndone, TakesMove, TakesNamed
+from app.deliveries.errors import AlreadyUndone, TakeNotFound, TrayActionNotFound, VariationUnknown, WrongState
+from app.deliveries.models import TrayAction
+from app.deliveries.schemas import SureAccept, TakeRename, TakesMove, TakesNamed, TrayActionRead, TrayActionUndone
 from app.deliveries.tray import Move
 from app.kit.http import DbSession, Route, problems
 from app.projects.errors import ProjectNotFound, TeamNeeded
@@ -20,26 +20,26 @@ router = APIRouter(route_class=Route)
 
 @router.post(
     "/projects/{project_id}/takes/accept-sure",
-    response_model=TakesActRead,
+    response_model=TrayActionRead,
     responses=problems(ProjectNotFound, TeamNeeded),
 )
 def accept_sure_matches(
     project_id: UUID, body: SureAccept, session: DbSession, actor: Actor = allows(Audience.PROJECT)
-) -> TakesActRead:
+) -> TrayActionRead:
     """Match the files of the tray whose names are sure; a designer's own. Guesses stay where they are."""
-    return _act_read(tray.accept_sure(session, actor, project_id, body.take_ids))
+    return _tray_action_read(tray.accept_sure(session, actor, project_id, body.take_ids))
 
 
 @router.post(
     "/projects/{project_id}/takes/move",
-    response_model=TakesActRead,
+    response_model=TrayActionRead,
     responses=problems(ProjectNotFound, TakeNotFound, CueNotFound, TeamNeeded, WrongState, VariationUnknown),
 )
 def move_takes(
     project_id: UUID, body: TakesMove, session: DbSession, actor: Actor = allows(Audience.PROJECT)
-) -> TakesActRead:
+) -> TrayActionRead:
     """Move takes to other cues or variations, all or none, before any verdict; each is checked again there."""
-    return _act_read(tray.move_takes(session, actor, project_id, _moves(body)))
+    return _tray_action_read(tray.move_takes(session, actor, project_id, _moves(body)))
 
 
 @router.post(
@@ -57,48 +57,50 @@ def preview_renames(
 
 @router.post(
     "/projects/{project_id}/takes/discard",
-    response_model=TakesActRead,
+    response_model=TrayActionRead,
     responses=problems(ProjectNotFound, TakeNotFound, TeamNeeded, WrongState),
 )
 def discard_takes(
     project_id: UUID, body: TakesNamed, session: DbSession, actor: Actor = allows(Audience.PROJECT)
-) -> TakesActRead:
+) -> TrayActionRead:
     """Take files out of the list and the tray, all or none, before any verdict; their masters are kept."""
-    return _act_read(tray.discard_takes(session, actor, project_id, body.take_ids))
+    return _tray_action_read(tray.discard_takes(session, actor, project_id, body.take_ids))
 
 
 @router.post(
     "/projects/{project_id}/takes/restore",
-    response_model=TakesActRead,
+    response_model=TrayActionRead,
     responses=problems(ProjectNotFound, TakeNotFound, TeamNeeded),
 )
 def restore_takes(
     project_id: UUID, body: TakesNamed, session: DbSession, actor: Actor = allows(Audience.PROJECT)
-) -> TakesActRead:
+) -> TrayActionRead:
     """Put discarded takes back into the tray."""
-    return _act_read(tray.restore_takes(session, actor, project_id, body.take_ids))
+    return _tray_action_read(tray.restore_takes(session, actor, project_id, body.take_ids))
 
 
 @router.post(
-    "/takes-acts/{takes_act_id}/undo",
-    response_model=TakesActUndone,
-    responses=problems(TakesActNotFound, AlreadyUndone, TeamNeeded),
+    "/tray-actions/{tray_action_id}/undo",
+    response_model=TrayActionUndone,
+    responses=problems(TrayActionNotFound, AlreadyUndone, TeamNeeded),
 )
-def undo_takes_act(takes_act_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> TakesActUndone:
-    """Put takes back where they were before an act; those that were touched since stay."""
-    act, moved_back, left = tray.undo(session, actor, takes_act_id)
-    return TakesActUndone(**_act_read(act).model_dump(), moved_back=moved_back, left=left)
+def undo_tray_action(
+    tray_action_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> TrayActionUndone:
+    """Put takes back where they were before an action; those that were touched since stay."""
+    action, moved_back, left = tray.undo(session, actor, tray_action_id)
+    return TrayActionUndone(**_tray_action_read(action).model_dump(), moved_back=moved_back, left=left)
 
 
 def _moves(body: TakesMove) -> list[Move]:
     return [Move(move.take_id, move.cue_id, move.variation) for move in body.moves]
 
 
-def _act_read(act: TakesAct) -> TakesActRead:
-    return TakesActRead(
-        id=act.id,
-        kind=act.kind,
-        done_at=act.done_at,
-        undone_at=act.undone_at,
-        take_ids=[UUID(place["take_id"]) for place in act.takes],
+def _tray_action_read(action: TrayAction) -> TrayActionRead:
+    return TrayActionRead(
+        id=action.id,
+        kind=action.kind,
+        done_at=action.done_at,
+        undone_at=action.undone_at,
+        take_ids=[UUID(place["take_id"]) for place in action.takes],
     )

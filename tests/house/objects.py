@@ -33,8 +33,8 @@ from app.builds.models import Build, SealedPack
 from app.builds.rules import PackState
 from app.conformance.models import CheckRun
 from app.deliveries.cue_sums import update_cue_sums
-from app.deliveries.models import Delivery, DryStem, Take, TakesAct
-from app.deliveries.rules import TakesActKind, TakeState
+from app.deliveries.models import Delivery, DryStem, Take, TrayAction
+from app.deliveries.rules import TakeState, TrayActionKind
 from app.hiring.models import Bid, Candidate, Posting, PostingQuestion
 from app.hiring.rules import AskedScope, BidState, PostingPhase, PostingState
 from app.kit import clock
@@ -123,8 +123,8 @@ class House(World):
             sha256=self.sha256,
             file_bytes=len(FILE),
         )
-        act = TakesAct(**of, kind=TakesActKind.MOVED, done_by=self.designer_id, takes=[])
-        session.add_all([take, changed, dry_stem, act])
+        tray_action = TrayAction(**of, kind=TrayActionKind.MOVED, done_by=self.designer_id, takes=[])
+        session.add_all([take, changed, dry_stem, tray_action])
         session.flush()
         update_cue_sums(session, cue.id)
         spec = current_spec(session, self.project_id)
@@ -230,7 +230,7 @@ class House(World):
             "render_id": render.id,
             "reel_id": reel.id,
             "master_export_id": export.id,
-            "takes_act_id": act.id,
+            "tray_action_id": tray_action.id,
             "change_request_id": draft.id,
             "comment_id": comment.id,
             "note_id": note.id,
@@ -239,6 +239,7 @@ class House(World):
             "pack_id": pack.id,
             "mail_id": mail.id,
             "template_id": template.id,
+            "redline_number": 1,
             "kind": ContractKind.SINGLE.value,
             "engagement_id": engagement.id,
             "invitation_id": self._invitation_id,

@@ -23,7 +23,7 @@ ONE_DESIGNERS = {
     *("delivery_id", "take_id", "upload_id", "picture_id", "render_id", "comment_id", "change_request_id", "reel_id"),
     "note_id",
     "master_export_id",
-    "takes_act_id",
+    "tray_action_id",
     "sign_in_id",
     *CONTRACTS,
 }

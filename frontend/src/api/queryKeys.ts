@@ -6,7 +6,7 @@ interface Family<Parts extends readonly unknown[]> {
   readonly all: readonly [string]
 }
 
-/** Keys that begin with one word. Ids come next, so that a key without its last parts stands for all that begin so. */
+/** Keys that begin with one word. Ids come next, so that a key without its last parts matches all that begin with it. */
 const family = <Parts extends readonly unknown[] = []>(word: string): Family<Parts> =>
   Object.assign((...parts: Parts) => [word, ...parts] as const, { all: [word] as const })
 

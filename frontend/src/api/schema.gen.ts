@@ -3395,7 +3395,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/v1/takes-acts/{takes_act_id}/undo": {
+    "/v1/tray-actions/{tray_action_id}/undo": {
         parameters: {
             query?: never;
             header?: never;
@@ -3405,10 +3405,10 @@ export interface paths {
         get?: never;
         put?: never;
         /**
-         * Undo Takes Act
-         * @description Put takes back where they were before an act; those that were touched since stay.
+         * Undo Tray Action
+         * @description Put takes back where they were before an action; those that were touched since stay.
          */
-        post: operations["undo_takes_act"];
+        post: operations["undo_tray_action"];
         delete?: never;
         options?: never;
         head?: never;
@@ -14580,70 +14580,6 @@ export interface components {
             state: components["schemas"]["TakeState"];
         };
         /**
-         * TakesActKind
-         * @description The actions on many takes at once.
-         * @enum {string}
-         */
-        TakesActKind: "matched" | "moved" | "discarded" | "restored";
-        /**
-         * TakesActRead
-         * @description One action on many takes at once.
-         */
-        TakesActRead: {
-            /**
-             * Id
-             * Format: uuid
-             */
-            id: string;
-            kind: components["schemas"]["TakesActKind"];
-            /**
-             * Done At
-             * Format: date-time
-             */
-            done_at: string;
-            /** Undone At */
-            undone_at: string | null;
-            /**
-             * Take Ids
-             * @description The takes that changed.
-             */
-            take_ids: string[];
-        };
-        /**
-         * TakesActUndone
-         * @description The undone action.
-         */
-        TakesActUndone: {
-            /**
-             * Id
-             * Format: uuid
-             */
-            id: string;
-            kind: components["schemas"]["TakesActKind"];
-            /**
-             * Done At
-             * Format: date-time
-             */
-            done_at: string;
-            /** Undone At */
-            undone_at: string | null;
-            /**
-             * Take Ids
-             * @description The takes that changed.
-             */
-            take_ids: string[];
-            /**
-             * Moved Back
-             * @description Takes that are where they were before.
-             */
-            moved_back: number;
-            /**
-             * Left
-             * @description Takes that were changed or decided since; they stay as they are.
-             */
-            left: number;
-        };
-        /**
          * TakesMove
          * @description The places of takes.
          */
@@ -14978,6 +14914,70 @@ export interface components {
             last_used_at: string | null;
             /** Revoked At */
             revoked_at: string | null;
+        };
+        /**
+         * TrayActionKind
+         * @description The actions on many takes at once.
+         * @enum {string}
+         */
+        TrayActionKind: "matched" | "moved" | "discarded" | "restored";
+        /**
+         * TrayActionRead
+         * @description One action on many takes at once.
+         */
+        TrayActionRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            kind: components["schemas"]["TrayActionKind"];
+            /**
+             * Done At
+             * Format: date-time
+             */
+            done_at: string;
+            /** Undone At */
+            undone_at: string | null;
+            /**
+             * Take Ids
+             * @description The takes that changed.
+             */
+            take_ids: string[];
+        };
+        /**
+         * TrayActionUndone
+         * @description The undone action.
+         */
+        TrayActionUndone: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            kind: components["schemas"]["TrayActionKind"];
+            /**
+             * Done At
+             * Format: date-time
+             */
+            done_at: string;
+            /** Undone At */
+            undone_at: string | null;
+            /**
+             * Take Ids
+             * @description The takes that changed.
+             */
+            take_ids: string[];
+            /**
+             * Moved Back
+             * @description Takes that are where they were before.
+             */
+            moved_back: number;
+            /**
+             * Left
+             * @description Takes that were changed or decided since; they stay as they are.
+             */
+            left: number;
         };
         /**
          * UnclearCue
@@ -25355,7 +25355,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["TakesActRead"];
+                    "application/json": components["schemas"]["TrayActionRead"];
                 };
             };
             /** @description `team-needed` */
@@ -25408,7 +25408,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["TakesActRead"];
+                    "application/json": components["schemas"]["TrayActionRead"];
                 };
             };
             /** @description `team-needed` */
@@ -25523,7 +25523,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["TakesActRead"];
+                    "application/json": components["schemas"]["TrayActionRead"];
                 };
             };
             /** @description `team-needed` */
@@ -25585,7 +25585,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["TakesActRead"];
+                    "application/json": components["schemas"]["TrayActionRead"];
                 };
             };
             /** @description `team-needed` */
@@ -25617,12 +25617,12 @@ export interface operations {
             };
         };
     };
-    undo_takes_act: {
+    undo_tray_action: {
         parameters: {
             query?: never;
             header?: never;
             path: {
-                takes_act_id: string;
+                tray_action_id: string;
             };
             cookie?: never;
         };
@@ -25634,7 +25634,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["TakesActUndone"];
+                    "application/json": components["schemas"]["TrayActionUndone"];
                 };
             };
             /** @description `team-needed` */
@@ -25646,7 +25646,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `takes-act-not-found` */
+            /** @description `tray-action-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;

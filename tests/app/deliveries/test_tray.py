@@ -20,14 +20,14 @@ LIST = (
 )
 
 
-def act(world: World, what: str, body: dict[str, Any], by: Any = None) -> dict[str, Any]:
+def tray_action(world: World, what: str, body: dict[str, Any], by: Any = None) -> dict[str, Any]:
     done = (by or world.designer).post(f"/v1/projects/{world.project_id}/takes/{what}", json=body)
     assert done.status_code == 200, done.text
     return dict(done.json())
 
 
 def undo(world: World, done: dict[str, Any], by: Any = None) -> dict[str, Any]:
-    undone = (by or world.designer).post(f"/v1/takes-acts/{done['id']}/undo")
+    undone = (by or world.designer).post(f"/v1/tray-actions/{done['id']}/undo")
     assert undone.status_code == 200, undone.text
     return dict(undone.json())
 
@@ -88,7 +88,7 @@ def test_sure_matches_are_accepted_in_one_act_and_undone(world: World) -> None:
         "step_grass_04.wav",
         None,
     ]
-    done = act(world, "accept-sure", {})
+    done = tray_action(world, "accept-sure", {})
     assert done["take_ids"] == waiting[:3]
     assert [slot(see(world, take_id))[:2] for take_id in waiting] == [
         ("Perc bell 2", 1),
@@ -100,7 +100,7 @@ def test_sure_matches_are_accepted_in_one_act_and_undone(world: World) -> None:
     undone = undo(world, done)
     assert (undone["moved_back"], undone["left"]) == (3, 0)
     assert desk_unmatched(world) == 4
-    again = world.designer.post(f"/v1/takes-acts/{done['id']}/undo")
+    again = world.designer.post(f"/v1/tray-actions/{done['id']}/undo")
     assert (again.status_code, again.json()["code"]) == (409, "already-undone")
 
 
@@ -110,7 +110,7 @@ def test_a_prefix_that_a_delivery_shares_is_read(world: World) -> None:
     for seed, name in enumerate([*cues, "other_thing"]):
         deliver(world, f"Nordlicht_{name}.wav", another(seed), delivery_id=delivery_id)
     add_cues(world, *({"name": name} for name in cues))
-    assert len(act(world, "accept-sure", {})["take_ids"]) == 5
+    assert len(tray_action(world, "accept-sure", {})["take_ids"]) == 5
 
 
 def test_only_the_named_are_accepted(world: World) -> None:
@@ -118,7 +118,7 @@ def test_only_the_named_are_accepted(world: World) -> None:
         deliver(world, name, another(seed))["id"] for seed, name in enumerate(["PERC BELL.wav", "UI click.wav"])
     )
     add_cues(world, *LIST)
-    assert act(world, "accept-sure", {"take_ids": [second]})["take_ids"] == [second]
+    assert tray_action(world, "accept-sure", {"take_ids": [second]})["take_ids"] == [second]
     assert see(world, first)["cue"] is None
 
 
@@ -127,7 +127,7 @@ def test_a_folder_of_300_goes_away_in_one_act_and_comes_back(world: World) -> No
     delivery_id = open_delivery(world)
     matched = deliver(world, "ui_click.wav", another(0), delivery_id=delivery_id)["id"]
     ids = [deliver(world, f"wrong/{seed}.wav", another(seed), delivery_id=delivery_id)["id"] for seed in range(1, 12)]
-    done = act(world, "discard", {"take_ids": [*ids, matched]})
+    done = tray_action(world, "discard", {"take_ids": [*ids, matched]})
     assert (desk_unmatched(world), takes(world)) == (0, [])
     gone = takes(world, discarded=True)
     assert {take["id"] for take in gone} == {*ids, matched}
@@ -139,12 +139,12 @@ def test_a_folder_of_300_goes_away_in_one_act_and_comes_back(world: World) -> No
 
 def test_discarded_files_can_be_restored_and_sent_again(world: World) -> None:
     take = deliver(world, "stray.wav", another(1))
-    act(world, "discard", {"take_ids": [take["id"]]})
+    tray_action(world, "discard", {"take_ids": [take["id"]]})
     matched = world.designer.put(f"/v1/takes/{take['id']}/match", json={"cue_id": add_cues(world, *LIST)[0]["id"]})
     assert (matched.status_code, matched.json()["code"]) == (409, "wrong-state")
     again = deliver(world, "stray.wav", another(1))
     assert (again["already_here"], again["id"] == take["id"]) == (False, False)
-    act(world, "restore", {"take_ids": [take["id"]]})
+    tray_action(world, "restore", {"take_ids": [take["id"]]})
     assert desk_unmatched(world) == 2
 
 
@@ -158,7 +158,7 @@ def test_many_are_moved_at_once_and_undone(world: World) -> None:
     preview = world.designer.post(f"/v1/projects/{world.project_id}/takes/rename-preview", json={"moves": moves})
     assert [one["becomes"] for one in preview.json()] == ["step_grass_02.wav", "ui_click.wav"]
     assert see(world, first["id"])["cue"]["id"] == bell["id"]  # a preview changes nothing
-    done = act(world, "move", {"moves": moves}, by=world.producer)
+    done = tray_action(world, "move", {"moves": moves}, by=world.producer)
     assert [slot(see(world, take["id"]))[:2] for take in (first, second)] == [("Step grass", 2), ("UI click", 1)]
     assert undo(world, done, by=world.producer)["moved_back"] == 2
     assert see(world, first["id"])["cue"]["id"] == bell["id"]
@@ -195,7 +195,7 @@ def test_nothing_is_moved_or_discarded_once_a_verdict_stands(world: World) -> No
 def test_what_was_touched_since_stays_when_an_act_is_undone(world: World) -> None:
     take = deliver(world, "PERC BELL.wav", another(1))["id"]
     click = add_cues(world, *LIST)[3]
-    done = act(world, "accept-sure", {})
+    done = tray_action(world, "accept-sure", {})
     world.designer.put(f"/v1/takes/{take}/match", json={"cue_id": click["id"]})
     undone = undo(world, done)
     assert (undone["moved_back"], undone["left"]) == (0, 1)
@@ -225,8 +225,8 @@ def test_another_designer_can_touch_nothing_of_it(world: World) -> None:
     ):
         refused = world.other_designer.post(f"/v1/projects/{world.project_id}/takes/{what}", json=body)
         assert (refused.status_code, refused.json()["code"]) == (404, "take-not-found"), what
-    assert act(world, "accept-sure", {"take_ids": [take]}, by=world.other_designer)["take_ids"] == []
-    done = act(world, "discard", {"take_ids": [take]})
-    for act_id in (done["id"], new_id()):
-        assert world.other_designer.post(f"/v1/takes-acts/{act_id}/undo").status_code == 404
+    assert tray_action(world, "accept-sure", {"take_ids": [take]}, by=world.other_designer)["take_ids"] == []
+    done = tray_action(world, "discard", {"take_ids": [take]})
+    for action_id in (done["id"], new_id()):
+        assert world.other_designer.post(f"/v1/tray-actions/{action_id}/undo").status_code == 404
     assert UUID(done["id"])

@@ -9,7 +9,7 @@ import { State } from '@/ui/State'
 import { type Take, type TrayWork, useTrayWork, useUndo } from './api'
 import { CueField } from './CueField'
 import { Refusal } from './Refusal'
-import { actLine, between, files, groupsOf } from './tray'
+import { actionLine, between, files, groupsOf } from './tray'
 import classes from './Unmatched.module.css'
 import { UnmatchedFile } from './UnmatchedFile'
 
@@ -51,7 +51,7 @@ export function UnmatchedTray({ projectId, takes, count, player, playing }: Tray
           const { left } = await undo.mutateAsync(done)
           if (left > 0) showToast(`${files(left)} changed since then and stayed.`)
         }
-        showToast(said ?? actLine(done), back)
+        showToast(said ?? actionLine(done), back)
       },
     })
   const choose = (ids: readonly string[], on: boolean) =>

@@ -161,14 +161,14 @@ export const unmatchedQuery = (projectId: string, count: number) =>
 export const useUnmatched = (projectId: string, count: number) =>
   useQuery({ ...unmatchedQuery(projectId, count), placeholderData: keepPreviousData })
 
-export type TakesAct = Schemas['TakesActRead']
+export type TrayAction = Schemas['TrayActionRead']
 export type Move = Schemas['TakeMove']
 
-/** What is done to many files at once; each answers the act, which can be undone. */
+/** What is done to many files at once; each answers the action, which can be undone. */
 export type TrayWork =
   { what: 'accept'; takeIds: string[] } | { what: 'discard'; takeIds: string[] } | { what: 'move'; moves: Move[] }
 
-const actOf = (projectId: string, work: TrayWork): Promise<TakesAct> => {
+const runTrayWork = (projectId: string, work: TrayWork): Promise<TrayAction> => {
   switch (work.what) {
     case 'accept':
       return answered(
@@ -194,7 +194,7 @@ const actOf = (projectId: string, work: TrayWork): Promise<TakesAct> => {
 export function useTrayWork(projectId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (work: TrayWork) => actOf(projectId, work),
+    mutationFn: (work: TrayWork) => runTrayWork(projectId, work),
     onSettled: () => refresh(client, projectId),
   })
 }
@@ -203,8 +203,8 @@ export function useTrayWork(projectId: string) {
 export function useUndo(projectId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (act: TakesAct) =>
-      answered(api.POST('/v1/takes-acts/{takes_act_id}/undo', { params: { path: { takes_act_id: act.id } } })),
+    mutationFn: (action: TrayAction) =>
+      answered(api.POST('/v1/tray-actions/{tray_action_id}/undo', { params: { path: { tray_action_id: action.id } } })),
     onSettled: () => refresh(client, projectId),
   })
 }

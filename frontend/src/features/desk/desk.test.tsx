@@ -335,7 +335,7 @@ const MOVE = 'POST /v1/projects/p1/takes/move'
 describe('an unmatched file', () => {
   test('is given to its likeliest cue by one key, and back by Undo', async () => {
     const { asked } = serve(
-      answers({ [MOVE]: MOVED, 'POST /v1/takes-acts/a1/undo': { ...MOVED, moved_back: 1, left: 0 } }),
+      answers({ [MOVE]: MOVED, 'POST /v1/tray-actions/a1/undo': { ...MOVED, moved_back: 1, left: 0 } }),
     )
     const user = userEvent.setup()
     openApp('/desk')
@@ -347,7 +347,7 @@ describe('an unmatched file', () => {
       moves: [{ take_id: 't30', cue_id: STING.id, variation: 1 }],
     })
     await user.click(screen.getByRole('button', { name: /Undo/ }))
-    await waitFor(() => expect(asked.some(({ path }) => path === '/v1/takes-acts/a1/undo')).toBe(true))
+    await waitFor(() => expect(asked.some(({ path }) => path === '/v1/tray-actions/a1/undo')).toBe(true))
   })
 
   test('of a set has its variation chosen by a person', async () => {

@@ -1,6 +1,6 @@
 import { plural } from '@/ui/format'
 
-import type { Guess, Take, TakesAct } from './api'
+import type { Guess, Take, TrayAction } from './api'
 
 /** Files of one folder, under its path; files without a folder come first, under an empty one. */
 export interface FolderGroup {
@@ -36,11 +36,11 @@ export const slotName = ({ name, variation, variations }: Guess): string =>
 
 export const files = (count: number): string => plural(count, 'file')
 
-const DONE: Record<TakesAct['kind'], string> = {
+const DONE: Record<TrayAction['kind'], string> = {
   matched: 'matched',
   moved: 'moved',
   discarded: 'discarded; their masters are kept',
   restored: 'back in the tray',
 }
 
-export const actLine = ({ kind, take_ids }: TakesAct): string => `${files(take_ids.length)} ${DONE[kind]}.`
+export const actionLine = ({ kind, take_ids }: TrayAction): string => `${files(take_ids.length)} ${DONE[kind]}.`
