@@ -265,7 +265,7 @@ def test_the_servers_own_tables_are_closed_to_requests(database: Database):
             session.execute(sa.select(sa.literal(1)).select_from(sa.table(name, schema=schema)))
 
 
-def test_reach_grows_only_for_whom_it_is_said(database: Database):
+def test_reach_is_widened_only_for_the_named_caller(database: Database):
     with database.reading(NOBODY) as session:
         assert seen(session, "projects_projects") == set()
         widen_reach(session, Reach(person_id=ELSEWHERE))
@@ -374,7 +374,7 @@ def runtime(postgres: Postgres, tmp_path_factory: pytest.TempPathFactory) -> Ite
 class TestSetUp:
     """What is wrong with logins and roles is said in words."""
 
-    def test_a_guarded_database_is_ready_and_touched_no_more(self, runtime: Runtime):
+    def test_a_guarded_database_is_ready_and_left_as_it_is(self, runtime: Runtime):
         ensure_rows_are_guarded(runtime)
         said: list[str] = []
         sa.event.listen(

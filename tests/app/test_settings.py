@@ -102,7 +102,7 @@ def test_what_cannot_serve_does_not_start(environment, tmp_path: Path, command: 
     assert "Traceback" not in result.output
 
 
-def test_a_data_folder_that_cannot_be_made_is_said_in_words(environment, tmp_path: Path):
+def test_a_data_folder_that_cannot_be_made_is_reported(environment, tmp_path: Path):
     (tmp_path / "data").write_text("a file where a folder is wanted")
     result = started("migrate")
     assert result.exit_code == 2
@@ -110,7 +110,7 @@ def test_a_data_folder_that_cannot_be_made_is_said_in_words(environment, tmp_pat
     assert "Traceback" not in result.output
 
 
-def test_a_taken_port_for_figures_is_said_in_words(environment):
+def test_a_metrics_port_that_is_in_use_is_reported(environment):
     environment(SECRET_KEY="k" * 32)
     assert started("migrate").exit_code == 0
     with socket.socket() as taken:

@@ -58,7 +58,7 @@ def test_keys_come_from_where_aws_programs_look(monkeypatch):
         ("blobs", "begins with blobs://"),
     ],
 )
-def test_an_address_that_is_none_is_refused_in_words(url, reported):
+def test_an_invalid_address_is_refused_with_a_reason(url, reported):
     with pytest.raises(ValidationError, match="SOUNDLIST_STORE_URL") as refused:
         Settings(store_url=url, **KEYS)
     (error,) = refused.value.errors()
@@ -66,7 +66,7 @@ def test_an_address_that_is_none_is_refused_in_words(url, reported):
     assert "hush" not in error["msg"]
 
 
-def test_a_bucket_without_keys_is_refused_in_words():
+def test_a_bucket_without_keys_is_refused_with_a_reason():
     with pytest.raises(ValidationError, match="AWS_ACCESS_KEY_ID or AWS_SECRET_ACCESS_KEY is not set"):
         Settings(store_url="s3://sounds", aws_access_key_id="id")
 

@@ -62,7 +62,7 @@ def inside(wanted: Any) -> Iterator[Any]:
 
 
 @pytest.mark.parametrize("function", DOORS, ids=lambda function: function.__qualname__)
-def test_every_door_declares_what_comes_through_it(function: Callable[..., Any]):
+def test_every_function_of_a_child_declares_its_answer(function: Callable[..., Any]):
     for wanted in inside(returned_type(function)):
         assert wanted in PLAIN or (isinstance(wanted, type) and wanted not in UNDECLARED)
 
@@ -94,7 +94,7 @@ def test_every_door_declares_what_comes_through_it(function: Callable[..., Any])
         (unpack, "out.wav"),
     ],
 )
-def test_a_lying_answer_is_refused_at_each_door(function: Callable[..., Any], lie: object):
+def test_an_undeclared_answer_of_a_child_is_refused(function: Callable[..., Any], lie: object):
     with pytest.raises(SandboxCrashed, match="answer"):
         ensure_declared(lie, function)
 

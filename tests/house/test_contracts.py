@@ -55,7 +55,7 @@ def test_every_contract_holds(copy: Path):
 
 
 @pytest.mark.parametrize(("contract", "file", "line"), BREAKS, ids=[f"{b[0]}-{i}" for i, b in enumerate(BREAKS)])
-def test_a_broken_contract_barks(copy: Path, contract: str, file: str, line: str):
+def test_a_broken_import_contract_is_reported(copy: Path, contract: str, file: str, line: str):
     path = copy / file
     path.parent.mkdir(exist_ok=True)
     before = path.read_text() if path.exists() else ""

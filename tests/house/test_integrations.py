@@ -287,7 +287,7 @@ class TestPerforce:
         done = ask()
         assert (done.returncode, done.stdout) == (0, ""), done.stdout + done.stderr
 
-    def test_others_are_refused_in_words(self, submit):
+    def test_others_are_refused_with_a_reason(self, submit):
         depot, ask = submit
         write_wav(depot / "loud@home.wav", LOUD)
         done = ask()

@@ -78,7 +78,7 @@ def test_every_endpoint_declares_its_policy() -> None:
     assert [route.name for route in routes if policy_of(route) is None] == []
 
 
-def test_every_route_looks_who_asks_before_it_answers() -> None:
+def test_every_route_authenticates_before_it_answers() -> None:
     routes = [route for router in rooms.ROUTERS for route in api_routes(router.routes)]
     assert [route.name for route in routes if not isinstance(route, SingleThreadRoute)] == []
 

@@ -33,7 +33,7 @@ def test_a_process_that_is_asked_to_stop_says_so_and_finishes(server: ProcessSer
 
 
 @pytest.mark.killed_on("sqlite")
-def test_a_line_that_is_open_is_answered_after_the_door_is_shut(server: ProcessServer) -> None:
+def test_an_open_connection_is_answered_after_the_server_stops_listening(server: ProcessServer) -> None:
     """A proxy may have sent on it before it could know."""
     web = server.serve(drain_s=0.1)
     with (

@@ -96,7 +96,7 @@ def test_another_machine_is_not(visitor: Visitor, client: str) -> None:
     assert visitor(client=client).get("/v1/me").status_code == 401
 
 
-def test_without_demo_mode_there_is_no_such_door(server: RunningServer) -> None:
+def test_without_demo_mode_the_endpoint_does_not_exist(server: RunningServer) -> None:
     browser = TestClient(server.application, base_url="http://127.0.0.1:8000", client=("127.0.0.1", 50_000))
     assert browser.get("/v1/me").status_code == 401
     assert browser.put("/v1/demo/part/designer").status_code == 401

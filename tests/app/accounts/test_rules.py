@@ -40,7 +40,7 @@ def test_addresses_are_kept_in_one_form(typed: str, kept: str) -> None:
         "name@" + "s" * 250 + ".example",
     ],
 )
-def test_what_is_no_address_is_refused_in_words(typed: str) -> None:
+def test_text_that_is_not_an_address_is_refused_with_a_reason(typed: str) -> None:
     with pytest.raises(BadAddress) as refused:
         ensure_address(typed)
     assert refused.value.errors[0]["where"] == "email"

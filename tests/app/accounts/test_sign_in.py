@@ -96,7 +96,7 @@ def test_an_address_has_one_account(server: RunningServer, account: tuple[TestCl
         ("studio_name", "x" * 121, "invalid-request"),
     ],
 )
-def test_what_is_wrong_with_a_sign_up_is_said_at_its_field(
+def test_what_is_wrong_with_a_sign_up_is_reported_at_its_field(
     server: RunningServer, field: str, value: str, code: str
 ) -> None:
     body = {"email": address(), "name": "Producer", "password": PASSWORD, "studio_name": "Night Studio", field: value}
@@ -232,7 +232,7 @@ def test_spaces_are_part_of_a_password(server: RunningServer, account: tuple[Tes
     assert sign_in(server.browser(), account[1], f" {PASSWORD} ").status_code == 401
 
 
-def test_a_forgotten_password_is_set_anew_by_mail_once(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_a_forgotten_password_is_reset_once_by_mail(server: RunningServer, account: tuple[TestClient, str]) -> None:
     browser, email = account
     secrets = []
     for _ in range(2):

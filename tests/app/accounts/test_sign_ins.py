@@ -64,7 +64,9 @@ def test_all_others_are_ended(server: RunningServer, account: tuple[TestClient, 
     assert len(listed(browser)) == 1
 
 
-def test_nobody_ends_anybody_elses(server: RunningServer, account: tuple[TestClient, str], world: World) -> None:
+def test_nobody_ends_the_sign_in_of_another_person(
+    server: RunningServer, account: tuple[TestClient, str], world: World
+) -> None:
     (own,) = listed(account[0])
     assert world.producer.delete(f"/v1/me/sign-ins/{own['id']}").status_code == 404
     assert account[0].get("/v1/me").status_code == 200

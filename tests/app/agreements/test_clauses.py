@@ -157,7 +157,7 @@ def test_clauses_that_stand_instead_of_one_another_do_not_stand_together():
         ({"direction_hour_minor": 8_000}, "Directing a voice session costs EUR 80.00 an hour"),
     ],
 )
-def test_what_the_software_reckons_by_is_said(terms: dict[str, int | str], words: str):
+def test_the_text_states_the_terms_that_the_software_computes_with(terms: dict[str, int | str], words: str):
     clauses, defaults = begin(ContractKind.SINGLE)
     standing = [Clause(clause.key, clause.title, clause.text) for clause in clauses if clause.key != "ownership"]
     whole = defaults | {"po_number": "PO-1"} | terms
@@ -165,7 +165,7 @@ def test_what_the_software_reckons_by_is_said(terms: dict[str, int | str], words
     assert words in render("Effects", standing, whole, dict.fromkeys(FACTS, "something"), "EUR")
 
 
-def test_what_only_a_struck_clause_says_holds_no_more():
+def test_terms_of_a_struck_clause_no_longer_hold():
     clauses, terms = begin(ContractKind.SINGLE)
     struck = [
         Clause(clause.key, clause.title, clause.text, clause.key not in ("kill_fee", "rates")) for clause in clauses

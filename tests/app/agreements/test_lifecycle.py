@@ -87,7 +87,7 @@ def test_the_text_says_how_the_price_comes_about(world: World, contracts: Contra
     assert "Alpha ·  · SW-001 · EUR 0.00 · 7 %" in said
 
 
-def test_a_mistyped_term_is_refused_in_words(world: World, contracts: Contracts):
+def test_a_mistyped_term_is_refused_with_a_reason(world: World, contracts: Contracts):
     begun = contracts.begin()
     terms = {**begun["version"]["terms"], "price_mode": "by_day"}
     body = contracts.draft_of(begun, terms=terms)

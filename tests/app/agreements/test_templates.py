@@ -49,7 +49,7 @@ WHOLE = 'format = 1\nname = "x"\nkind = "nda"\n'
         (WHOLE + "[[clauses]]\nkey = 'a'\ntitle = 'A'\ntext = 'x'\nstands = 1", "clause 1: stands is 1"),
     ],
 )
-def test_what_is_no_template_is_refused_in_words(toml: str, words: str):
+def test_a_file_that_is_not_a_template_is_refused_with_a_reason(toml: str, words: str):
     with pytest.raises(BadTemplate, match=words):
         parse_toml(toml)
 

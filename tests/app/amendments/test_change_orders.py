@@ -269,7 +269,7 @@ def test_who_sees_and_who_proposes(order: Order) -> None:
     assert refused(order.propose(about("add_round", order.cues[0]), by=world.approver)) == (403, "not-your-contract")
 
 
-def test_the_text_says_what_changes_and_no_more(order: Order) -> None:
+def test_the_text_says_what_changes_and_nothing_else(order: Order) -> None:
     order.propose(about("reprice_cue", order.cues[0], price_minor=20_000), begins_at_once=True)
     (shown,) = order.read()["orders"]
     words = " ".join("".join(span["text"] for span in block["spans"]) for block in shown["blocks"])
@@ -307,5 +307,5 @@ def warned(*differences: Difference, days: int = 0) -> list[str]:
         ([Difference(ALPHA.milestone_id, cues=-1)], 29, []),
     ],
 )
-def test_less_time_for_more_work_is_said(differences: list[Difference], days: int, codes: list[str]) -> None:
+def test_less_time_for_more_work_is_pointed_out(differences: list[Difference], days: int, codes: list[str]) -> None:
     assert warned(*differences, days=days) == codes

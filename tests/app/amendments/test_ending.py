@@ -148,7 +148,7 @@ def test_what_is_settled_is_invoiced_and_paid(agreed: Agreed) -> None:
     assert (agreed.figures()["due_minor"], agreed.figures()["open_minor"]) == (0, 0)
 
 
-def test_a_yes_to_another_state_of_things_counts_no_more(agreed: Agreed) -> None:
+def test_approval_of_an_outdated_state_no_longer_counts(agreed: Agreed) -> None:
     cues = half_way(agreed)
     body_of(give_notice(agreed))
     seen = ending(agreed)["statement_sha256"]
@@ -180,7 +180,7 @@ def end_yesterday(agreed: Agreed) -> None:
 
 
 @pytest.mark.both_databases
-def test_without_a_yes_the_last_day_settles_it_once(agreed: Agreed) -> None:
+def test_without_agreement_the_last_day_settles_it_once(agreed: Agreed) -> None:
     half_way(agreed)
     body_of(give_notice(agreed, agreed.world.designer))
     jobs.settle_ended(agreed.world.server.runtime, {})

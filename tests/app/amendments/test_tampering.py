@@ -318,7 +318,7 @@ def test_an_altered_head_is_none(
     assert any(fault.startswith(words) for fault in verified_with(world, head, monkeypatch))
 
 
-def test_a_head_by_another_key_is_said(
+def test_a_head_by_another_key_is_reported(
     world: World, nda_id: UUID, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     other = Settings(secret_key="the key of another server")

@@ -93,7 +93,7 @@ def broken(path: list[Any], value: Any) -> dict[str, Any]:
         broken(["files", 0, "facts"], {"note": "zero \0"}),
     ],
 )
-def test_what_is_no_report_is_refused(world: World, sent: dict[str, Any]) -> None:
+def test_a_body_that_is_not_a_report_is_refused(world: World, sent: dict[str, Any]) -> None:
     assert post(world, world.producer, sent).status_code == 422
     assert world.producer.get(f"/v1/projects/{world.project_id}/builds").json()["items"] == []
 

@@ -51,6 +51,6 @@ def test_what_people_wrote_is_text() -> None:
     assert shown.count(as_typed) == 6, "the title and the footer; the file, the name, the description, the note"
 
 
-def test_an_empty_key_and_a_sound_without_a_file_are_lawful() -> None:
+def test_an_empty_key_and_a_sound_without_a_file_are_valid() -> None:
     bare = replace(ROW, file="", duration_s=None, sample_rate_hz=None, bit_depth=None, channels=None, note="refused")
     assert key_pdf([], title="t") != key_pdf([bare], title="t")

@@ -141,7 +141,7 @@ def test_what_was_approved_before_is_listened_to_when_it_is_asked_for(
     assert jobs_for(world, "builds.fingerprint_pack") == [("10", "SUCCESS")]
 
 
-def test_what_another_version_heard_is_heard_anew(world: World) -> None:
+def test_masters_analysed_by_another_version_are_analysed_again(world: World) -> None:
     accepted_list(world)
     before = manifest(world)
     older = sa.update(Fingerprint).where(Fingerprint.studio_id == world.studio_id)
@@ -152,7 +152,7 @@ def test_what_another_version_heard_is_heard_anew(world: World) -> None:
     assert sorted(kept(world).values()) == [0, 0, 0, 1, 1, 1]
 
 
-def test_game_files_made_anew_are_listened_to(world: World) -> None:
+def test_rerendered_game_files_are_analysed(world: World) -> None:
     accepted_list(world)
     before = manifest(world)
     spec = world.producer.get(f"/v1/projects/{world.project_id}/spec").json()
@@ -271,7 +271,7 @@ def until_ready(world: World) -> None:
     until(lambda: ask(world).status_code == 200)
 
 
-def test_a_child_that_dies_holds_up_no_other_sound_and_is_tried_anew(
+def test_a_child_that_dies_holds_up_no_other_sound_and_is_retried(
     world: World, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     accepted_list(world)

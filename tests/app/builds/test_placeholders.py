@@ -92,7 +92,7 @@ def test_the_countdown_says_how_much_is_left_and_what_comes_next(world: World) -
     assert after["next"]["path"] == "siren.wav"
 
 
-def test_stand_ins_are_in_a_pack_only_when_asked_for_and_say_what_they_are(world: World, tmp_path: Path) -> None:
+def test_placeholders_are_packed_only_on_request_and_marked(world: World, tmp_path: Path) -> None:
     accepted_list(world)  # two cues accepted, "Warp in" is not
     make(world)
     assert named(pack(world).content) == ["laser_fire_01.wav", "laser_fire_02.wav", "ui_confirm.wav"]
@@ -114,7 +114,7 @@ def test_stand_ins_are_in_a_pack_only_when_asked_for_and_say_what_they_are(world
     assert (sealed["files"], sealed["placeholder_files"], sealed["placeholders"]) == (3, 1, True)
 
 
-def test_an_accepted_stand_in_does_not_ship_unnoticed(world: World) -> None:
+def test_an_accepted_placeholder_does_not_ship_unnoticed(world: World) -> None:
     add_cues(world, {"name": "Siren"})
     make(world)
     # A placeholder file of ours, taken for the sound: delivered, let be, approved.

@@ -51,7 +51,7 @@ def test_the_same_files_are_the_same_bytes() -> None:
     assert packed(entries) == packed(entries)
 
 
-def test_nothing_is_a_lawful_zip() -> None:
+def test_an_empty_zip_is_valid() -> None:
     assert zipfile.ZipFile(io.BytesIO(packed([]))).namelist() == []
 
 

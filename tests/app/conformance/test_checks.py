@@ -215,7 +215,7 @@ def test_what_would_say_the_same_is_not_computed_again(world: World, monkeypatch
     assert ([run.is_current for run in kept], len({run.key for run in kept})) == ([False, True], 1)
 
 
-def test_a_new_spec_judges_anew_what_is_not_decided(world: World) -> None:
+def test_a_new_spec_rechecks_undecided_takes(world: World) -> None:
     undecided = deliver(world, "undecided.wav", tone(dbfs=-3.0))
     quiet = deliver(world, "quiet.wav", tone(dbfs=-20.0))
     approved = deliver(world, "approved.wav", tone(dbfs=-3.1))
@@ -248,7 +248,7 @@ def test_a_new_spec_that_asks_the_same_of_a_take_leaves_it_alone(world: World) -
     assert world.designer.get(f"/v1/takes/{take['id']}").json()["state_since"] == since
 
 
-def test_a_changed_cue_judges_its_takes_anew(world: World) -> None:
+def test_a_changed_cue_rechecks_its_takes(world: World) -> None:
     laser, _ = add_cues(world, {"name": "Laser fire", "duration_s": 0.1}, {"name": "Shield hit"})
     take = deliver(world, "laser_fire.wav", tone(hz=350))
     other = deliver(world, "shield_hit.wav", tone(hz=351))

@@ -215,7 +215,7 @@ def test_a_new_spec_makes_a_new_fix(world: World, take: dict[str, Any]) -> None:
     assert "level lowered by 3.00 dB" in fix_of(world, take)["says"]
 
 
-def test_when_its_mender_dies_three_times_that_is_our_fault(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_fix_whose_process_dies_three_times_is_our_fault(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     def dead(*_: Any, **__: Any) -> Any:
         raise audio_checks.SandboxCrashed("the child was ended by SIGSEGV", signal=11)
 
@@ -353,7 +353,7 @@ def test_all_that_came_back_with_an_offset_are_fixed_in_one_go(world: World) -> 
     assert [one["rounds_so_far"] for one in queued] == [0] * 3
 
 
-def test_why_an_uneven_offset_stays_is_said(world: World) -> None:
+def test_the_reason_why_an_uneven_offset_stays_is_given(world: World) -> None:
     add_cues(world, {"name": "Airlock cycle"})
     uneven = join(sine(hz=440, dbfs=-20.0, seconds=1.0) + 0.06, sine(hz=440, dbfs=-20.0, seconds=1.0))
     fix = fix_of(world, returned(world, wav_bytes(uneven)))

@@ -86,7 +86,7 @@ def test_a_child_for_which_no_take_comes_ends(serve: Serve, monkeypatch: pytest.
     assert serve(delivery_id) != pid
 
 
-def test_a_child_serves_so_many_takes_and_no_more(serve: Serve, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_child_is_replaced_after_a_number_of_takes(serve: Serve, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(workspaces, "MAX_TAKES", 2)
     delivery_id = uuid4()
     pid = serve(delivery_id)

@@ -60,7 +60,7 @@ def test_what_came_back_of_an_accepted_or_a_cut_cue_is_not_there(world: World):
 
 
 @pytest.mark.parametrize("path", ["to-make", "with-approver", "came-back"])
-def test_a_cursor_of_somebody_elses_is_refused_in_words(world: World, path: str):
+def test_a_bad_cursor_is_refused_and_strangers_see_nothing(world: World, path: str):
     answer = world.designer.get(f"/v1/projects/{world.project_id}/desk/{path}", params={"cursor": "yesterday"})
     assert (answer.status_code, answer.json()["code"]) == (422, "bad-cursor")
     for who, status in ((world.producer, 403), (world.stranger, 404), (world.nobody, 401)):

@@ -171,7 +171,7 @@ def test_money_is_the_designers_then_the_producers_step(world: World) -> None:
     assert "pay_invoice" not in dict(steps(world, "reviewer"))
 
 
-def test_a_deposit_is_told_to_both_and_then_invoiced_and_paid(world: World, contracts: Contracts) -> None:
+def test_a_deposit_is_announced_to_both_and_then_invoiced_and_paid(world: World, contracts: Contracts) -> None:
     [cue] = add_cues(world, {"name": "airlock"})
     draft = contracts.begin()
     plan = [deposit(30_000), milestone("Alpha", cue["id"], amount_minor=70_000)]

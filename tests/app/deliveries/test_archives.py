@@ -79,7 +79,7 @@ def test_each_sound_becomes_a_take(world: World) -> None:
     assert {take["state"] for take in archive["takes"]} == {"returned"}  # they are no sounds, and were judged
 
 
-def test_what_is_left_out_is_said(world: World) -> None:
+def test_entries_left_out_are_listed(world: World) -> None:
     link = zipfile.ZipInfo("link.wav")
     link.create_system, link.external_attr = 3, (stat.S_IFLNK | 0o777) << 16
     archive = send(
@@ -143,7 +143,7 @@ def test_names_in_utf8_that_do_not_say_so_are_read(world: World) -> None:
     ],
     ids=["empty", "no ZIP", "cut off", "too many"],
 )
-def test_what_cannot_be_unpacked_is_refused_in_words(world: World, content: bytes, word: str) -> None:
+def test_a_zip_that_cannot_be_unpacked_is_refused_with_a_reason(world: World, content: bytes, word: str) -> None:
     archive = send(world, content)
     assert archive["state"] == "refused"
     assert word in archive["message"]
@@ -165,7 +165,7 @@ def refusal(tmp_path: Path, content: bytes) -> str:
     return str(refused.value)
 
 
-def test_a_bomb_is_refused_before_it_is_lit(tmp_path: Path, world: World) -> None:
+def test_a_zip_bomb_is_refused_before_it_is_unpacked(tmp_path: Path, world: World) -> None:
     bomb = packed({"1.wav": bytes(1 << 20)})  # 1 MiB in 1 KiB, of which it promises 1 GiB
     bomb = lying(bomb, 24, 1 << 30)
     assert len(bomb) < 1 << 20

@@ -251,7 +251,7 @@ def test_a_sealed_pack_has_its_clearance_sheet(world: World) -> None:
     assert world.producer.get(f"/v1/packs/{sealed['id']}/clearance-sheet.pdf").content.startswith(b"%PDF")
 
 
-def test_the_same_file_in_another_project_of_the_studio_is_said(world: World) -> None:
+def test_the_same_file_in_another_project_of_the_studio_is_reported(world: World) -> None:
     accepted_list(world)
     listed = body_of(world.producer.get(f"/v1/projects/{world.project_id}/takes"))["items"]
     body = {"studio_id": str(world.studio_id), "name": "Shield Wing 2", "cue_prefix": "SB"}

@@ -177,7 +177,7 @@ def test_what_matches_nothing_waits_with_three_guesses(world: World) -> None:
     assert world.designer.get(f"/v1/projects/{world.project_id}/takes?unmatched=true").json()["items"] == []
 
 
-def test_a_take_can_be_matched_anew_until_it_is_decided_upon(world: World) -> None:
+def test_a_take_can_be_rematched_until_it_has_a_verdict(world: World) -> None:
     laser, shield = add_cues(world, {"name": "Laser fire"}, {"name": "Shield hit"})
     deliver(world, "shield_hit.wav", another(1))
     take = deliver(world, "laser_fire.wav", SOUND)
@@ -232,7 +232,7 @@ def test_any_name_is_kept_and_none_is_a_path(world: World, name: str, shown: str
     assert not any(mark in master.headers["content-disposition"] for mark in "/\\\n\r")
 
 
-def test_a_name_that_is_no_text_is_refused_in_words(world: World) -> None:
+def test_a_name_that_is_no_text_is_refused_with_a_reason(world: World) -> None:
     delivery_id = open_delivery(world)
     upload_id = upload(world, delivery_id, "a.wav", SOUND)
     for name in (b'""', b'"\\ud800.wav"', b'"laser\\u0000.wav"', b"7"):

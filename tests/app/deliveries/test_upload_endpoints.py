@@ -99,7 +99,7 @@ def test_a_whole_file_other_than_announced_is_refused(world: World) -> None:
     assert patch(world.designer, location, 0, CONTENT).status_code == 204
 
 
-def test_what_does_not_fit_is_refused_in_words(world: World) -> None:
+def test_what_does_not_fit_is_refused_with_a_reason(world: World) -> None:
     location = begin(world.designer, open_delivery(world)).headers["location"]
     refused = {
         "offset-mismatch": patch(world.designer, location, 7, CONTENT),
@@ -130,7 +130,7 @@ def test_what_does_not_fit_is_refused_in_words(world: World) -> None:
         {"Upload-Checksum": "sha256 %%"},
     ],
 )
-def test_a_bad_header_is_refused_in_words(world: World, headers: dict[str, str]) -> None:
+def test_a_bad_header_is_refused_with_a_reason(world: World, headers: dict[str, str]) -> None:
     answer = begin(world.designer, open_delivery(world), headers=headers)
     assert (answer.status_code, answer.json()["code"]) == (400, "bad-upload-header")
     assert staged(world.server, world.studio_id) == []

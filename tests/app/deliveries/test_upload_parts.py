@@ -74,7 +74,7 @@ def test_a_store_that_takes_parts_says_so(direct: RunningServer, server: Running
     assert "soundlist-parts" not in server.browser().options("/v1/uploads").headers["tus-extension"]
 
 
-def test_where_no_parts_are_taken_that_is_said(server: RunningServer):
+def test_a_store_without_multipart_uploads_says_so(server: RunningServer):
     world = World(server)
     location = begun(world)
     answer = world.designer.post(f"{location}/parts", json={"parts": [named(1)]})

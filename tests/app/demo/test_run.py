@@ -186,7 +186,7 @@ def test_two_demos_do_not_share_a_folder(tmp_path: Path, say: Callable[..., Resu
         (["serve", "--host", "0.0.0.0"], {"SOUNDLIST_DEMO": "1", "SOUNDLIST_SECRET_KEY": "x" * 16}, "127.0.0.1 only"),  # noqa: S104
     ],
 )
-def test_wrong_settings_are_refused_in_words(
+def test_wrong_settings_are_refused_with_a_reason(
     say: Callable[..., Result], command: list[str], environment: dict, said: str
 ):
     result = say(*command, **environment)

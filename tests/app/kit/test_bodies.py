@@ -243,7 +243,7 @@ def test_a_line_is_kept_where_a_small_body_was_not_wanted(port: int):
         (b"\xff\xfe", "JSON"),
     ],
 )
-def test_json_beyond_its_limits_is_refused_in_words(server: RunningServer, body: bytes, words: str):
+def test_json_beyond_its_limits_is_refused_with_a_reason(server: RunningServer, body: bytes, words: str):
     answer = server.browser().post("/v1/sign-in", content=body, headers={"Content-Type": "application/json"})
     assert (answer.status_code, words in answer.json()["detail"]) == (422, True), answer.text
 

@@ -73,7 +73,7 @@ def test_people_do_not_wait_for_uploads():
     asyncio.run(both())
 
 
-def test_a_seat_that_was_left_is_the_next_ones_and_only_once():
+def test_a_slot_given_up_goes_once_to_the_next_caller():
     async def line() -> int:
         limiter, came = ConcurrencyLimiter(), list[str]()
         async with AsyncExitStack() as inside:
@@ -116,7 +116,7 @@ def test_a_request_that_waits_too_long_is_refused_unless_its_bytes_are_here(monk
     asyncio.run(full())
 
 
-def test_whoever_goes_away_holds_nobody_up(monkeypatch: pytest.MonkeyPatch):
+def test_a_caller_who_leaves_holds_nobody_up(monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(rules, "YIELD_TO_PEOPLE_S", LONG_S)
 
     async def line() -> list[str]:
@@ -171,7 +171,7 @@ def test_one_caller_has_never_all_slots():
     asyncio.run(alone())
 
 
-def test_whoever_gives_up_while_waiting_leaves_the_slots_whole(monkeypatch: pytest.MonkeyPatch):
+def test_a_caller_who_gives_up_waiting_frees_the_slot(monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(rules, "MAX_WAIT_S", 0.05)
 
     async def crowd() -> int:
@@ -193,7 +193,7 @@ def test_whoever_gives_up_while_waiting_leaves_the_slots_whole(monkeypatch: pyte
     assert asyncio.run(crowd()) == 8
 
 
-def test_a_turn_that_comes_as_its_caller_goes_away_is_the_next_ones():
+def test_a_slot_granted_to_a_caller_who_left_goes_to_the_next():
     async def both() -> list[str]:
         limiter, came = ConcurrencyLimiter(), list[str]()
         inside = AsyncExitStack()

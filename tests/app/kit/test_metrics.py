@@ -154,7 +154,7 @@ def test_a_worker_serves_its_figures_on_a_port_of_its_own(own_port: metrics.Metr
     assert httpx.get(f"{address}/other").status_code == 404
 
 
-def test_a_port_that_is_taken_is_said_in_words(own_port: metrics.MetricsServer):
+def test_a_port_that_is_in_use_is_reported(own_port: metrics.MetricsServer):
     with pytest.raises(metrics.CannotListen, match=f"127.0.0.1:{own_port.port}.*its own SOUNDLIST_METRICS_PORT"):
         metrics.MetricsServer("127.0.0.1", own_port.port, TOKEN, [])
 

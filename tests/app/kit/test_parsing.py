@@ -53,7 +53,7 @@ def test_it_answers_as_the_function_does(parsers: Parsers):
         (int, ("x",), "damaged"),
     ],
 )
-def test_what_ends_a_child_is_refused_in_words(parsers: Parsers, function, arguments, words: str):
+def test_input_that_ends_a_child_is_refused_with_a_reason(parsers: Parsers, function, arguments, words: str):
     with pytest.raises(Unreadable, match=words) as refused:
         parsers.call(function, *arguments, refusal=Unreadable)
     assert refused.value.status == 422

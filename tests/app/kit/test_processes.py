@@ -116,7 +116,7 @@ def test_what_cannot_begin_is_not_begun_for_ever(run: Callable[..., Run]):
     assert server.process.wait(WITHIN_S) == 2  # as whoever could not begin ended
 
 
-def test_a_port_that_is_in_use_is_said_in_words():
+def test_a_port_that_is_in_use_is_reported():
     with listener("127.0.0.1", 0, shared=True) as taken:
         taken.listen()
         with pytest.raises(PortTaken, match=r"stop what does, or give another --port"):

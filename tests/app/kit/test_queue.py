@@ -270,9 +270,7 @@ def test_only_what_is_promised_to_nobody_is_synced_later(runtime: Runtime, serve
     assert synced == [2, 1], "FULL and NORMAL"
 
 
-def test_a_seat_that_falls_free_is_filled_at_once(
-    runtime: Runtime, server: RunningServer, monkeypatch: pytest.MonkeyPatch
-):
+def test_a_free_slot_is_filled_at_once(runtime: Runtime, server: RunningServer, monkeypatch: pytest.MonkeyPatch):
     """Where work waits nobody pauses for the next look."""
     assert server.worker is not None
     with monkeypatch.context() as rare:

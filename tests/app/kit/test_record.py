@@ -47,7 +47,7 @@ def test_a_chain_is_of_one_contract():
     assert found(whole, whole, of="another contract") == ["entry 1 was altered", "entry 2 was altered"]
 
 
-def test_writing_the_rest_anew_shows_at_the_end():
+def test_rewriting_the_rest_shows_at_the_end():
     whole = chain("a", "b", "c")
     assert found(chain("a", "B", "c"), whole) == ["entry 3 is not the one that was written last"]
 

@@ -148,13 +148,13 @@ def test_ready_means_written_read_and_let_go(store: Store):
     assert orphaned(store) == []
 
 
-def test_a_folder_that_cannot_be_written_to_is_said_in_words(tmp_path: Path):
+def test_a_folder_that_cannot_be_written_to_is_reported(tmp_path: Path):
     (tmp_path / "blobs").write_text("a file where a folder is wanted")
     with pytest.raises(StoreUnready, match=r"cannot be written to \(.+\); give the folder"):
         FolderStore(tmp_path / "blobs").ensure_ready()
 
 
-def test_a_full_disk_is_said_in_words(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+def test_a_full_disk_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     store = FolderStore(tmp_path / "blobs")
     monkeypatch.setattr("tempfile.mkstemp", lambda **_: (os.open("/dev/full", os.O_WRONLY), str(tmp_path / "gone")))
     with pytest.raises(StoreUnavailable, match="No space left on device"):
@@ -204,7 +204,7 @@ class TestBucket:
             ({"endpoint": "http://127.0.0.1:1"}, "does not answer as an S3 server does"),
         ],
     )
-    def test_what_is_wrong_with_a_bucket_is_said_in_words(
+    def test_a_misconfigured_bucket_is_reported(
         self, s3: S3Server, tmp_path: Path, changed: dict[str, str], reported: str
     ):
         settings = s3.settings(data_dir=tmp_path)
@@ -216,7 +216,7 @@ class TestBucket:
             open_store(Settings(**settings)).ensure_ready()
         assert "127.0.0.1" not in str(said.value)
 
-    def test_a_wrong_key_is_said_in_words(self, s3: S3Server, tmp_path: Path):
+    def test_a_wrong_key_is_reported(self, s3: S3Server, tmp_path: Path):
         settings = s3.settings(data_dir=tmp_path, aws_secret_access_key="another")
         store = open_store(Settings(**settings))
         with pytest.raises(StoreUnready, match="refuses our key; see that AWS_ACCESS_KEY_ID"):

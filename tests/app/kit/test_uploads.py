@@ -400,7 +400,7 @@ def test_a_full_disk_is_said_before_and_while_bytes_come(
     assert send(incoming, upload, here, CONTENT[here:]).sha256 == SHA256
 
 
-def test_a_file_whose_row_is_gone_is_never_called_finished(incoming: Uploads, database: Database) -> None:
+def test_a_file_without_a_row_is_never_reported_finished(incoming: Uploads, database: Database) -> None:
     upload = begun(incoming)
     with database.writing() as session:
         session.delete(session.get_one(Upload, upload.id))

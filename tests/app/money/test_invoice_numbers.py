@@ -28,7 +28,7 @@ def test_the_one_that_follows(last: str, next_one: str) -> None:
     assert following(last, THIS_YEAR, THIS_YEAR) == next_one
 
 
-def test_a_series_with_the_year_in_it_begins_anew_each_year() -> None:
+def test_a_series_with_the_year_in_it_restarts_each_year() -> None:
     assert following("INV-2026-014", date(2026, 12, 30), date(2027, 1, 4)) == "INV-2027-001"
     assert following("INV-014", date(2026, 12, 30), date(2027, 1, 4)) == "INV-015"
     assert following("INV-2026-014", date(2026, 12, 30), date(2027, 1, 4), {"INV-2027-001"}) == "INV-2027-002"

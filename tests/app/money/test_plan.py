@@ -39,7 +39,7 @@ def test_what_is_wrong_names_its_milestone(agreed: Agreed) -> None:
     assert "no amount" in checked["faults"][0]["message"]
 
 
-def test_a_cue_of_another_agreed_contract_is_said(agreed: Agreed, contracts: Contracts) -> None:
+def test_a_cue_of_another_agreed_contract_is_named(agreed: Agreed, contracts: Contracts) -> None:
     cue = agreed.cue("radar_ping")
     again = milestone("Alpha", cue, amount_minor=30_000)
     agreed.agree(deposit(20_000), again)

@@ -72,7 +72,7 @@ def test_how_late_a_designer_is_the_two_parties_see_alone(invoiced: tuple[Agreed
     assert seen["figures"]["due_minor"] == 18_000
 
 
-def test_a_calendar_empties_when_its_holder_speaks_for_the_team_no_more(
+def test_a_calendar_is_empty_once_its_holder_no_longer_speaks_for_the_team(
     invoiced: tuple[Agreed, dict[str, Any]],
 ) -> None:
     world = invoiced[0].world

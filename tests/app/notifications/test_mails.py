@@ -274,7 +274,7 @@ def test_only_the_studios_producer_sees_the_outbox(world: World):
     assert world.nobody.get(path).status_code == 401
 
 
-def test_mail_about_an_account_is_nobodys_but_its_owners(world: World):
+def test_mail_about_an_account_goes_to_its_owner_only(world: World):
     address = f"{world.approver_id}@example.test"
     assert world.nobody.post("/v1/password-resets", json={"email": address}).is_success
     assert not [mail for mail in outbox(world) if "password" in str(mail["subject"])]

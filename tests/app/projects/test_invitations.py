@@ -140,7 +140,9 @@ def test_an_engaged_designer_is_not_invited_again(world: World) -> None:
         ({}, "email"),
     ],
 )
-def test_what_is_wrong_with_an_invitation_is_said_at_its_field(world: World, body: dict[str, str], where: str) -> None:
+def test_what_is_wrong_with_an_invitation_is_reported_at_its_field(
+    world: World, body: dict[str, str], where: str
+) -> None:
     problem = world.producer.post(invitations_path(world), json=body).json()
     assert (problem["status"], problem["errors"][0]["where"]) == (422, where)
 

@@ -56,7 +56,7 @@ def test_a_project_opens_with_a_spec_and_somebody_who_decides(world: World) -> N
         ("description", "x" * 5_001),
     ],
 )
-def test_what_is_wrong_with_a_project_is_said_at_its_field(world: World, field: str, value: str) -> None:
+def test_what_is_wrong_with_a_project_is_reported_at_its_field(world: World, field: str, value: str) -> None:
     problem = add_project(world, **{field: value}).json()
     assert (problem["status"], problem["errors"][0]["where"]) == (422, field)
 
@@ -102,7 +102,7 @@ def test_those_without_sight_learn_nothing(world: World) -> None:
     assert world.nobody.get(project_path(world)).status_code == 401
 
 
-def test_the_list_is_paged_and_put_away_projects_are_apart(server: RunningServer, world: World) -> None:
+def test_the_list_is_paged_and_leaves_out_archived_projects(server: RunningServer, world: World) -> None:
     with server.runtime.database.writing() as session:
         actor = actor_for_person(session, world.producer_id)
         for number in range(60):
@@ -155,7 +155,7 @@ def test_liaisons_come_from_the_studio(world: World) -> None:
     assert world.producer.delete(path).status_code == 404
 
 
-def test_the_last_word_goes_to_a_liaison_or_is_taken_over_by_a_producer(world: World) -> None:
+def test_a_liaison_becomes_the_approver_or_a_producer_takes_over(world: World) -> None:
     path = project_path(world, "/approver")
     reviewer = {"person_id": str(world.reviewer_id), "reason": "Knows the music."}
     assert world.producer.put(path, json=reviewer).json()["code"] == "cannot-approve"
@@ -204,7 +204,7 @@ def test_an_invited_approver_is_named_on_joining(world: World, server: RunningSe
     assert (history[0]["reason"], history[0]["changer"]["name"]) == ("invited as the approver", "Producer")
 
 
-def test_the_last_word_is_not_taken_without_right_or_reason(world: World) -> None:
+def test_nobody_becomes_the_approver_without_right_or_reason(world: World) -> None:
     path = project_path(world, "/approver")
     body = {"person_id": str(world.approver_id), "reason": "Because."}
     assert world.approver.put(path, json=body).json()["code"] == "producer-needed"

@@ -150,7 +150,7 @@ def test_two_editors_notice_each_other(world: World) -> None:
         ("format = 1\n[limits]\ntrue_peak_dbtp = nan", "limits.true_peak_dbtp"),
     ],
 )
-def test_what_is_no_spec_is_refused_at_its_place(world: World, toml: str, where: str) -> None:
+def test_an_invalid_spec_is_refused_with_its_place(world: World, toml: str, where: str) -> None:
     answer = save(world, toml)
     assert (answer.status_code, answer.json()["code"]) == (422, "bad-spec")
     assert answer.json()["errors"][0]["where"] == where
@@ -198,7 +198,7 @@ def deep(levels: int) -> dict[str, Any]:
     ],
     ids=range(10),
 )
-def test_a_form_that_says_no_spec_is_refused_in_words(world: World, tables: dict[str, Any]) -> None:
+def test_a_form_without_a_valid_spec_is_refused_with_a_reason(world: World, tables: dict[str, Any]) -> None:
     answer = world.producer.post(
         spec_path(world, "/form"),
         content=json.dumps({"tables": tables, "based_on_version": 1}),

@@ -89,7 +89,7 @@ def test_only_who_sees_the_take_gets_it(world: World) -> None:
     assert world.reviewer.get(f"/v1/master-exports/{new_id()}").json()["code"] == "master-export-not-found"
 
 
-def test_what_cannot_be_read_is_refused_in_words(world: World) -> None:
+def test_an_unreadable_file_is_refused_with_a_reason(world: World) -> None:
     (take,) = deliver(world, ("laser.wav", b"RIFF and nothing more"))
     world.server.wait_for_jobs()
     export = made(world, world.reviewer, take["id"])

@@ -129,7 +129,7 @@ def test_the_newest_take_may_come_first(world: World) -> None:
     assert made(world, world.reviewer, cue_id, order="oldest", slates="none")["id"] != reel["id"]
 
 
-def test_what_cannot_be_heard_is_refused_in_words(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_cue_without_playable_takes_is_refused_with_a_reason(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     cue_id = add_cue(world, "siren")["id"]
 
     def refusal() -> tuple[int, str]:

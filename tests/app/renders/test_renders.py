@@ -118,7 +118,7 @@ def test_what_plays_already_is_its_own_preview(world: World) -> None:
     assert world.designer.get(sounds(world, take["id"])["master"]["preview_url"]).content == content
 
 
-def test_a_target_above_the_master_is_refused_in_words(world: World) -> None:
+def test_a_target_above_the_master_is_refused_with_a_reason(world: World) -> None:
     add_spec(world, "[targets.trailer]\nsample_rate_hz = 48000\nbit_depth = 24\n")
     add_cue(world, "beep")
     take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=44_100, seconds=0.2), rate=44_100, bits=16)

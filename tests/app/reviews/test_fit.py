@@ -106,7 +106,7 @@ def test_the_variations_of_a_cue_are_one_sound(stage: Stage) -> None:
     assert [one["value"] for one in loudness["others"]] == [-20.0, -18.0, -17.0, -24.0]
 
 
-def test_why_nothing_is_compared_is_said(stage: Stage) -> None:
+def test_the_reason_why_nothing_is_compared_is_given(stage: Stage) -> None:
     mine = sounding(stage, stage.take(stage.cue("ui_new", category="ui")), -18.0)
     assert fit_of(stage, mine)["says"].startswith("No cue is marked as palette.")
     approved(stage, -18.0, 1.0)

@@ -197,7 +197,7 @@ def test_a_set_is_accepted_whole_and_waits_since_its_last_variation(moved: Moved
     assert agreed.owed() == [("accepted", 18_000)]
 
 
-def test_another_version_gives_the_studio_its_days_anew(moved: MovedClock) -> None:
+def test_another_version_restarts_the_studios_days(moved: MovedClock) -> None:
     cue = moved.agreed.cue()
     first = moved.agreed.take(cue)
     moved.agree(cue, first)

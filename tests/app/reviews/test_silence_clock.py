@@ -130,7 +130,7 @@ def test_who_moves_a_file_to_another_cue_and_back_is_named(waiting: Waiting) -> 
     }
 
 
-def test_the_same_bytes_beside_do_not_start_it_anew(waiting: Waiting) -> None:
+def test_the_same_bytes_again_do_not_restart_it(waiting: Waiting) -> None:
     sound = wav_bytes(sine(hz=997, dbfs=-3.0, seconds=0.5))
     [elsewhere] = add_cues(waiting.world, {"name": "Something else"})
     again = deliver(waiting.world, "something_else.wav", sound, cue_id=elsewhere["id"])

@@ -465,7 +465,7 @@ def far_cell() -> bytes:
     ],
     ids=["nothing", "blank", "a wave", "half a zip", "xls", "open quote", "large", "bomb", "far cell", "wide"],
 )
-def test_what_is_no_sheet_is_refused_in_words(world: World, content: bytes, words: str) -> None:
+def test_a_file_that_is_not_a_sheet_is_refused_with_a_reason(world: World, content: bytes, words: str) -> None:
     problem = refused(world, content)
     assert problem["code"] == "sheet-unreadable"
     assert words in problem["detail"]

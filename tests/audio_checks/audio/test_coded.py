@@ -100,7 +100,7 @@ def test_a_coded_file_in_a_wavs_name_stays_what_it_is(tmp_path):
     assert (entry.verdict, said) == ("unreadable", ["container:ogg"])
 
 
-def test_damaged_files_are_refused_in_words(tmp_path, inside):
+def test_damaged_files_are_refused_with_a_reason(tmp_path, inside):
     whole = coded(tmp_path / "whole.ogg").read_bytes()
     path = tmp_path / "a.ogg"
     refused = 0

@@ -208,7 +208,7 @@ class TestProcesses:
         refused(f"import os; CALLER = {os.getpid()}; os.kill({of}, 0)")
         refused(f"import os; CALLER = {os.getpid()}; os.kill({of}, {int(signal.SIGKILL)})")
 
-    def test_nobody_elses_limits_are_changed(self, refused):
+    def test_limits_of_other_processes_cannot_be_changed(self, refused):
         refused(f"import resource; resource.prlimit({os.getpid()}, resource.RLIMIT_CPU, (1, 1))")
 
 
@@ -252,7 +252,7 @@ class TestUsingUp:
 
 
 @pytest.mark.skipif(os.geteuid() != 0, reason="only root has a user to leave")
-def test_a_child_of_root_is_root_no_more(sandbox, tmp_path):
+def test_a_child_of_root_drops_root(sandbox, tmp_path):
     assert sandbox.call(os.getresuid) == (confinement.UNPRIVILEGED_ID,) * 3
     with pytest.raises(SandboxCrashed, match=REFUSED):
         sandbox.call(os.setuid, 0)
@@ -283,7 +283,7 @@ def test_the_filter_knows_both_machines():
         (7, True, "x86_64", []),
     ],
 )
-def test_what_a_kernel_cannot_do_is_said(monkeypatch, abi, filters, machine, said):
+def test_what_the_kernel_cannot_do_is_reported(monkeypatch, abi, filters, machine, said):
     monkeypatch.setattr(landlock, "version", lambda: abi)
     monkeypatch.setattr(seccomp, "is_available", lambda: filters)
     monkeypatch.setattr(confinement.platform, "machine", lambda: machine)

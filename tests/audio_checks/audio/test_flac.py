@@ -185,7 +185,7 @@ DAMAGED = {
 
 
 @pytest.mark.parametrize("name", DAMAGED)
-def test_damage_is_refused_in_words(tmp_path, inside, name):
+def test_damage_is_refused_with_a_reason(tmp_path, inside, name):
     content, code = DAMAGED[name]
     entry = check_file(write(tmp_path / "a.flac", content), ACCEPTS)
     assert (entry.verdict, entry.findings[0].code) == ("unreadable", code)

@@ -44,7 +44,7 @@ def test_messages_around_the_length_of_a_block(size: int):
     assert kernel.hash_end(stream) == hashlib.sha256(message + b"more").digest()
 
 
-def test_what_is_no_stream_is_refused():
+def test_data_that_is_not_a_stream_is_refused():
     with pytest.raises(ValueError, match="wanted"):
         kernel.hash_add(bytearray(7), b"sound")
     with pytest.raises(TypeError):

@@ -211,7 +211,7 @@ class TestAccepted:
             [{"path": "a", "status": "gain", "played_status": "gain", "reason": " ", "on": "x", "gain_db": 1}],
         ],
     )
-    def test_what_is_no_acceptance_is_refused(self, game, accepted):
+    def test_an_invalid_acceptance_is_refused(self, game, accepted):
         game.write()
         (game.root.parent / "b.json").write_text(json.dumps({"format": 1, "waived": [], "accepted": accepted}))
         code, _, _, err = game.audit("--baseline", "b.json")
@@ -262,7 +262,7 @@ class TestChangelists:
         _, entries, _, _ = game.audit()
         assert entries["snd_0000.wav"]["plays"][0]["moved"][0]["changelist"] is None
 
-    def test_what_is_not_committed_is_said(self, game):
+    def test_what_is_not_committed_is_reported(self, game):
         game.write("godot")
         for command in (["init", "-q"], ["add", "."], ["commit", "-qm", "Begin"]):
             subprocess.run([*GIT, *command], cwd=game.root, check=True, capture_output=True)

@@ -36,7 +36,7 @@ def test_one_sample_is_a_difference(tmp_path):
     assert found_in(write_wav(tmp_path / "a.wav", samples), write_wav(tmp_path / "b.wav", other)) == [[], []]
 
 
-def test_metadata_makes_no_difference_and_another_rate_is_said(tmp_path):
+def test_metadata_makes_no_difference_and_another_rate_is_reported(tmp_path):
     samples = noise(seconds=0.1)
     plain = write_wav(tmp_path / "plain.wav", samples)
     tagged = write_wav(tmp_path / "tagged.wav", samples, before=[bext(originator="Mara Lind")])
@@ -53,7 +53,7 @@ def test_a_file_elsewhere_is_named_with_its_folder(tmp_path):
     assert str(first) in found.message
 
 
-def test_stand_ins_are_let_be(tmp_path):
+def test_placeholders_are_left_alone(tmp_path):
     paths = [write_wav(tmp_path / f"{name}.wav", sine(hz=997), after=[placeholder_mark(name)]) for name in "ab"]
     assert found_in(*paths) == [[], []]
 

@@ -30,7 +30,7 @@ def run(check, path, cue=CUE):
 
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("sound", SOUNDS)
-def test_any_lawful_sound_can_be_judged(tmp_path, name, sound):
+def test_any_valid_sound_can_be_judged(tmp_path, name, sound):
     for finding in run(all_checks()[name], write_wav(tmp_path / "laser.wav", SOUNDS[sound])):
         assert finding.check == name
         assert finding.message

@@ -100,7 +100,7 @@ def test_names_by_tokens(codes_of, name, codes):
     assert codes_of("naming", silence(seconds=0.01), TOKENS, name=name) == codes
 
 
-def test_what_a_token_should_be_is_said(found_by):
+def test_what_a_token_should_be_is_reported(found_by):
     (finding,) = found_by("naming", silence(seconds=0.01), TOKENS, name="amb_laser.wav")
     assert 'part 1 is "amb", wanted kind (sfx)' in finding.message
     assert finding.fix == "rename it after the form kind_what_[number]"

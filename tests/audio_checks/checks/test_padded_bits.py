@@ -50,7 +50,7 @@ def test_a_quiet_recording_raised_by_30_db_has_lost_as_much(codes_of):
     assert codes_of("padded-bits", quantised(noise(seconds=0.2, dbfs=-50), 16) * 31.6, bits=16) == ["padded-bits:steps"]
 
 
-def test_real_recordings_are_let_be_and_found_when_padded(recordings, tmp_path):
+def test_real_recordings_pass_and_are_found_when_padded(recordings, tmp_path):
     for path in recordings[::9]:
         with AudioFile(path) as file:
             blocks = [block.copy() for block in _blocks(file)]
@@ -70,7 +70,7 @@ def _blocks(file):
         yield from wav.blocks(stream, file.layout)
 
 
-def test_padding_is_found_in_every_real_recording_and_depth_is_let_be(recordings):
+def test_padding_is_found_in_every_real_recording_and_real_depth_passes(recordings):
     rng = np.random.default_rng(4)
     found, alarms = [], []
     for path in recordings:

@@ -56,7 +56,7 @@ def test_levels(tmp_path, levels_db, named, channels):
     assert [place for place, one in enumerate(found, start=1) if one == ["level"]] == named
 
 
-def test_the_distance_to_the_middle_of_the_others_is_said(tmp_path):
+def test_the_distance_to_the_middle_of_the_others_is_reported(tmp_path):
     found = steps(tmp_path, [0, 0, 4, 0])[2][0]
     assert found.measured == pytest.approx(4, abs=0.1)
     assert found.message == "_03 is 4.0 LU louder than the rest of its set, limit 2 LU"

@@ -134,7 +134,7 @@ class TestExitCodes:
             (["new-spec", "--preset", "96k"], "96k"),
         ],
     )
-    def test_asked_wrongly(self, folder, run, arguments, said):
+    def test_usage_errors(self, folder, run, arguments, said):
         write_wav(folder / "laser.wav", GOOD)
         code, _, err = run(*arguments)
         assert code == 2
@@ -182,7 +182,7 @@ class TestSpecs:
         assert (code, json.loads(out)["category"]) == (0, "vo")
 
     @pytest.mark.usefixtures("without_lossy")
-    def test_a_check_that_is_lacking_is_said(self, folder, run):
+    def test_a_missing_check_is_reported(self, folder, run):
         write_wav(folder / "laser.wav", GOOD)
         (folder / "mine.toml").write_text("format = 1\nchecks.lossy = 'warning'\n", encoding="utf-8")
         code, out, err = run("check", "--spec", "mine.toml", "--format", "json", ".")
@@ -191,7 +191,7 @@ class TestSpecs:
         code, _, err = run("explain", "lossy")
         assert (code, "this version lacks" in err) == (2, True)
 
-    def test_a_doubtful_spec_is_said(self, folder, run):
+    def test_a_doubtful_spec_is_reported(self, folder, run):
         write_wav(folder / "laser.wav", GOOD)
         (folder / "mine.toml").write_text(new_spec().replace("[44100, ", "[22050, 44100, "), encoding="utf-8")
         assert "22050 Hz" in run("check", "--spec", "mine.toml", ".")[2]
@@ -414,7 +414,7 @@ class TestRender:
         assert made.read_bytes() != first
         assert [path.name for path in made.parent.iterdir()] == ["laser.wav"]
 
-    def test_a_stand_in_gives_way(self, folder, run):
+    def test_a_placeholder_is_replaced(self, folder, run):
         write_wav(folder / "laser.wav", GOOD)
         (folder / "out" / "game").mkdir(parents=True)
         write_wav(folder / "out" / "game" / "laser.wav", 0.5 * GOOD, after=[placeholder_mark("SW-014")])

@@ -144,7 +144,7 @@ def test_the_sandbox_of_a_server_runs_nothing_of_it(tree, marker, tmp_path):
 
 
 @pytest.mark.parametrize("place", ["/etc/passwd", "/dev/zero", "/proc/self/environ", "no/such/file", "fifo", "huge"])
-def test_a_spec_that_is_something_else_is_refused_in_words(tree, place):
+def test_a_spec_that_is_something_else_is_refused_with_a_reason(tree, place):
     os.mkfifo(tree / "fifo")
     with open(tree / "huge", "wb") as file:
         file.truncate(1 << 40)

@@ -86,7 +86,7 @@ class TestHeaders:
 
 
 class TestNames:
-    def test_a_name_becomes_lawful(self, folder, run):
+    def test_a_name_becomes_valid(self, folder, run):
         write_wav(folder / "Laser Fire.WAV", GOOD)
         (folder / "Laser Fire.WAV.meta").write_text("guid: 1")
         code, out, err = run("check", *SPEC, "--fix", "--format", "json", ".")

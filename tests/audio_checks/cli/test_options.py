@@ -132,7 +132,7 @@ class TestOptions:
 @pytest.mark.usefixtures("folder")
 class TestStandardStreams:
     @pytest.mark.parametrize("command", [("check",), ("measure",), ("render", *SPEC, "--out", "out")])
-    def test_a_sound_from_standard_input_is_refused_in_words(self, run, command):
+    def test_a_sound_from_standard_input_is_refused_with_a_reason(self, run, command):
         code, _, err = run(*command, "-")
         assert code == 2
         assert "- is standard input" in err

@@ -313,7 +313,7 @@ def test_github_goes_beside_text_and_others_do_not(folder, run):
     assert run("check", *SPEC, "--format", "text", "--format", "sarif", ".")[0] == 2
 
 
-def test_a_file_that_cannot_be_written_is_said(folder, run):
+def test_a_file_that_cannot_be_written_is_reported(folder, run):
     write_wav(folder / "laser.wav", GOOD)
     os.mkdir(folder / "out")
     code, _, err = run("check", *SPEC, "--format", "sarif:out", ".")

@@ -143,7 +143,7 @@ def test_the_list_says_what_loops(folder, fix):
         (["--spec", "spec.toml", "--out", "out", "--format", "xml", "in/a.wav"], 'no format "xml"'),
     ],
 )
-def test_asked_wrongly(folder, capsys, arguments, reported):
+def test_usage_errors(folder, capsys, arguments, reported):
     write_wav(folder / "in" / "a.wav", FINE)
     assert main(["fix", *arguments]) == 2
     assert reported in capsys.readouterr().err

@@ -35,5 +35,5 @@ CAMEL = parse_spec("format = 1\n[naming]\npattern = '[A-Z]{2}_[A-Za-z0-9_]+'\n")
         (parse_spec("format = 1\n"), "What ever.wav", "What ever.wav"),
     ],
 )
-def test_the_nearest_lawful_name(spec, name, lawful):
+def test_the_nearest_valid_name(spec, name, lawful):
     assert lawful_name(name, spec) == lawful

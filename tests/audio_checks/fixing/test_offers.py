@@ -95,7 +95,7 @@ def test_a_whole_fix_in_words():
     assert fix_in_words([]) == ""
 
 
-def test_a_name_that_is_lawful_by_itself_is_not_offered_again():
+def test_a_name_that_is_valid_by_itself_is_not_offered_again():
     named = replace(REPORT, path="deliveries/laser_fire.wav")
     assert not fix_offer(finding("naming:twins"), named, SPEC)
     assert not fix_offer(finding("naming:ucs"), named, SPEC)

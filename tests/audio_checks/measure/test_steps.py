@@ -92,7 +92,7 @@ def test_blocks_make_no_difference(block_frames):
     assert step(coarse, block_frames=block_frames) == step(coarse)
 
 
-def test_a_thousand_real_depths_are_let_be():
+def test_a_thousand_real_depths_are_kept():
     rng = np.random.default_rng(5)
     for _ in range(1_000):
         count = int(rng.integers(30, 1_024))

@@ -15,7 +15,7 @@ def decay_of(samples, rate=48_000):
     return following.result()["decay"]
 
 
-def test_a_sound_turned_round_has_the_opposite_features():
+def test_a_reversed_sound_has_the_opposite_features():
     # Whole hops and silence at both ends, so that both are cut into the same windows.
     samples = np.concatenate((silence(seconds=0.005), hits(seconds=1.5), silence(seconds=0.005)))[:72_000]
     forwards, backwards = features_of(decay_of(samples)), features_of(decay_of(samples[::-1]))

@@ -78,7 +78,7 @@ def test_a_document_type_is_refused_before_anything_is_expanded(name):
 
 
 @pytest.mark.parametrize("name", WRONG)
-def test_what_is_wrong_is_said(name):
+def test_what_is_wrong_is_reported(name):
     content, why = WRONG[name]
     with pytest.raises(ValueError, match=why) as refusal:
         read_ixml(content)

@@ -32,7 +32,7 @@ def test_a_randomizer_and_what_it_holds(godot):
     assert [(found.on, found.what) for found in one.depends] == [("random", "random by 3.0 dB")]
 
 
-def test_an_animated_volume_is_said(godot):
+def test_an_animated_volume_is_reported(godot):
     scene = (
         "[gd_scene format=3]\n" + WAVE + '[sub_resource type="Animation" '
         'id="A"]\ntracks/0/path = NodePath("Steps:volume_db")\n'

@@ -81,7 +81,7 @@ def test_links_to_folders_are_not_followed(tmp_path):
         ("", "holds no project"),
     ],
 )
-def test_what_is_no_project_is_refused_with_what_is_wanted(tmp_path, made, word):
+def test_a_file_that_is_not_a_project_is_refused_with_what_is_wanted(tmp_path, made, word):
     place = tmp_path / "x" if made is None else tmp_path / made
     if made:
         place.write_text("")

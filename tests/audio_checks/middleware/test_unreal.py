@@ -98,7 +98,7 @@ def test_a_cue_with_a_mixer_and_a_class(export, tmp_path):
     assert {one.is_used for one in project.played} == {True}
 
 
-def test_random_volume_attenuation_and_unknown_nodes_are_said(export, tmp_path):
+def test_random_volume_attenuation_and_unknown_nodes_are_reported(export, tmp_path):
     step = wave(tmp_path, "step")
     player = Asset("SoundNodeWavePlayer", "/n/p", sound_wave=step)  # as older editors name it
     modulator = Asset("SoundNodeModulator", "/n/m", child_nodes=[player], volume_min=0.5, volume_max=1.0)

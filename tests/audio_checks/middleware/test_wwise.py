@@ -70,7 +70,7 @@ def test_a_property_in_both_forms(wwise):
     assert only(wwise(listed)).gain_db == 4.0
 
 
-def test_of_platforms_the_shared_value_counts_and_the_others_are_said(wwise):
+def test_of_platforms_the_shared_value_counts_and_the_others_are_reported(wwise):
     text = (
         '<Property Name="Volume" Type="Real64"><ValueList><Value '
         'Platform="PS5">1</Value><Value>3</Value></ValueList></Property>'
@@ -104,7 +104,7 @@ def test_a_game_parameter_a_state_and_a_random_range(wwise):
     assert one.depends[2].object_path == r"\Master-Mixer Hierarchy\Default Work Unit\Main\Steps"
 
 
-def test_loudness_normalization_effects_and_attenuation_are_said(wwise):
+def test_loudness_normalization_effects_and_attenuation_are_reported(wwise):
     references = (
         '<Reference Name="Effect0" PluginName="Gain"><ObjectRef Name="Warm" ID="{F}"/></Reference>'
         '<Reference Name="Attenuation"><ObjectRef Name="near" ID="{N}"/></Reference>'

@@ -36,7 +36,7 @@ def made(tmp_path, text=LIST, spec=SPEC, **more):
 
 class TestToSpec:
     @pytest.mark.parametrize("target", [None, "game", "handheld"])
-    def test_they_conform_but_for_being_stand_ins(self, tmp_path, target):
+    def test_they_conform_except_for_being_placeholders(self, tmp_path, target):
         cues = read_sound_list(LIST)
         for one in made(tmp_path, target=target):
             cue, variation = cues.slot_of_file(one.path.name)
@@ -200,7 +200,7 @@ class TestSpeech:
         monkeypatch.setenv("PATH", str(tmp_path))
         assert speech.synthesize_speech("Shield up", 48_000, None) is None
 
-    def test_spoken_stand_ins_conform_too(self, tmp_path, engine):
+    def test_spoken_placeholders_conform_too(self, tmp_path, engine):
         engine()
         cues = read_sound_list(LIST)
         found = list(make_placeholders(cues, SPEC, tmp_path / "out", target="game"))
@@ -236,7 +236,7 @@ class TestCommand:
         assert out.splitlines()[-1] == "10 placeholders; 1 takes need none"
         assert is_placeholder(folder / "out" / "game" / "vo_welcome.wav")
 
-    def test_a_stand_in_is_no_take(self, capsys):
+    def test_a_placeholder_is_not_a_take(self, capsys):
         assert main([*self.ASKED]) == 0
         assert main([*self.ASKED, "out"]) == 0
         assert capsys.readouterr().out.splitlines()[-1] == "6 placeholders; 0 takes need none"

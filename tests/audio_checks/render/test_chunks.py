@@ -199,7 +199,7 @@ def test_without_being_asked_only_what_describes_the_sound_goes_along(tmp_path):
 
 
 @pytest.mark.parametrize("chunks", ["sound", "all"])
-def test_a_stand_in_stays_marked(tmp_path, chunks):
+def test_a_placeholder_stays_marked(tmp_path, chunks):
     marked = {"after": [placeholder_mark("SW-014")]}
     made, _ = rendered(tmp_path, replace(HALF, chunks=chunks), chunks=marked)
     assert is_placeholder(made.path)

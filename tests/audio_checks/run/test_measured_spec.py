@@ -47,13 +47,13 @@ def test_what_is_new_and_differs_is_warned_of_or_refused(tree):
     assert 'sample-rate = "warning"' in made.text
 
 
-def test_what_cannot_be_read_is_said(tree, capsys):
+def test_what_cannot_be_read_is_reported(tree, capsys):
     (tree / "broken.ogg").write_bytes(b"OggS nothing")
     assert main(["new-spec", "--from", str(tree)]) == 0
     assert "broken.ogg: cannot be read, and is not measured" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("arguments", [["--from", "nowhere"], ["--from", ".", "--preset", "48k"], ["--from", "."]])
-def test_it_is_asked_wrongly(tmp_path, monkeypatch, arguments):
+def test_usage_errors(tmp_path, monkeypatch, arguments):
     monkeypatch.chdir(tmp_path)
     assert main(["new-spec", *arguments]) == 2

@@ -232,7 +232,7 @@ class TestManyFiles:
         assert check_files([path], spec, sound_list=sounds, category="vo").files[0].category == "vo"
 
     @pytest.mark.usefixtures("without_lossy")
-    def test_checks_that_are_lacking_are_said(self, laser):
+    def test_missing_checks_are_reported(self, laser):
         spec = parse_spec("format = 1\nchecks.hum = 'warning'\n[categories.vo]\nchecks.lossy = 'warning'")
         assert check_files([laser], spec).not_run == ()
         assert check_files([laser], spec, category="vo").not_run == ("lossy",)

@@ -55,7 +55,7 @@ def test_a_mix_is_set_beside_them(tmp_path, capsys):
     assert reported["loudness_presets"]["ebu-r128"]["within"] is False
 
 
-def test_without_being_asked_nothing_is_said(tmp_path):
+def test_without_being_asked_nothing_is_reported(tmp_path):
     path = write_wav(tmp_path / "effect.wav", sine(hz=997, seconds=0.2))
     assert "loudness_presets" not in measure_file(path).to_measured()
     assert measure_file(path, presets=["ebu-r128"]).loudness_presets["ebu-r128"]["within"] is None

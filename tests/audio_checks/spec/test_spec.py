@@ -312,7 +312,7 @@ class TestIdentity:
         plain = json.dumps({"format": 1, "limits": {"tail_silence_ms": 100.0}}, sort_keys=True, separators=(",", ":"))
         assert spec.sha256 == hashlib.sha256(plain.encode()).hexdigest()
 
-    def test_saying_it_otherwise_is_the_same_spec(self):
+    def test_the_same_spec_written_otherwise_is_equal(self):
         assert parse_spec("format = 1\nlimits.head_silence_ms = 5").sha256 == (
             parse_spec("# five\nformat = 1\n[limits]\nhead_silence_ms = 5.0\n[files]\n'*' = 'vo'").sha256
         )
@@ -381,7 +381,7 @@ def test_a_rate_below_a_target_is_warned_about(spec):
 
 class TestSchema:
     @pytest.mark.parametrize("text", [GAME, new_spec("44k1"), new_spec("48k")])
-    def test_lawful_specs_hold(self, text):
+    def test_valid_specs_pass(self, text):
         jsonschema_rs.validator_for(schema()).validate(parse_spec(text).tables)
 
     @pytest.mark.parametrize(
@@ -397,7 +397,7 @@ class TestSchema:
             {"format": 1, "targets": {"pc": {"sample_rate_hz": 48000}}},
         ],
     )
-    def test_unlawful_specs_do_not(self, tables):
+    def test_invalid_specs_fail(self, tables):
         assert not jsonschema_rs.validator_for(schema()).is_valid(tables)
 
     def test_every_key_of_the_format_is_read(self):

@@ -34,7 +34,7 @@ HOSTILE = {
 
 
 @pytest.mark.parametrize("name", HOSTILE)
-def test_hostile_toml_is_refused_in_words_and_soon(name: str):
+def test_hostile_toml_is_refused_quickly_with_a_reason(name: str):
     text, words = HOSTILE[name]
     begun = time.process_time()
     with pytest.raises(SpecError) as refused:
