@@ -32,6 +32,7 @@ from app.money.endpoints import router as money
 from app.money.ledger import charge_deposits
 from app.notifications.endpoints import router as notifications
 from app.operations.endpoints import router as operations
+from app.projects.approval_endpoints import router as approval
 from app.projects.endpoints import router as projects
 from app.projects.spec_endpoints import router as specs
 from app.renders.endpoints import router as renders
@@ -47,6 +48,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     studios,
     calendars,
     projects,
+    approval,
     specs,
     briefs,
     sound_lists,

@@ -7,8 +7,8 @@ from sqlalchemy.orm import Session
 from app.accounts.models import Person, Token
 from app.accounts.queries import membership
 from app.agreements.models import Contract
+from app.projects.approval import approval_rights
 from app.projects.models import Project
-from app.projects.queries import approver_of
 
 SERVER = "Soundlist"
 
@@ -36,6 +36,9 @@ def _roles(session: Session, contract: Contract, person_id: UUID) -> list[str]:
         return ["designer"]
     held = membership(session, contract.studio_id, person_id)
     roles = sorted(held.roles) if held else []
-    if approver_of(session, session.get_one(Project, contract.project_id)) == person_id:
+    rights = approval_rights(session, session.get_one(Project, contract.project_id))
+    if rights.is_approver(person_id):
         roles.insert(0, "approver")
+    elif rights.scope_of(person_id).is_any:
+        roles.insert(0, "deputy of the approver")
     return roles or ["no longer in the studio"]

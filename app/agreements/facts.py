@@ -7,7 +7,7 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts.models import Person
+from app.accounts.queries import people_by_id
 from app.agreements.clauses import BY_DAY, Clause, names_in
 from app.agreements.errors import BriefOpen
 from app.agreements.models import Contract, ContractCue, Milestone
@@ -18,7 +18,9 @@ from app.agreements.text import literal
 from app.briefs.service import OpenAnswer, open_answers
 from app.kit.errors import FieldProblem
 from app.kit.money import money, percent
-from app.projects.queries import approver_of, current_spec
+from app.projects.approval import approval_rights
+from app.projects.models import Project
+from app.projects.queries import current_spec
 from app.sound_lists.models import Cue
 from app.sound_lists.queries import cues_of, questions_of, revision_number
 from app.sound_lists.rules import CueState, label
@@ -51,14 +53,13 @@ def facts_of(
     prices = {each.cue_id: each.price_minor for each in covered}
     wanted = [cue for cue in cues_of(session, project.id) if cue.state is not CueState.CUT]
     cues = [cue for cue in wanted if cue.id in prices] if prices else wanted
-    approver = session.get_one(Person, approver_of(session, project))
     total_minor = sum(milestone.amount_minor for milestone in milestones) + _days_minor(terms)
     deposit_minor = sum(milestone.amount_minor for milestone in milestones if milestone.is_deposit)
     return {
         "studio": literal(project.studio.name),
         "designer": literal(contract.designer.name),
         "project": literal(project.name),
-        "approver": literal(approver.name),
+        "approver": _approver(session, project),
         "currency": priced.currency,
         "list_revision": str(revision_number(session, project.id)),
         "spec_version": str(current_spec(session, project.id).version),
@@ -73,6 +74,15 @@ def facts_of(
         "release_sentence": RELEASE_SENTENCES[priced.release_clause],
         **_framework(session, contract),
     }
+
+
+def _approver(session: Session, project: Project) -> str:
+    """Return the project's approver, and the approvers of categories with an approver of their own."""
+    rights = approval_rights(session, project)
+    people = people_by_id(session, {rights.approver_id, *rights.by_category.values()})
+    name = literal(people[rights.approver_id].name)
+    own = [f"for {literal(category)} {literal(people[one].name)}" for category, one in rights.by_category.items()]
+    return f"{name} ({', '.join(own)})" if own else name
 
 
 def ensure_open_answers_are_said(session: Session, contract: Contract, clauses: Sequence[Clause]) -> None:

@@ -36,6 +36,7 @@ from app.deliveries.take_states import change_state, note_take, start_recheck
 from app.kit import clock
 from app.kit.events import publish
 from app.kit.queue import BULK
+from app.projects.approval import ensure_may_approve
 from app.projects.models import Spec
 from app.projects.queries import current_spec
 from app.sound_lists.service import cue_facts
@@ -204,7 +205,7 @@ def recheck_if_changed(session: Session, take_id: UUID, *, by: UUID | None, prio
 def waive(session: Session, actor: Actor, take_id: UUID, reason: str) -> CheckRead:
     """Let a returned take through with its findings; only the approver may."""
     take, access = take_for(session, actor, take_id, locked=True)
-    access.ensure_approver()
+    for_whom = ensure_may_approve(session, access, take.cue.category if take.cue else "")
     run = queries.current_run(session, take.id)
     if take.state is not TakeState.RETURNED or run is None:
         raise NothingToWaive(f"only a returned version can be waived; this one is {take.state}")
@@ -223,7 +224,8 @@ def waive(session: Session, actor: Actor, take_id: UUID, reason: str) -> CheckRe
         )
     )
     change_state(session, take, TakeState.CONFORMING)
-    note_take(session, take, "waived", {"reason": reason, "codes": error_codes(run.report)}, by=actor.person)
+    facts = {"reason": reason, "codes": error_codes(run.report)}
+    note_take(session, take, "waived", facts, by=actor.person, on_behalf_of=for_whom)
     publish(session, "take.waived", studio_id=take.studio_id, take_id=take.id)
     return read_check(session, take)
 

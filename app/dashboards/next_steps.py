@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from datetime import UTC, datetime, time
 from uuid import UUID
 
+from sqlalchemy import ColumnElement, and_
 from sqlalchemy.orm import Session
 
 from app.accounts.queries import people_by_id
@@ -18,6 +19,7 @@ from app.dashboards import progress_queries, queries
 from app.dashboards.progress import counted
 from app.dashboards.rules import CAME_BACK, STEP_ORDER, UNFINISHED, AwaitedKind, CueStatus, NextStepKind
 from app.dashboards.schemas import Awaited, NextStep, NextSteps
+from app.deliveries.models import Take
 from app.hiring import queries as hiring
 from app.hiring.rules import PostingState
 from app.kit import clock
@@ -25,8 +27,10 @@ from app.money import queries as money
 from app.money.invoices import invoice_read
 from app.money.ledger import load_ledger_book
 from app.money.rules import LineKind
+from app.projects.approval import approval_rights
 from app.projects.models import Engagement
-from app.projects.queries import approver_of, engagements_of, invitations
+from app.projects.queries import engagements_of, invitations
+from app.projects.rules import ApprovalRights, ApprovalScope
 from app.projects.service import ProjectAccess, project_access
 from app.projects.visibility import nda_is_pending
 from app.reviews import queue_queries
@@ -72,15 +76,7 @@ class _Steps:
                 NextStepKind.ANSWER_QUESTIONS, queries.questions_open_since(session, project.id, asked_by=None)
             )
             self._counted(NextStepKind.ANSWER_FOLLOW_UPS, briefs.open_follow_ups(session, project.id))
-        queue = queue_queries.waiting_cues(
-            session, queue_queries.in_project(project.id), after=None, limit=COUNTED_CUES
-        )
-        waiting = len(queue), queue[0].since if queue else None
-        if access.is_approver:
-            self._counted(NextStepKind.SEND_CHANGES, queries.drafts_since(session, project.id))
-            self._counted(NextStepKind.REVIEW, waiting)
-        else:
-            self._await(AwaitedKind.VERDICTS, *self._approver(), waiting)
+        self._verdicts()
         back_since = queries.back_since(session, project.id, project.studio_id)
         self._await(AwaitedKind.FIXES, "", None, (sum(counts.get(status, 0) for status in CAME_BACK), back_since))
 
@@ -99,8 +95,13 @@ class _Steps:
         self._counted(NextStepKind.FIX, (sum(counts.get(status, 0) for status in CAME_BACK), back_since))
         self._counted(NextStepKind.MATCH, queries.tray_since(session, project.id, designer_id))
         self._counted(NextStepKind.MAKE, (sum(counts.get(status, 0) for status in UNFINISHED), None))
-        waiting = counts.get(CueStatus.TO_REVIEW, 0), queries.conforming_takes_since(session, project.id, designer_id)
-        self._await(AwaitedKind.VERDICTS, *self._approver(), waiting)
+        rights = approval_rights(session, project)
+        if rights.by_category:
+            self._await_verdicts(rights, Take.designer_id == designer_id)
+        else:
+            since = queries.conforming_takes_since(session, project.id, designer_id)
+            waiting = counts.get(CueStatus.TO_REVIEW, 0), since
+            self._await(AwaitedKind.VERDICTS, *self._acting_for(rights, rights.approver_id), waiting)
         asked = queries.questions_open_since(session, project.id, asked_by=designer_id)
         self._await(AwaitedKind.ANSWER, project.name, None, asked)
 
@@ -114,9 +115,35 @@ class _Steps:
         if count:
             self.awaited.append(Awaited(kind=kind, who=who, person_id=person_id, count=count, since=since))
 
-    def _approver(self) -> tuple[str, UUID]:
-        approver_id = approver_of(self._session, self._project)
-        return people_by_id(self._session, {approver_id})[approver_id].name, approver_id
+    def _verdicts(self) -> None:
+        session, project, person_id = self._session, self._project, self._access.actor.person
+        rights = approval_rights(session, project)
+        scope = rights.scope_of(person_id)
+        if scope.is_any:
+            self._counted(NextStepKind.SEND_CHANGES, queries.drafts_since(session, project.id, scope))
+            self._counted(NextStepKind.REVIEW, self._waiting(scope))
+        if not scope.is_all:
+            self._await_verdicts(rights)
+
+    def _waiting(self, scope: ApprovalScope, *of_takes: ColumnElement[bool]) -> tuple[int, datetime | None]:
+        """Return how many cues of a scope wait for a verdict, and since when the first."""
+        reach = and_(queue_queries.in_scope(self._project.id, scope), *of_takes)
+        found = queue_queries.waiting_cues(self._session, reach, after=None, limit=COUNTED_CUES)
+        return len(found), found[0].since if found else None
+
+    def _await_verdicts(self, rights: ApprovalRights, *of_takes: ColumnElement[bool]) -> None:
+        """Add each approver for whom cues wait, except those that the caller may approve."""
+        person_id = self._access.actor.person
+        for approver_id in dict.fromkeys((rights.approver_id, *rights.by_category.values())):
+            if person_id == approver_id or person_id in rights.deputies.get(approver_id, ()):
+                continue
+            scope = rights.scope_of(approver_id, as_deputy=False)
+            self._await(AwaitedKind.VERDICTS, *self._acting_for(rights, approver_id), self._waiting(scope, *of_takes))
+
+    def _acting_for(self, rights: ApprovalRights, approver_id: UUID) -> tuple[str, UUID]:
+        """Return name and id of an approver, or of the deputy who stands in for them today."""
+        acting_id = next(iter(rights.deputies.get(approver_id, ())), approver_id)
+        return people_by_id(self._session, {acting_id})[acting_id].name, acting_id
 
     def _postings(self, postings: list[hiring.WaitingPosting]) -> None:
         for posting in postings:

@@ -17,6 +17,7 @@ from app.kit.icontains import icontains
 from app.kit.in_array import in_array
 from app.notifications.models import Mail
 from app.projects.models import Engagement, Liaison, Project
+from app.projects.rules import ApprovalScope
 from app.reviews.models import ChangeRequest, Comment, Feedback, Round, Verdict
 from app.reviews.rules import VerdictKind
 from app.sound_lists.models import Cue, Question
@@ -260,13 +261,15 @@ def tray_since(session: Session, project_id: UUID, designer_id: UUID) -> tuple[i
     return count, since
 
 
-def drafts_since(session: Session, project_id: UUID) -> tuple[int, datetime | None]:
-    """Return how many change requests wait to be sent, and since when the oldest."""
-    count, since = session.execute(
-        select(func.count(), func.min(ChangeRequest.created_at)).where(
-            ChangeRequest.project_id == project_id, ChangeRequest.feedback_id.is_(None)
-        )
-    ).one()
+def drafts_since(session: Session, project_id: UUID, scope: ApprovalScope) -> tuple[int, datetime | None]:
+    """Return how many change requests of cues that a person approves wait to be sent, and since when the oldest."""
+    found = select(func.count(), func.min(ChangeRequest.created_at)).where(
+        ChangeRequest.project_id == project_id, ChangeRequest.feedback_id.is_(None)
+    )
+    if not scope.is_all:
+        approved = Cue.category.not_in(scope.others) if scope.rest else Cue.category.in_(scope.own)
+        found = found.join(Cue, Cue.id == ChangeRequest.cue_id).where(approved)
+    count, since = session.execute(found).one()
     return count, since
 
 

@@ -47,6 +47,7 @@ class MyProject(Schema):
     is_producer: bool
     is_liaison: bool
     is_approver: bool
+    approves_all: bool = Field(description="False for who approves some categories only, or none.")
     engagement_kind: EngagementKind | None
     nda_open: bool = Field(description="Brief, list and spec stay closed to the caller until the NDA is agreed.")
 

@@ -19,8 +19,10 @@ from app.dashboards.questions import asked_questions, brief
 from app.dashboards.rules import CueStatus
 from app.deliveries.models import Take
 from app.deliveries.schemas import CueBrief
+from app.projects.approval import approval_rights_of
 from app.projects.models import Project
 from app.projects.queries import approvers_of
+from app.projects.rules import EVERY_CUE
 from app.projects.service import ProjectAccess, project_access
 from app.projects.visibility import nda_is_pending
 from app.renders.thumbs import thumbs
@@ -38,6 +40,8 @@ def me(session: Session, actor: Actor) -> schemas.Me:
     projects = queries.my_projects(session, person.id, list(actor.roles))
     studios = {project.studio_id: project.studio.name for project in projects}
     approvers = approvers_of(session, [project for project in projects if project.studio_id in actor.roles])
+    rights = approval_rights_of(session, {project_id: approver.id for project_id, approver in approvers.items()})
+    scopes = {project_id: of_project.scope_of(person.id) for project_id, of_project in rights.items()}
     named = queries.studio_names(session, list(actor.roles))
     return schemas.Me(
         person=PersonBrief(id=person.id, name=person.name),
@@ -58,7 +62,8 @@ def me(session: Session, actor: Actor) -> schemas.Me:
                 part="team" if project.studio_id in actor.roles else "designer",
                 is_producer=Role.PRODUCER in actor.roles_in(project.studio_id),
                 is_liaison=project.id in liaisons,
-                is_approver=project.id in approvers and approvers[project.id].id == person.id,
+                is_approver=project.id in scopes and scopes[project.id].is_any,
+                approves_all=project.id in scopes and scopes[project.id].is_all,
                 engagement_kind=engagements[project.id].kind if project.id in engagements else None,
                 nda_open=(
                     project.studio_id not in actor.roles
@@ -82,7 +87,7 @@ def today(session: Session, actor: Actor, project_id: UUID) -> schemas.Today:
         with_others=_with_others(session, project),
         builds=[_build(build) for build in queries.builds(session, project_id)],
         counts=counted(likes),
-        draft_changes=queries.drafts_since(session, project_id)[0],
+        draft_changes=queries.drafts_since(session, project_id, EVERY_CUE)[0],
         placeholders=sum(like.cues for like in likes if like.placeholder and like.state is not CueState.CUT),
         unsent_mails=queries.unsent_mails(session, project.studio_id) if access.is_producer else 0,
     )

@@ -147,7 +147,7 @@ def notify_deemed_acceptance(runtime: Runtime, payload: Payload) -> None:
         )
         people = {
             queries.address_of(session, contract.designer_id),
-            queries.approver_address(session, project),
+            *queries.approver_addresses(session, project, cue.category),
             *queries.producer_addresses(session, project.studio_id),
         }
         notifier = Notifier(runtime, session, project, payload["event_id"])

@@ -1,6 +1,6 @@
 """Jobs that write emails on events of sounds, lists, people and builds."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from datetime import timedelta
 from uuid import UUID
 
@@ -56,21 +56,29 @@ def _notify_runs(runtime: Runtime, session: Session, event_id: str, take_ids: Se
         return
     project = session.get_one(Project, runs[0].CheckRun.project_id)
     notifier = Notifier(runtime, session, project, event_id)
-    waiting: list[str] = []
+    waiting: dict[str, list[str]] = {}  # by category: each may have an approver of its own
     returned: dict[UUID, list[str]] = {}
     for run, take, cue in runs:
         name = cue_label(project, cue)
         if run.verdict != "conforming":
             returned.setdefault(take.designer_id, []).append(f"{name}: {take.file_name}{_why_returned(run)}")
         elif cue is not None:
-            waiting.append(f"{name}: {take.file_name} passed the check and is ready for your review.")
-    if waiting:
-        notifier.notify(
-            queries.approver_address(session, project), "to-review", "sounds to review", *waiting, page="review"
-        )
+            line = f"{name}: {take.file_name} passed the check and is ready for your review."
+            waiting.setdefault(cue.category, []).append(line)
+    for approver, lines in _by_approver(session, project, waiting).items():
+        notifier.notify(approver, "to-review", "sounds to review", *lines, page="review")
     for designer_id, lines in returned.items():
         designer = queries.address_of(session, designer_id)
         notifier.notify(designer, "returned", "files returned by the check", *lines)
+
+
+def _by_approver(session: Session, project: Project, waiting: Mapping[str, Sequence[str]]) -> dict[str, list[str]]:
+    """Return the lines for each address of those who may approve, given the lines of each category."""
+    lines: dict[str, list[str]] = {}
+    for category, of_category in waiting.items():
+        for approver in queries.approver_addresses(session, project, category):
+            lines.setdefault(approver, []).extend(of_category)
+    return lines
 
 
 def _why_returned(run: CheckRun) -> str:
@@ -196,7 +204,8 @@ def notify_build(runtime: Runtime, payload: Payload) -> None:
         project = session.get_one(Project, build.project_id)
         notifier = Notifier(runtime, session, project, payload["event_id"])
         line = f"Build {build.label}: {build.rejected} of {counted(build.files, 'file', 'files')} refused."
-        people = queries.producer_addresses(session, project.studio_id) | {queries.approver_address(session, project)}
+        approvers = queries.approver_addresses(session, project)
+        people = queries.producer_addresses(session, project.studio_id) | {*approvers}
         for recipient in people:
             notifier.notify(recipient, "builds", "a build was refused", line, page="")
 

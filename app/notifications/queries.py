@@ -12,8 +12,8 @@ from app.accounts.rules import Role
 from app.agreements.models import Contract, Milestone
 from app.deliveries.models import Take
 from app.notifications.models import Mail
+from app.projects.approval import approval_rights
 from app.projects.models import Engagement, Liaison, Project
-from app.projects.queries import approver_id
 from app.projects.visibility import engaged_with_nda_accepted
 from app.reviews.models import ChangeRequest
 from app.sound_lists.models import Cue
@@ -103,17 +103,19 @@ def designer_addresses(session: Session, project_id: UUID) -> Sequence[str]:
     ).all()
 
 
-def approver_address(session: Session, project: Project) -> str:
-    """Return the address of the project's approver."""
-    return session.scalars(select(Person.email).where(Person.id == approver_id(project))).one()
+def approver_addresses(session: Session, project: Project, category: str = "") -> list[str]:
+    """Return the addresses of those who may approve in a category today: its approver, then their deputies."""
+    people = approval_rights(session, project).people_for(category)
+    found = dict(session.execute(select(Person.id, Person.email).where(Person.id.in_(people))).all())
+    return [found[person_id] for person_id in people]
 
 
 def spokesperson_addresses(session: Session, project: Project) -> set[str]:
-    """Return the addresses of approver and liaisons: those who answer for the team."""
+    """Return the addresses of approver, deputies and liaisons: those who answer for the team."""
     liaisons = session.scalars(
         select(Person.email).join(Liaison, Liaison.person_id == Person.id).where(Liaison.project_id == project.id)
     )
-    return {approver_address(session, project), *liaisons}
+    return {*approver_addresses(session, project), *liaisons}
 
 
 def producer_addresses(session: Session, studio_id: UUID) -> set[str]:

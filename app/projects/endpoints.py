@@ -58,7 +58,8 @@ router = Router(prefix="/v1", tags=["projects"], route_class=RateLimitedRoute)
 _unsaved_router = APIRouter(route_class=UnsavedResponseRoute)
 
 
-def _project(view: overviews.ProjectOverview) -> schemas.ProjectRead:
+def project_read(view: overviews.ProjectOverview) -> schemas.ProjectRead:
+    """Return a project as its page's header shows it."""
     project, own = view.project, view.own_engagement
     return schemas.ProjectRead(
         id=project.id,
@@ -70,6 +71,10 @@ def _project(view: overviews.ProjectOverview) -> schemas.ProjectRead:
         nda_needed=project.nda_needed,
         studio=StudioBrief.model_validate(project.studio),
         approver=PersonBrief.model_validate(view.approver),
+        category_approvers=[
+            schemas.CategoryApproverRead(category=category, approver=PersonBrief.model_validate(person))
+            for category, person in view.category_approvers.items()
+        ],
         liaisons=[PersonBrief.model_validate(person) for person in view.liaisons],
         engagements=[schemas.EngagementRead.model_validate(engagement) for engagement in view.engagements],
         mine=schemas.Mine(
@@ -94,7 +99,7 @@ def list_projects(
     """Return the projects of the caller's studios and engagements, newest first."""
     found = queries.projects_seen(session, actor, before=uuid_cursor(cursor), limit=PAGE_ROWS + 1, archived=archived)
     shown = found[:PAGE_ROWS]
-    items = [_project(view) for view in overviews.overviews(session, actor, shown)]
+    items = [project_read(view) for view in overviews.overviews(session, actor, shown)]
     return Page(items=items, next=cursor_of(shown[-1].id) if len(found) > PAGE_ROWS else None)
 
 
@@ -112,13 +117,13 @@ def create_project(
         cue_prefix=body.cue_prefix,
         preset=body.preset,
     )
-    return _project(overviews.overview(session, actor, project.id))
+    return project_read(overviews.overview(session, actor, project.id))
 
 
 @router.get("/projects/{project_id}", responses=problems(ProjectNotFound))
 def read_project(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> schemas.ProjectRead:
     """Return a project as its page heads it."""
-    return _project(overviews.overview(session, actor, project_id))
+    return project_read(overviews.overview(session, actor, project_id))
 
 
 @router.get("/projects/{project_id}/studio-calendar", responses=problems(ProjectNotFound))
@@ -142,7 +147,7 @@ def change_project(
         archived=body.archived,
         nda_needed=body.nda_needed,
     )
-    return _project(overviews.overview(session, actor, project_id))
+    return project_read(overviews.overview(session, actor, project_id))
 
 
 @router.put(
@@ -154,7 +159,7 @@ def add_liaison(
 ) -> schemas.ProjectRead:
     """Make a member of the studio a liaison of this project."""
     service.add_liaison(session, actor, project_id, person_id)
-    return _project(overviews.overview(session, actor, project_id))
+    return project_read(overviews.overview(session, actor, project_id))
 
 
 @router.delete(
@@ -166,7 +171,7 @@ def remove_liaison(
 ) -> schemas.ProjectRead:
     """Remove a liaison."""
     service.remove_liaison(session, actor, project_id, person_id)
-    return _project(overviews.overview(session, actor, project_id))
+    return project_read(overviews.overview(session, actor, project_id))
 
 
 @router.put(
@@ -178,7 +183,7 @@ def name_approver(
 ) -> schemas.ProjectRead:
     """Make a liaison the approver, or become it as a producer; the reason is kept."""
     service.name_approver(session, actor, project_id, person_id=body.person_id, reason=body.reason)
-    return _project(overviews.overview(session, actor, project_id))
+    return project_read(overviews.overview(session, actor, project_id))
 
 
 @router.post(

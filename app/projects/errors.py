@@ -59,8 +59,16 @@ class AlreadyEngaged(Conflict):
     """The designer is engaged on the project already."""
 
 
+class DeputyNotFound(NotFound):
+    """No such deputy in the project."""
+
+
 class CannotApprove(Invalid):
-    """The approver is a liaison of the project or a producer of the studio."""
+    """Approvers and deputies are liaisons of the project or producers of the studio."""
+
+
+class BadDeputy(Invalid):
+    """The deputy is the person themselves, or the days end before they begin, or are over."""
 
 
 class BadSpec(Invalid):

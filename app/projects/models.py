@@ -1,6 +1,6 @@
 """The tables of this room."""
 
-from datetime import datetime
+from datetime import date, datetime
 from uuid import UUID
 
 from sqlalchemy import CheckConstraint, ForeignKey, UniqueConstraint
@@ -78,6 +78,44 @@ class ApproverChange(Base):
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     person: Mapped[Person] = relationship(lazy="raise", foreign_keys=[person_id])
     changer: Mapped[Person] = relationship(lazy="raise", foreign_keys=[changed_by])
+
+
+class CategoryApprover(Base):
+    """The approvers of a category of the sound list; of each category the newest row holds."""
+
+    __tablename__ = "projects_category_approvers"
+    __table_args__ = (CheckConstraint("category <> ''", name="names_a_category"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    category: Mapped[str]
+    person_id: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: the project's approver
+    named_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class Deputy(Base):
+    """A member of the studio who may approve in place of another person, from one day to another, both included."""
+
+    __tablename__ = "projects_deputies"
+    __table_args__ = (
+        CheckConstraint("until_on >= from_on", name="ends_after_it_began"),
+        CheckConstraint("deputy_id <> person_id", name="two_people"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    deputy_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    from_on: Mapped[date]  # in the time zone of the studio
+    until_on: Mapped[date]
+    named_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    withdrawn_at: Mapped[datetime | None]
+    person: Mapped[Person] = relationship(lazy="raise", foreign_keys=[person_id])
+    deputy: Mapped[Person] = relationship(lazy="raise", foreign_keys=[deputy_id])
 
 
 class Engagement(Base):

@@ -1,16 +1,19 @@
 """Projects as their pages head them: approver, audio leads, engagements and the caller's part."""
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
+from app.accounts.queries import people_by_id
 from app.accounts.rules import Actor, Role
 from app.projects import queries
+from app.projects.approval import approval_rights_of
 from app.projects.models import Engagement, Project
+from app.projects.rules import ApprovalRights
 from app.projects.service import project_access
 
 
@@ -20,6 +23,8 @@ class ProjectOverview:
 
     project: Project
     approver: Person
+    rights: ApprovalRights
+    category_approvers: Mapping[str, Person]
     liaisons: Sequence[Person]
     engagements: Sequence[Engagement]
     spec_version: int
@@ -38,8 +43,8 @@ class ProjectOverview:
 
     @property
     def is_approver(self) -> bool:
-        """Whether the caller is the approver."""
-        return bool(self.roles) and self.approver.id == self.person_id
+        """Whether the caller approves some cues today, as an approver or a deputy."""
+        return bool(self.roles) and self.rights.scope_of(self.person_id).is_any
 
     @property
     def own_engagement(self) -> Engagement | None:
@@ -52,6 +57,8 @@ def overviews(session: Session, actor: Actor, projects: Sequence[Project]) -> li
     """Return projects that the caller sees as their pages head them, in the given order."""
     ids = [project.id for project in projects]
     approvers = queries.approvers_of(session, projects)
+    rights = approval_rights_of(session, {project_id: person.id for project_id, person in approvers.items()})
+    people = people_by_id(session, {one for of_project in rights.values() for one in of_project.by_category.values()})
     versions = queries.spec_versions_of(session, ids)
     liaisons: defaultdict[UUID, list[Person]] = defaultdict(list)
     for liaison in queries.liaisons_of(session, ids):
@@ -63,6 +70,8 @@ def overviews(session: Session, actor: Actor, projects: Sequence[Project]) -> li
         ProjectOverview(
             project=project,
             approver=approvers[project.id],
+            rights=rights[project.id],
+            category_approvers={name: people[one] for name, one in rights[project.id].by_category.items()},
             liaisons=liaisons[project.id],
             engagements=[
                 engagement

@@ -88,6 +88,13 @@ def projects_seen(
     return session.scalars(found.options(joinedload(Project.studio)).order_by(Project.id.desc()).limit(limit)).all()
 
 
+def running_projects(session: Session, studio_ids: Collection[UUID]) -> Sequence[Project]:
+    """Return the projects of studios that are not archived."""
+    return session.scalars(
+        select(Project).where(Project.studio_id.in_(studio_ids), Project.archived_at.is_(None)).order_by(Project.id)
+    ).all()
+
+
 def rights_of(session: Session, caller: Actor | None) -> frozenset[str]:
     """Return what a caller may do at all: roles in studios, and running engagements."""
     if caller is None:

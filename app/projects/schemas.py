@@ -1,6 +1,6 @@
 """Bodies and answers of projects."""
 
-from datetime import datetime
+from datetime import date, datetime
 from typing import Annotated, Any, Literal
 from uuid import UUID
 
@@ -13,6 +13,9 @@ from app.projects.rules import EngagementKind
 
 CuePrefix = Annotated[str, StringConstraints(strip_whitespace=True, pattern="^[A-Z][A-Z0-9]{0,7}$")]
 Reason = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=500, pattern="^[^\\x00]*$")]
+Category = Annotated[
+    str, StringConstraints(strip_whitespace=True, to_lower=True, max_length=60, pattern=r"^[^\W_][\w-]*$")
+]
 Toml = Annotated[str, StringConstraints(strip_whitespace=False, max_length=200_000)]
 
 
@@ -53,9 +56,16 @@ class Mine(Schema):
     is_team: bool
     is_producer: bool
     is_liaison: bool
-    is_approver: bool
+    is_approver: bool = Field(description="Whether the caller approves some sounds today, as approver or as deputy.")
     engagement_kind: EngagementKind | None
     nda_open: bool = Field(description="Brief, list and spec open once the caller has accepted the project's NDA.")
+
+
+class CategoryApproverRead(Schema):
+    """A category of the sound list with an approver of its own."""
+
+    category: str
+    approver: PersonBrief
 
 
 class ProjectRead(Schema):
@@ -70,6 +80,7 @@ class ProjectRead(Schema):
     nda_needed: bool = Field(description="Designers see brief, list and spec once they accepted an NDA.")
     studio: StudioBrief
     approver: PersonBrief
+    category_approvers: list[CategoryApproverRead] = Field(description="All other categories are the approver's.")
     liaisons: list[PersonBrief]
     engagements: list[EngagementRead]
     mine: Mine
@@ -81,6 +92,40 @@ class ApproverAdd(Schema):
 
     person_id: UUID
     reason: Reason
+
+
+class CategoryApproverName(Schema):
+    """The approver of one category."""
+
+    category: Category
+    person_id: UUID | None = Field(description="Null gives the category back to the project's approver.")
+
+
+class DeputyAdd(Schema):
+    """Who may approve in place of a person, and when."""
+
+    person_id: UUID
+    deputy_id: UUID
+    from_on: date = Field(description="The first day, in the studio's time zone.")
+    until_on: date = Field(description="The last day, which counts.")
+
+
+class DeputyRead(Schema):
+    """A deputy of today or of later days."""
+
+    id: UUID
+    person: PersonBrief
+    deputy: PersonBrief
+    from_on: date
+    until_on: date
+
+
+class DeputiesRead(Schema):
+    """The deputies of today and of later days, and the studio's time zone that their days are counted in."""
+
+    time_zone: str
+    today: date
+    deputies: list[DeputyRead]
 
 
 class ApproverInvite(Schema):

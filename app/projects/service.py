@@ -16,9 +16,8 @@ from app.kit import clock
 from app.kit.db import bypass_row_policies, widen_reach
 from app.kit.events import publish
 from app.kit.reach import Reach
-from app.projects import queries
+from app.projects import approval_queries, queries
 from app.projects.errors import (
-    ApproverNeeded,
     DesignerNeeded,
     InvitationNotFound,
     LiaisonIsApprover,
@@ -84,11 +83,6 @@ class ProjectAccess:
         """
         if self.is_team:
             self.ensure_may_speak()
-
-    def ensure_approver(self) -> None:
-        """Raise ApproverNeeded unless the caller is the approver."""
-        if not self.is_approver:
-            raise ApproverNeeded("only the project's approver decides; add a comment instead")
 
     def ensure_designer(self) -> Engagement:
         """Return the caller's engagement, or raise DesignerNeeded."""
@@ -200,7 +194,7 @@ def add_liaison(session: Session, actor: Actor, project_id: UUID, person_id: UUI
 
 
 def remove_liaison(session: Session, actor: Actor, project_id: UUID, person_id: UUID) -> None:
-    """Remove a liaison; raise LiaisonIsApprover while they are the approver."""
+    """Remove a liaison; raise LiaisonIsApprover while they are an approver or a deputy, or have a deputy."""
     access = project_access(session, actor, project_id)
     access.ensure_producer()
     liaison = session.get(Liaison, (project_id, person_id))
@@ -208,6 +202,14 @@ def remove_liaison(session: Session, actor: Actor, project_id: UUID, person_id: 
         raise LiaisonNotFound(f"no audio lead {person_id} in this project")
     if queries.approver_of(session, access.project) == person_id:
         raise LiaisonIsApprover("this audio lead is the project's approver", fix="name another approver first")
+    for named in approval_queries.category_approvers(session, [project_id]):
+        if named.person_id == person_id:
+            raise LiaisonIsApprover(
+                f"this audio lead is the approver of the category {named.category}",
+                fix="name another approver of the category first",
+            )
+    if approval_queries.is_deputy_until(session, project_id, person_id, until=clock.now().date()):
+        raise LiaisonIsApprover("this audio lead is a deputy, or has one", fix="withdraw the deputy first")
     session.delete(liaison)
     session.flush()
 

@@ -9,6 +9,7 @@ from app.accounts.rules import Actor
 from app.deliveries.service import take_for
 from app.kit import clock
 from app.kit.events import publish
+from app.projects.approval import approval_rights
 from app.reviews import queries
 from app.reviews.errors import ChangeRequestNotFound, CommentNotFound
 from app.reviews.models import Comment
@@ -50,6 +51,7 @@ def add_comment(
     take, access = take_for(session, actor, take_id)
     ensure_range(start_s, end_s, queries.duration_of(session, take))
     answers, asker_id = _note_answered(session, take.id, answers)
+    rights = approval_rights(session, access.project)
     comment = Comment(
         studio_id=take.studio_id,
         project_id=take.project_id,
@@ -60,7 +62,7 @@ def add_comment(
         start_s=start_s,
         end_s=end_s,
         written_by=actor.person,
-        decides=access.is_approver,
+        decides=access.is_team and actor.person in rights.people_for(take.cue.category if take.cue else ""),
     )
     session.add(comment)
     session.flush()

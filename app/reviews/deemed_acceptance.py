@@ -11,11 +11,11 @@ from app.kit import clock
 from app.kit.db import insert_if_absent, new_id
 from app.kit.events import publish
 from app.money.settlement import record_reminder
-from app.projects.queries import approver_of
+from app.projects.approval import approval_rights
 from app.reviews import queries
+from app.reviews.decisions import Decision
 from app.reviews.deemed_cues import DeemedCue, deemed_cues
 from app.reviews.models import Reminder
-from app.reviews.service import Decision
 
 
 def deemed_cues_due(session: Session, now: datetime) -> list[UUID]:
@@ -34,7 +34,7 @@ def deemed_cues_due(session: Session, now: datetime) -> list[UUID]:
 
 
 def apply_deemed(session: Session, cue_id: UUID, now: datetime) -> None:
-    """Accept a cue whose days are over, or remind its approver; do nothing if there is a decision meanwhile."""
+    """Accept a cue whose days are over, or remind those who may approve it; do nothing after a decision."""
     queries.lock_cue(session, cue_id)
     for one in deemed_cues(session, Take.cue_id == cue_id):
         if one.wait.is_over(now):
@@ -74,13 +74,14 @@ def _remind(session: Session, one: DeemedCue, number: int, now: datetime) -> Non
     }
     if not insert_if_absent(session, Reminder, reminder, unique=("cue_id", "waiting_since", "number")):
         return
-    approver_id, last_day = approver_of(session, one.project), one.wait.last_day(now)
-    record_reminder(session, one.contract.id, one.cue.id, to_id=approver_id, last_day=last_day)
-    publish(
-        session,
-        "approver.reminded",
-        studio_id=one.cue.studio_id,
-        cue_id=one.cue.id,
-        approver_id=approver_id,
-        last_day=last_day.isoformat(),
-    )
+    last_day = one.wait.last_day(now)
+    for person_id in approval_rights(session, one.project).people_for(one.cue.category):
+        record_reminder(session, one.contract.id, one.cue.id, to_id=person_id, last_day=last_day)
+        publish(
+            session,
+            "approver.reminded",
+            studio_id=one.cue.studio_id,
+            cue_id=one.cue.id,
+            approver_id=person_id,
+            last_day=last_day.isoformat(),
+        )

@@ -1,7 +1,9 @@
 """The endpoints of this room."""
 
-from typing import Literal
+from typing import Annotated, Literal
 from uuid import UUID
+
+from fastapi import Query
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
@@ -51,6 +53,10 @@ from app.reviews.schemas import (
 from app.sound_lists.errors import CueIsCut, CueNotFound
 from app.sound_lists.models import Cue
 
+Own = Annotated[
+    bool,
+    Query(description="The cues that the caller approves today. Who approves none in a project is shown all of it."),
+]
 router = Router(prefix="/v1", tags=["reviews"], route_class=Route)
 
 
@@ -58,19 +64,20 @@ router = Router(prefix="/v1", tags=["reviews"], route_class=Route)
 def get_review_queue(
     session: DbSession,
     project_id: UUID | None = None,
+    own: Own = False,
     cursor: str | None = None,
     actor: Actor = allows(Audience.TEAM),
 ) -> Page[QueueItem]:
     """Return what waits for review, oldest first: of one project, or of all projects of the caller's studios."""
-    return review_room.review_queue(session, actor, project_id=project_id, cursor=cursor)
+    return review_room.review_queue(session, actor, project_id=project_id, is_own=own, cursor=cursor)
 
 
 @router.get("/review-queue/count", response_model=QueueCount, responses=problems(ProjectNotFound, TeamNeeded))
 def count_review_queue(
-    session: DbSession, project_id: UUID | None = None, actor: Actor = allows(Audience.TEAM)
+    session: DbSession, project_id: UUID | None = None, own: Own = False, actor: Actor = allows(Audience.TEAM)
 ) -> QueueCount:
     """Count the cues that wait for review, up to 99: of one project, or of all projects of the caller's studios."""
-    return review_room.queue_count(session, actor, project_id=project_id)
+    return review_room.queue_count(session, actor, project_id=project_id, is_own=own)
 
 
 @router.get("/cues/{cue_id}/review", response_model=CueReviewRead, responses=problems(CueNotFound, TeamNeeded))

@@ -12,15 +12,17 @@ from app.kit.db import new_id
 from app.kit.events import publish
 from app.kit.http import Page, cursor_of, uuid_cursor
 from app.money.settlement import price_round
-from app.projects.errors import ProjectNotFound, TeamNeeded
+from app.projects.approval import approval_rights, ensure_may_approve
+from app.projects.errors import ApproverNeeded, ProjectNotFound, TeamNeeded
+from app.projects.rules import ApprovalScope
 from app.projects.service import project_access
 from app.reviews import queries
+from app.reviews.decisions import new_verdict
 from app.reviews.errors import AlreadySent, ChangeRequestNotFound, NothingToSend
 from app.reviews.models import ChangeRequest, Feedback, Round
 from app.reviews.review_room import change_request_read
 from app.reviews.rules import STATE_WORDS, VerdictKind, why_not_counted
 from app.reviews.schemas import ChangeRequestRead, FeedbackRead, HeldBack, RoundRead
-from app.reviews.service import new_verdict
 from app.reviews.settlement import settle_acceptance
 from app.sound_lists.models import Cue
 
@@ -60,17 +62,19 @@ def drop_change_request(session: Session, actor: Actor, change_request_id: UUID)
         request.feedback_id is None or request.take.designer_id != access.only_designer_id
     ):
         raise ChangeRequestNotFound(f"no change request {change_request_id}")
-    access.ensure_approver()
+    ensure_may_approve(session, access, request.cue.category)
     if request.feedback_id is not None:
         raise AlreadySent("this change request was sent and can't be deleted")
     session.delete(request)
 
 
 def send_changes(session: Session, actor: Actor, project_id: UUID, *, note: str = "") -> FeedbackRead:
-    """Send all drafts of a project together: their takes go back, and each cue counts one round at most."""
+    """Send the caller's drafts of a project together: their takes go back, and each cue counts one round at most."""
     access = project_access(session, actor, project_id)
-    access.ensure_approver()
-    sendable, held_back = _sorted_drafts(session, project_id)
+    rights = approval_rights(session, access.project)
+    if not (access.is_team and rights.scope_of(actor.person).is_any):
+        raise ApproverNeeded("only an approver of the project sends changes; add a comment instead")
+    sendable, held_back = _sorted_drafts(session, project_id, rights.scope_of(actor.person))
     if not sendable:
         raise NothingToSend(held_back[0].why if held_back else "there are no draft change requests to send")
     sending = Feedback(studio_id=access.project.studio_id, project_id=project_id, sent_by=actor.person, note=note)
@@ -80,7 +84,18 @@ def send_changes(session: Session, actor: Actor, project_id: UUID, *, note: str 
     action_id = new_id()
     for draft in sorted(sendable, key=lambda each: each.cue_id):  # contracts are locked in one order
         reversals[draft.cue_id].append(draft.take.state is TakeState.APPROVED)
-        session.add(new_verdict(session, actor.person, draft.take, VerdictKind.REQUEST_CHANGE, draft.text, action_id))
+        for_whom = rights.on_behalf_of(actor.person, draft.cue.category)
+        session.add(
+            new_verdict(
+                session,
+                actor.person,
+                draft.take,
+                VerdictKind.REQUEST_CHANGE,
+                draft.text,
+                action_id,
+                on_behalf_of=for_whom,
+            )
+        )
         change_state(session, draft.take, TakeState.CHANGE_REQUESTED)
         draft.feedback_id = sending.id
     rounds = _count_rounds(session, sending, reversals)
@@ -102,13 +117,20 @@ def send_changes(session: Session, actor: Actor, project_id: UUID, *, note: str 
     )
 
 
-def _sorted_drafts(session: Session, project_id: UUID) -> tuple[list[ChangeRequest], list[HeldBack]]:
-    """Return the drafts that can go now, and why the others cannot; their cues are locked."""
+def _sorted_drafts(
+    session: Session, project_id: UUID, scope: ApprovalScope
+) -> tuple[list[ChangeRequest], list[HeldBack]]:
+    """Return the drafts that can go now, and why the others cannot; their cues are locked.
+
+    Those on cues that the sender does not approve are left to their own approver.
+    """
     sendable: list[ChangeRequest] = []
     held_back: list[HeldBack] = []
     for cue_id in sorted({draft.cue_id for draft in queries.drafts_of_project(session, project_id)}):
         queries.lock_cue(session, cue_id)
     for draft in queries.drafts_of_project(session, project_id):
+        if not scope.covers(draft.cue.category):
+            continue
         take = draft.take
         if take.cue_id != draft.cue_id:
             why = f"{take.file_name} is not matched to this cue any more; its draft is kept"

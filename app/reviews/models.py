@@ -38,10 +38,12 @@ class Verdict(Base):
     dropped_draft: Mapped[dict[str, Any]] = mapped_column(default=dict)  # what was noted to change, and fell away
     withdraws_id: Mapped[UUID | None] = mapped_column(ForeignKey("reviews_verdicts.id"), unique=True)
     given_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: nobody, by the clause
+    on_behalf_of: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: in their own right
     # By whose clause it was decided, because nobody said anything; None: `given_by` did.
     deemed_by_contract_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
-    author: Mapped[Person | None] = relationship(lazy="raise")
+    author: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[given_by])
+    represented: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[on_behalf_of])
 
 
 class ClockPause(Base):

@@ -149,8 +149,9 @@ def action_verdicts(session: Session, action_id: UUID) -> Sequence[Verdict]:
 
 
 def verdicts_on(session: Session, *where: ColumnElement[bool]) -> Sequence[Verdict]:
-    """Return verdicts with who gave them, oldest first, those taken back included."""
-    return session.scalars(select(Verdict).where(*where).options(joinedload(Verdict.author)).order_by(Verdict.id)).all()
+    """Return verdicts with who gave them and for whom, oldest first, those taken back included."""
+    with_people = (joinedload(Verdict.author), joinedload(Verdict.represented))
+    return session.scalars(select(Verdict).where(*where).options(*with_people).order_by(Verdict.id)).all()
 
 
 def _change_requests() -> Select[ChangeRequest]:

@@ -1,6 +1,6 @@
 """The review queue with all that its cards show, read in few columns; callers have checked access."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from functools import cache
@@ -19,6 +19,7 @@ from sqlalchemy import (
     exists,
     false,
     func,
+    or_,
     select,
     tuple_,
 )
@@ -35,6 +36,7 @@ from app.deliveries.rules import TakeState
 from app.kit.exists import row_exists
 from app.kit.in_array import in_array
 from app.projects.models import Project, Spec
+from app.projects.rules import ApprovalScope
 from app.renders.models import Picture, RenderSet
 from app.renders.shown_renders import PICTURE, ShownPicture, ShownRender, shown_renders
 from app.renders.thumbs import Thumb, thumbs
@@ -71,6 +73,22 @@ def _newest_spec_id() -> ScalarSelect[UUID]:
         .correlate(Take)
         .scalar_subquery()
     )
+
+
+def in_scope(project_id: UUID, scope: ApprovalScope) -> ColumnElement[bool]:
+    """Admit the takes of one project whose cue a person approves; all of them for who approves none."""
+    if scope.is_all or not scope.is_any:
+        return in_project(project_id)
+    category = select(Cue.category).where(Cue.id == Take.cue_id).correlate(Take).scalar_subquery()
+    approved = category.not_in(scope.others) if scope.rest else category.in_(scope.own)
+    return and_(in_project(project_id), approved)
+
+
+def in_scopes(scopes: Mapping[UUID, ApprovalScope]) -> ColumnElement[bool]:
+    """Admit the takes of projects whose cue a person approves; all of a project where they approve none."""
+    whole = [project_id for project_id, scope in scopes.items() if scope.is_all or not scope.is_any]
+    parts = [in_scope(project_id, scope) for project_id, scope in scopes.items() if scope.is_any and not scope.is_all]
+    return or_(in_array(Take.project_id, whole), *parts)
 
 
 @cache

@@ -21,9 +21,9 @@ from app.deliveries.rules import TakeState
 from app.deliveries.service import take_for
 from app.kit.http import Page, cursor_of, instant_cursor
 from app.kit.in_array import in_array
+from app.projects.approval import approval_rights, approval_scope, approval_scopes
 from app.projects.errors import TeamNeeded
 from app.projects.models import Spec
-from app.projects.queries import approver_of
 from app.projects.service import project_access
 from app.renders.service import sound_places
 from app.renders.shown_renders import ShownPicture
@@ -54,10 +54,12 @@ PAGE_CUES = 16  # as many lines as a tall screen shows
 COUNTED_CUES = 99  # more is shown as "99+"
 
 
-def review_queue(session: Session, actor: Actor, *, project_id: UUID | None, cursor: str | None) -> Page[QueueItem]:
-    """Return what waits for review, oldest first, with all that its cards show."""
+def review_queue(
+    session: Session, actor: Actor, *, project_id: UUID | None, is_own: bool, cursor: str | None
+) -> Page[QueueItem]:
+    """Return what waits for review, oldest first, with all that its cards show; `is_own`: what the caller approves."""
     after = instant_cursor(cursor)
-    reach = _reach(session, actor, project_id)
+    reach = _reach(session, actor, project_id, is_own=is_own)
     waiting = queue_queries.waiting_cues(session, reach, after=after, limit=PAGE_CUES + 1)
     shown = waiting[:PAGE_CUES]
     by_cue: dict[UUID, list[TakeOnReview]] = defaultdict(list)
@@ -81,19 +83,24 @@ def review_queue(session: Session, actor: Actor, *, project_id: UUID | None, cur
     return Page(items=items, next=cursor_of(shown[-1].since.isoformat(), shown[-1].id) if has_more else None)
 
 
-def queue_count(session: Session, actor: Actor, *, project_id: UUID | None) -> QueueCount:
+def queue_count(session: Session, actor: Actor, *, project_id: UUID | None, is_own: bool) -> QueueCount:
     """Return how many cues wait for review, counted up to a bound so that it costs the same however many do."""
-    reach = _reach(session, actor, project_id)
+    reach = _reach(session, actor, project_id, is_own=is_own)
     waiting = queue_queries.waiting_cues(session, reach, after=None, limit=COUNTED_CUES + 1)
     return QueueCount(cues=min(len(waiting), COUNTED_CUES), is_all=len(waiting) <= COUNTED_CUES)
 
 
-def _reach(session: Session, actor: Actor, project_id: UUID | None) -> ColumnElement[bool]:
+def _reach(session: Session, actor: Actor, project_id: UUID | None, *, is_own: bool) -> ColumnElement[bool]:
     if project_id is not None:
-        project_access(session, actor, project_id).ensure_team()
+        access = project_access(session, actor, project_id)
+        access.ensure_team()
+        if is_own:
+            return queue_queries.in_scope(project_id, approval_scope(session, access))
         return queue_queries.in_project(project_id)
     if not actor.roles:
         raise TeamNeeded("only a game team has a review queue")
+    if is_own:
+        return queue_queries.in_scopes(approval_scopes(session, actor))
     return queue_queries.in_studios(actor.roles)
 
 
@@ -237,7 +244,9 @@ def cue_review(session: Session, actor: Actor, cue_id: UUID) -> CueReviewRead:
     ids = [take.id for take in takes]
     approved = queries.approved_variations(session, [cue.id]).get(cue.id, [])
     verdicts = queries.verdicts_on(session, Verdict.cue_id == cue.id)
-    approver_id = approver_of(session, access.project)
+    rights = approval_rights(session, access.project)
+    approver_id, *deputy_ids = rights.people_for(cue.category)
+    people = people_by_id(session, {approver_id, *deputy_ids})
     waiting = [take.variation for take in takes if take.state is TakeState.CONFORMING]
     last_day = last_days(session, [cue.id]).get(cue.id)
     return CueReviewRead(
@@ -247,8 +256,10 @@ def cue_review(session: Session, actor: Actor, cue_id: UUID) -> CueReviewRead:
         approved_variations=approved,
         accepted_after=last_day.day if last_day else None,
         silence_paused_by=last_day.paused_by if last_day else None,
-        approver=PersonBrief.model_validate(people_by_id(session, {approver_id})[approver_id]),
-        may_approve=access.is_approver,
+        approver=PersonBrief.model_validate(people[approver_id]),
+        deputies=[PersonBrief.model_validate(people[one]) for one in deputy_ids],
+        may_approve=actor.person in (approver_id, *deputy_ids),
+        on_behalf_of=PersonBrief.model_validate(people[approver_id]) if actor.person in deputy_ids else None,
         takes=takes,
         comments=[comment_read(one) for one in queries.comments_on(session, in_array(Comment.take_id, ids))],
         verdicts=list(_verdicts_read(verdicts)),
@@ -271,6 +282,7 @@ def _verdicts_read(verdicts: Iterable[Verdict]) -> Iterable[VerdictRead]:
             kind=one.kind,
             note=one.note,
             given_by=PersonBrief.model_validate(one.author) if one.author else None,
+            on_behalf_of=PersonBrief.model_validate(one.represented) if one.represented else None,
             created_at=one.created_at,
             by_deemed_acceptance=one.deemed_by_contract_id is not None,
             withdrawn=one.id in withdrawn,
@@ -314,6 +326,7 @@ def _said(session: Session, take: Take) -> Iterable[HistoryEntry]:
                 at=verdict.created_at,
                 kind=verdict.kind.value,
                 by=PersonBrief.model_validate(verdict.author) if verdict.author else None,
+                on_behalf_of=PersonBrief.model_validate(verdict.represented) if verdict.represented else None,
                 by_deemed_acceptance=verdict.deemed_by_contract_id is not None,
                 text=verdict.note,
             )

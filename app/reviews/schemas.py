@@ -287,6 +287,7 @@ class HistoryEntry(Schema):
     at: datetime
     kind: Literal["received", "checked", "waived", "approve", "set_aside", "request_change", "withdraw", "comment"]
     by: PersonBrief | None
+    on_behalf_of: PersonBrief | None = Field(None, description="The approver whose deputy decided.")
     by_deemed_acceptance: bool = Field(False, description="Whether a clause on silence approved it; then nobody did.")
     text: str
     start_s: float | None = None
@@ -301,6 +302,7 @@ class VerdictRead(Schema):
     kind: VerdictKind
     note: str
     given_by: PersonBrief | None = Field(description="Null where a clause on silence decided it.")
+    on_behalf_of: PersonBrief | None = Field(description="The approver whose deputy decided; null in one's own right.")
     created_at: datetime
     by_deemed_acceptance: bool = Field(description="Whether a clause on silence decided it; then nobody did.")
     withdrawn: bool
@@ -315,8 +317,10 @@ class CueReviewRead(Schema):
     approved_variations: list[int]
     accepted_after: date | None
     silence_paused_by: PausedBy | None
-    approver: PersonBrief
+    approver: PersonBrief = Field(description="Of the cue's category, else of the project.")
+    deputies: list[PersonBrief] = Field(description="Those who may approve in the approver's place today.")
     may_approve: bool
+    on_behalf_of: PersonBrief | None = Field(description="The approver for whom the caller would decide as a deputy.")
     takes: list[ReviewTake]
     comments: list[CommentRead]
     verdicts: list[VerdictRead]

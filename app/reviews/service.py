@@ -6,20 +6,18 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
-from app.agreements.deemed_acceptance import CLAUSE as SILENCE
-from app.agreements.rules import AcceptedBy
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.deliveries.service import take_for
-from app.deliveries.sources import put_on_record
-from app.deliveries.take_states import change_state, return_to_received
+from app.deliveries.take_states import return_to_received
 from app.kit import clock, kill_points
 from app.kit.db import new_id
 from app.kit.events import publish
-from app.money.settlement import record_work
+from app.projects.approval import approval_rights, ensure_may_approve
 from app.projects.errors import ProducerNeeded
 from app.projects.service import ProjectAccess
 from app.reviews import queries
+from app.reviews.decisions import STATE_AFTER, Decision, new_verdict
 from app.reviews.errors import (
     AlreadyAccepted,
     NoteNeeded,
@@ -55,9 +53,6 @@ from app.sound_lists.rules import CueState
 from app.sound_lists.service import cut_cue as cut_from_list
 from app.sound_lists.service import visible_cue
 
-SUPERSEDED = "another version was picked"
-STATE_AFTER = {VerdictKind.APPROVE: TakeState.APPROVED, VerdictKind.SET_ASIDE: TakeState.SET_ASIDE}
-
 
 def give_verdict(
     session: Session,
@@ -72,12 +67,12 @@ def give_verdict(
 ) -> VerdictGiven:
     """Record the approver's verdict on a take; a requested change stays a draft until it is sent with others."""
     take, access = take_for(session, actor, take_id)
-    access.ensure_approver()
+    for_whom = _ensure_may_approve(session, access, take)
     cue = _cue_to_judge(session, take)
     ensure_seen(take.state, seen_state)
     if kind is VerdictKind.REQUEST_CHANGE:
         return _draft_change(session, access, take, cue, text=note, start_s=start_s, end_s=end_s)
-    decision = Decision(session, actor.person, note)
+    decision = Decision(session, actor.person, note, on_behalf_of=for_whom)
     if kind is VerdictKind.APPROVE:
         decision.approve(take)
     else:
@@ -95,6 +90,10 @@ def give_verdict(
     )
 
 
+def _ensure_may_approve(session: Session, access: ProjectAccess, take: Take) -> UUID | None:
+    return ensure_may_approve(session, access, take.cue.category if take.cue else "")
+
+
 def _cue_to_judge(session: Session, take: Take) -> Cue:
     """Return a take's cue, locked; both current, even if another decision is made at the same moment."""
     if take.cue is None:
@@ -105,101 +104,6 @@ def _cue_to_judge(session: Session, take: Take) -> Cue:
     if cue.state is CueState.CUT:
         raise CueIsCut(f"{cue.name} was cut, so it can't be reviewed")
     return cue
-
-
-class Decision:
-    """The decisions of one click, or of deemed acceptance, so that they can be undone together."""
-
-    def __init__(
-        self, session: Session, person_id: UUID | None, note: str, *, deemed_by_contract_id: UUID | None = None
-    ) -> None:
-        self._session = session
-        self._person_id = person_id
-        self._note = note
-        self._silence_contract_id = deemed_by_contract_id
-        self.action_id = new_id()
-        self.approved: list[Take] = []
-        self.gave_way: list[UUID] = []
-
-    def approve(self, take: Take) -> None:
-        """Pick a take; what else waits or was picked for its variation gives way."""
-        if take.cue_id is None:
-            raise AssertionError("only matched takes are judged")
-        for other in queries.open_takes(self._session, take.cue_id, variation=take.variation):
-            if other.id != take.id:
-                self._record(other, VerdictKind.SET_ASIDE, SUPERSEDED, keeps_draft=True)
-                self.gave_way.append(other.id)
-        self._session.flush()  # the former pick gives way first: there is never more than one
-        self._record(take, VerdictKind.APPROVE, self._note)
-        self._session.flush()
-        put_on_record(self._session, take)
-        self.approved.append(take)
-
-    def set_aside(self, take: Take) -> None:
-        """Put a waiting take away."""
-        if take.state is TakeState.APPROVED:
-            raise NotReviewable(
-                "this version is approved", fix="approve another version in its place, or request a change"
-            )
-        self._record(take, VerdictKind.SET_ASIDE, self._note)
-        self._session.flush()
-
-    def finish(self, cue: Cue) -> bool:
-        """Settle what is owed, publish the approvals, and return whether the cue is accepted now."""
-        by = AcceptedBy.VERDICT if self._silence_contract_id is None else AcceptedBy.SILENCE
-        accepted = settle_acceptance(self._session, cue, person_id=self._person_id, by=by)
-        for take in self.approved if by is AcceptedBy.VERDICT else ():
-            publish(self._session, "take.approved", studio_id=take.studio_id, take_id=take.id, cue_accepted=accepted)
-        return accepted
-
-    def _record(self, take: Take, kind: VerdictKind, note: str, *, keeps_draft: bool = False) -> None:
-        verdict = new_verdict(
-            self._session,
-            self._person_id,
-            take,
-            kind,
-            note,
-            self.action_id,
-            deemed_by_contract_id=self._silence_contract_id,
-        )
-        change_state(self._session, take, STATE_AFTER[kind])
-        draft = queries.draft_of(self._session, take.id)
-        if draft is not None and not keeps_draft:
-            verdict.dropped_draft = {"text": draft.text, "start_s": draft.start_s, "end_s": draft.end_s}
-            self._session.delete(draft)
-        self._session.add(verdict)
-
-
-def new_verdict(
-    session: Session,
-    person_id: UUID | None,
-    take: Take,
-    kind: VerdictKind,
-    note: str,
-    action_id: UUID,
-    *,
-    deemed_by_contract_id: UUID | None = None,
-) -> Verdict:
-    """Return a verdict to record before the take moves; the record of its contract has it at once."""
-    if take.cue_id is not None:
-        facts = {"verdict": kind.value, "variation": take.variation, "version": take.number or 0, "note": note}
-        if deemed_by_contract_id is not None:
-            facts["clause"] = SILENCE
-        by = person_id if deemed_by_contract_id is None else None
-        record_work(session, take.cue_id, take.designer_id, "judged", facts, by=by)
-    return Verdict(
-        studio_id=take.studio_id,
-        project_id=take.project_id,
-        cue_id=take.cue_id,
-        take_id=take.id,
-        action_id=action_id,
-        kind=kind,
-        note=note,
-        state_before=take.state,
-        since_before=take.state_since,
-        given_by=person_id,
-        deemed_by_contract_id=deemed_by_contract_id,
-    )
 
 
 def _draft_change(
@@ -255,7 +159,7 @@ def _shown(session: Session, change_request_id: UUID, access: ProjectAccess) -> 
 def undo_verdict(session: Session, actor: Actor, take_id: UUID) -> VerdictUndone:
     """Undo the last click's decision on a take, within a minute and while nothing later depends on it."""
     take, access = take_for(session, actor, take_id)
-    access.ensure_approver()
+    for_whom = _ensure_may_approve(session, access, take)
     cue = _cue_to_judge(session, take)
     draft = queries.draft_of(session, take.id)
     if draft is not None:
@@ -272,7 +176,7 @@ def undo_verdict(session: Session, actor: Actor, take_id: UUID) -> VerdictUndone
     decided = queries.action_verdicts(session, last.action_id)
     takes = queries.takes_by_id(session, [verdict.take_id for verdict in decided])
     _ensure_nothing_since(session, decided, takes)
-    restored = _take_back(session, access, decided, takes)
+    restored = _take_back(session, access, decided, takes, for_whom)
     settle_acceptance(session, cue, person_id=actor.person)
     return VerdictUndone(takes=restored, draft_dropped=False)
 
@@ -290,13 +194,19 @@ def _ensure_nothing_since(session: Session, decided: Sequence[Verdict], takes: d
 
 
 def _take_back(
-    session: Session, access: ProjectAccess, decided: Sequence[Verdict], takes: dict[UUID, Take]
+    session: Session,
+    access: ProjectAccess,
+    decided: Sequence[Verdict],
+    takes: dict[UUID, Take],
+    on_behalf_of: UUID | None,
 ) -> list[TakeStateRead]:
     action_id = new_id()
     # Approvals first: a former pick comes back only where there is none.
     for verdict in sorted(decided, key=lambda one: one.kind is not VerdictKind.APPROVE):
         take = takes[verdict.take_id]
-        back = new_verdict(session, access.actor.person, take, VerdictKind.WITHDRAW, "", action_id)
+        back = new_verdict(
+            session, access.actor.person, take, VerdictKind.WITHDRAW, "", action_id, on_behalf_of=on_behalf_of
+        )
         back.withdraws_id = verdict.id
         session.add(back)
         return_to_received(session, take, verdict.state_before, verdict.since_before)
@@ -324,7 +234,7 @@ def accept_set(
 ) -> SetAccepted:
     """Approve one take of every variation of a cue at once: those named, else the newest that waits."""
     access, cue = visible_cue(session, actor, cue_id)
-    access.ensure_approver()
+    for_whom = ensure_may_approve(session, access, cue.category)
     queries.lock_cue(session, cue.id)
     session.refresh(cue, ["state"])
     if cue.state is CueState.CUT:
@@ -333,7 +243,7 @@ def accept_set(
     new = [take for take in picks if take.state is not TakeState.APPROVED]
     if not new:
         raise AlreadyAccepted(f"{cue.name} is accepted, and no newer version waits")
-    decision = Decision(session, actor.person, note)
+    decision = Decision(session, actor.person, note, on_behalf_of=for_whom)
     for take in new:
         decision.approve(take)
     accepted = decision.finish(cue)
@@ -376,8 +286,9 @@ def _picks(session: Session, cue: Cue, take_ids: Sequence[UUID]) -> list[Take]:
 def cut_cue(session: Session, actor: Actor, cue_id: UUID, *, reason: str) -> Cue:
     """Cut a cue with a reason: it stays on record with its takes, and leaves list, queue and drafts."""
     access, cue = visible_cue(session, actor, cue_id)
-    if not (access.is_approver or access.is_producer):
-        raise ProducerNeeded("only a producer or the project's approver can cut a cue")
+    approvers = approval_rights(session, access.project).people_for(cue.category)
+    if not (access.is_producer or (access.is_team and actor.person in approvers)):
+        raise ProducerNeeded("only a producer or the cue's approver can cut a cue")
     lock_list(session, cue.project_id)  # before the cue, as in every change of the list
     queries.lock_cue(session, cue.id)
     session.refresh(cue, ["state", "edition"])

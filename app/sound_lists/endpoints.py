@@ -36,6 +36,7 @@ from app.sound_lists.imports import import_sheet
 from app.sound_lists.rules import MAX_PAGE, PAGE
 from app.sound_lists.schemas import (
     AnswerAdd,
+    CategoryCount,
     CueDetail,
     CueOrder,
     CuePatch,
@@ -82,6 +83,17 @@ def get_sound_list(
         cues=service.cues_read(session, project, cues),
         next=following,
     )
+
+
+@router.get("/projects/{project_id}/categories", responses=problems(ProjectNotFound))
+def list_categories(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> list[CategoryCount]:
+    """Return the categories of the list by name, with the number of their cues."""
+    project_access(session, actor, project_id)
+    return [
+        CategoryCount(category=category, cues=cues) for category, cues in queries.category_counts(session, project_id)
+    ]
 
 
 @router.get(

@@ -32,6 +32,12 @@ def cues_of(session: Session, project_id: UUID) -> Sequence[Cue]:
     ).all()
 
 
+def category_counts(session: Session, project_id: UUID) -> Sequence[Row[str, int]]:
+    """Return the categories of the cues that are not cut, by name, with the number of their cues."""
+    of_project = select(Cue.category, func.count()).where(Cue.project_id == project_id, Cue.state != CueState.CUT)
+    return session.execute(of_project.group_by(Cue.category).order_by(Cue.category)).all()
+
+
 def words_of_cues(session: Session, project_id: UUID) -> Sequence[Row[str, str, str, str, str, str]]:
     """Return category, name, file name, description, use and trigger of the cues that are not cut."""
     words = select(Cue.category, Cue.name, Cue.file_name, Cue.description, Cue.use, Cue.trigger)

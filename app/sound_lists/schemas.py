@@ -50,6 +50,13 @@ class CueRead(Schema):
     open_questions: int
 
 
+class CategoryCount(Schema):
+    """One category of the sound list."""
+
+    category: str = Field(description="Empty for cues without a category.")
+    cues: int = Field(description="Cut ones are not counted.")
+
+
 class SoundListRead(Schema):
     """One page of the list as it stands."""
 

@@ -1,6 +1,6 @@
 """One of everything that an address can name, all of one designer's work in one project."""
 
-from datetime import timedelta
+from datetime import date, timedelta
 from functools import cache, cached_property
 from typing import Any
 from uuid import UUID
@@ -44,7 +44,7 @@ from app.kit.uploads import Upload, Uploads
 from app.money.models import CalendarLink, ExtraRound, Invoice, InvoiceLine, LedgerLine, Payment, WorkedDay
 from app.money.rules import LineKind
 from app.notifications.models import Mail
-from app.projects.models import Engagement, Project, ProjectInvitation
+from app.projects.models import Deputy, Engagement, Project, ProjectInvitation
 from app.projects.queries import any_engagement_of, current_spec
 from app.projects.rules import EngagementKind
 from app.projects.service import create_project
@@ -150,6 +150,15 @@ class House(World):
             file_bytes=len(FILE),
         )
         draft = ChangeRequest(**of, cue_id=cue.id, take_id=take.id, text="Duller.", written_by=self.approver_id)
+        deputy = Deputy(
+            **of,
+            person_id=self.approver_id,
+            deputy_id=self.producer_id,
+            from_on=date(2999, 1, 1),  # nobody stands in for anybody today
+            until_on=date(2999, 1, 2),
+            named_by=self.producer_id,
+        )
+        session.add(deputy)
         comment = Comment(**of, take_id=take.id, text="Loud.", written_by=self.designer_id, decides=False)
         note = Comment(**of, take_id=changed.id, text="Long.", written_by=self.reviewer_id, decides=False)
         build = Build(**of, label="1.0", files=0, rejected=0, warnings=0, report=report())
@@ -217,6 +226,7 @@ class House(World):
             "studio_id": self.studio_id,
             "project_id": self.project_id,
             "person_id": self.approver_id,
+            "deputy_id": deputy.id,
             "part": "designer",
             "version": 1,
             "fact": "size",

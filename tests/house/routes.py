@@ -99,6 +99,8 @@ EXAMPLES: dict[str, Any] = {
     "report": report(),
     "paid_on": "2026-11-20",
     "worked_on": "2026-11-20",
+    "from_on": "2998-11-20",
+    "until_on": "2998-11-21",
     "currency": "USD",
     "clauses": [{"key": "parties", "title": "Parties", "text": "Between us."}],
     "terms": {},

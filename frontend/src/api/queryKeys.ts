@@ -29,6 +29,7 @@ export const queryKeys = {
   projects: family<[filter: { archived: boolean }]>('projects'),
   project: family<[projectId: string]>('project'),
   approvers: family<[projectId: string]>('approvers'),
+  deputies: family<[projectId: string]>('deputies'),
   projectInvitations: family<[projectId: string]>('project-invitations'),
   invitation: family<[secret: string]>('invitation'),
   spec: family<[projectId: string]>('spec'),
@@ -48,6 +49,7 @@ export const queryKeys = {
 
   // sound lists
   soundList: family<[projectId: string, part?: SoundListPart, ...of: unknown[]]>('sound-list'),
+  categories: family<[projectId: string]>('categories'),
   comparedRevisions: family<[projectId: string, from: number, to: number]>('revisions'),
   cue: family<[cueId: string]>('cue'),
   kits: family('kits'),

@@ -10,7 +10,8 @@ export function useRoles(projectId: string): (personId: string | null | undefine
   })
   return (personId) => {
     if (!project || !personId) return ''
-    if (project.approver.id === personId) return 'approver'
+    const approvers = [project.approver, ...project.category_approvers.map(({ approver }) => approver)]
+    if (approvers.some(({ id }) => id === personId)) return 'approver'
     if (project.liaisons.some(({ id }) => id === personId)) return 'liaison'
     return project.engagements.some(({ designer }) => designer.id === personId) ? 'designer' : ''
   }

@@ -769,6 +769,70 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/category-approvers": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Name Category Approver
+         * @description Give a category of the sound list an approver of its own, or give it back to the project's approver.
+         */
+        put: operations["name_category_approver"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/deputies": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Deputies
+         * @description Return who may approve in place of whom, today and on later days.
+         */
+        get: operations["list_deputies"];
+        put?: never;
+        /**
+         * Name Deputy
+         * @description Let a member of the studio approve in place of another, from one day to another.
+         */
+        post: operations["name_deputy"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/deputies/{deputy_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Withdraw Deputy
+         * @description End the right of a deputy at once.
+         */
+        delete: operations["withdraw_deputy"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/spec": {
         parameters: {
             query?: never;
@@ -1157,6 +1221,26 @@ export interface paths {
          * @description Return one page of the project's cues in list order, cut ones too.
          */
         get: operations["get_sound_list"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/categories": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Categories
+         * @description Return the categories of the list by name, with the number of their cues.
+         */
+        get: operations["list_categories"];
         put?: never;
         post?: never;
         delete?: never;
@@ -6864,6 +6948,44 @@ export interface components {
             answer: components["schemas"]["NoteAnswerRead"] | null;
         };
         /**
+         * CategoryApproverName
+         * @description The approver of one category.
+         */
+        CategoryApproverName: {
+            /** Category */
+            category: string;
+            /**
+             * Person Id
+             * @description Null gives the category back to the project's approver.
+             */
+            person_id: string | null;
+        };
+        /**
+         * CategoryApproverRead
+         * @description A category of the sound list with an approver of its own.
+         */
+        CategoryApproverRead: {
+            /** Category */
+            category: string;
+            approver: components["schemas"]["PersonBrief"];
+        };
+        /**
+         * CategoryCount
+         * @description One category of the sound list.
+         */
+        CategoryCount: {
+            /**
+             * Category
+             * @description Empty for cues without a category.
+             */
+            category: string;
+            /**
+             * Cues
+             * @description Cut ones are not counted.
+             */
+            cues: number;
+        };
+        /**
          * CategoryCountdown
          * @description The number of files of one category that are still placeholders.
          */
@@ -8272,9 +8394,17 @@ export interface components {
             accepted_after: string | null;
             /** Silence Paused By */
             silence_paused_by: ("question" | "change_order") | null;
+            /** @description Of the cue's category, else of the project. */
             approver: components["schemas"]["PersonBrief"];
+            /**
+             * Deputies
+             * @description Those who may approve in the approver's place today.
+             */
+            deputies: components["schemas"]["PersonBrief"][];
             /** May Approve */
             may_approve: boolean;
+            /** @description The approver for whom the caller would decide as a deputy. */
+            on_behalf_of: components["schemas"]["PersonBrief"] | null;
             /** Takes */
             takes: components["schemas"]["ReviewTake"][];
             /** Comments */
@@ -8516,6 +8646,72 @@ export interface components {
          * @enum {string}
          */
         DepositAtEnd: "stays" | "set_off";
+        /**
+         * DeputiesRead
+         * @description The deputies of today and of later days, and the studio's time zone that their days are counted in.
+         */
+        DeputiesRead: {
+            /** Time Zone */
+            time_zone: string;
+            /**
+             * Today
+             * Format: date
+             */
+            today: string;
+            /** Deputies */
+            deputies: components["schemas"]["DeputyRead"][];
+        };
+        /**
+         * DeputyAdd
+         * @description Who may approve in place of a person, and when.
+         */
+        DeputyAdd: {
+            /**
+             * Person Id
+             * Format: uuid
+             */
+            person_id: string;
+            /**
+             * Deputy Id
+             * Format: uuid
+             */
+            deputy_id: string;
+            /**
+             * From On
+             * Format: date
+             * @description The first day, in the studio's time zone.
+             */
+            from_on: string;
+            /**
+             * Until On
+             * Format: date
+             * @description The last day, which counts.
+             */
+            until_on: string;
+        };
+        /**
+         * DeputyRead
+         * @description A deputy of today or of later days.
+         */
+        DeputyRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            person: components["schemas"]["PersonBrief"];
+            deputy: components["schemas"]["PersonBrief"];
+            /**
+             * From On
+             * Format: date
+             */
+            from_on: string;
+            /**
+             * Until On
+             * Format: date
+             */
+            until_on: string;
+        };
         /**
          * Desk
          * @description A designer's work in one project; of its lists the first page each, and the cursor of the following one.
@@ -9524,6 +9720,8 @@ export interface components {
              */
             kind: "received" | "checked" | "waived" | "approve" | "set_aside" | "request_change" | "withdraw" | "comment";
             by: components["schemas"]["PersonBrief"] | null;
+            /** @description The approver whose deputy decided. */
+            on_behalf_of?: components["schemas"]["PersonBrief"] | null;
             /**
              * By Deemed Acceptance
              * @description Whether a clause on silence approved it; then nobody did.
@@ -10926,7 +11124,10 @@ export interface components {
             is_producer: boolean;
             /** Is Liaison */
             is_liaison: boolean;
-            /** Is Approver */
+            /**
+             * Is Approver
+             * @description Whether the caller approves some sounds today, as approver or as deputy.
+             */
             is_approver: boolean;
             engagement_kind: components["schemas"]["EngagementKind"] | null;
             /**
@@ -11007,6 +11208,11 @@ export interface components {
             is_liaison: boolean;
             /** Is Approver */
             is_approver: boolean;
+            /**
+             * Approves All
+             * @description False for who approves some categories only, or none.
+             */
+            approves_all: boolean;
             engagement_kind: components["schemas"]["EngagementKind"] | null;
             /**
              * Nda Open
@@ -12594,6 +12800,11 @@ export interface components {
             nda_needed: boolean;
             studio: components["schemas"]["StudioBrief"];
             approver: components["schemas"]["PersonBrief"];
+            /**
+             * Category Approvers
+             * @description All other categories are the approver's.
+             */
+            category_approvers: components["schemas"]["CategoryApproverRead"][];
             /** Liaisons */
             liaisons: components["schemas"]["PersonBrief"][];
             /** Engagements */
@@ -15136,6 +15347,8 @@ export interface components {
             note: string;
             /** @description Null where a clause on silence decided it. */
             given_by: components["schemas"]["PersonBrief"] | null;
+            /** @description The approver whose deputy decided; null in one's own right. */
+            on_behalf_of: components["schemas"]["PersonBrief"] | null;
             /**
              * Created At
              * Format: date-time
@@ -17642,6 +17855,209 @@ export interface operations {
             };
         };
     };
+    name_category_approver: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["CategoryApproverName"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ProjectRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `cannot-approve` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_deputies: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DeputiesRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    name_deputy: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["DeputyAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DeputyRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `cannot-approve`, `bad-deputy` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    withdraw_deputy: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+                deputy_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found`, `deputy-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
     read_spec: {
         parameters: {
             query?: never;
@@ -18807,6 +19223,46 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_categories: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CategoryCount"][];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
                 };
             };
         };
@@ -27991,6 +28447,8 @@ export interface operations {
         parameters: {
             query?: {
                 project_id?: string | null;
+                /** @description The cues that the caller approves today. Who approves none in a project is shown all of it. */
+                own?: boolean;
                 cursor?: string | null;
             };
             header?: never;
@@ -28041,6 +28499,8 @@ export interface operations {
         parameters: {
             query?: {
                 project_id?: string | null;
+                /** @description The cues that the caller approves today. Who approves none in a project is shown all of it. */
+                own?: boolean;
             };
             header?: never;
             path?: never;

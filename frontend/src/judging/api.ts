@@ -35,12 +35,12 @@ const TOUCHED = [
 const everyItem = async <T>(read: (cursor?: string) => Promise<{ items: T[]; next?: string | null }>): Promise<T[]> =>
   (await everyPage(read)).flatMap(({ items }) => items)
 
-/** The cues that wait for a verdict, the oldest first, as far as they were asked for. */
+/** The cues that wait for the current person's verdict, or for another's if they approve none; the oldest first. */
 export const queueQuery = (projectId: string) =>
   infiniteQueryOptions({
     queryKey: queryKeys.reviewQueue(projectId),
     queryFn: ({ pageParam: cursor }) =>
-      answered(api.GET('/v1/review-queue', { params: { query: { project_id: projectId, cursor } } })),
+      answered(api.GET('/v1/review-queue', { params: { query: { project_id: projectId, own: true, cursor } } })),
     initialPageParam: undefined as string | undefined,
     getNextPageParam: ({ next }) => next ?? undefined,
     select: ({ pages }) => pages.flatMap(({ items }) => items),
@@ -50,7 +50,8 @@ export const queueQuery = (projectId: string) =>
 export const countQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.reviewQueue(projectId, 'count'),
-    queryFn: () => answered(api.GET('/v1/review-queue/count', { params: { query: { project_id: projectId } } })),
+    queryFn: () =>
+      answered(api.GET('/v1/review-queue/count', { params: { query: { project_id: projectId, own: true } } })),
   })
 
 export const reviewQuery = (cueId: string) =>

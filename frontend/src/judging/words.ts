@@ -154,6 +154,14 @@ export const happened = ({
   by_deemed_acceptance?: boolean
 }): string => (bySilence && kind === 'approve' ? 'Auto-accepted (no response)' : (HAPPENED[kind] ?? kind))
 
+interface Named {
+  name: string
+}
+
+/** Who did what happened to a take, and for whom where a deputy did it. */
+export const byWhom = ({ by, on_behalf_of: absent }: { by: Named | null; on_behalf_of?: Named | null }): string =>
+  [by?.name, absent && `for ${absent.name}`].filter(Boolean).join(' ')
+
 /** Until when a cue waits under its contract's clause on silence. */
 const PAUSED_BY = {
   question: 'the designer’s question is open',

@@ -143,6 +143,7 @@ export const aProject = (part: Part = 'producer', more: Record<string, unknown> 
   archived_at: null,
   studio: { id: 's1', name: 'Shield Wing studio' },
   approver: WHO.approver,
+  category_approvers: [],
   liaisons: [WHO.approver],
   engagements: [
     { id: 'e1', designer: WHO.designer, kind: 'contract', created_at: '2026-11-02T10:00:00Z', ended_at: null },
@@ -259,6 +260,8 @@ export const inProject = (part: Part = 'producer', more: Answers = {}): Answers 
   'GET /v1/projects/p1/approver-history': [
     { person: WHO.approver, reason: 'Knows the game', changer: WHO.producer, created_at: '2026-11-01T10:00:00Z' },
   ],
+  'GET /v1/projects/p1/categories': [],
+  'GET /v1/projects/p1/deputies': { time_zone: 'UTC', today: '2026-11-20', deputies: [] },
   'GET /v1/studios/s1/people': members,
   'GET /v1/studios/s1/outbox': { can_send: false, mails: [] },
   'GET /v1/studios/s1/quotas': [],

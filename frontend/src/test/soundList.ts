@@ -110,6 +110,7 @@ export class ListServer {
             is_producer: part === 'team',
             is_liaison: false,
             is_approver: false,
+            approves_all: false,
             engagement_kind: part === 'team' ? null : 'contract',
           },
         ],

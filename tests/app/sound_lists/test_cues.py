@@ -323,3 +323,19 @@ def test_the_list_is_a_fixed_number_of_statements(world: World) -> None:
     few = statements()
     add(world, *({"name": f"Cue {number}", "variations": 3} for number in range(30)))
     assert statements() == few
+
+
+def test_the_categories_of_the_list_are_counted_without_cut_cues(world: World) -> None:
+    _, second, *_ = add(
+        world,
+        {"name": "Laser fire", "category": "Weapon"},
+        {"name": "Laser hum", "category": "Weapon"},
+        {"name": "UI confirm", "category": "ui"},
+        {"name": "Airlock"},
+    )
+    cut(world, second["id"], "Not needed.")
+    path = f"/v1/projects/{world.project_id}/categories"
+    for client in (world.reviewer, world.designer):
+        counted = [(one["category"], one["cues"]) for one in client.get(path).json()]
+        assert counted == [("", 1), ("ui", 1), ("weapon", 1)]
+    assert world.stranger.get(path).status_code == 404

@@ -4,7 +4,10 @@ import { Link, useParams } from '@tanstack/react-router'
 import { projectQuery, studioPeopleQuery } from '@/api/project'
 import { useTitle } from '@/app/title'
 
+import { type Project } from './api'
 import { ApproverCard } from './people/ApproverCard'
+import { CategoriesCard } from './people/CategoriesCard'
+import { DeputiesCard } from './people/DeputiesCard'
 import { DesignersCard } from './people/DesignersCard'
 import { TeamCard } from './people/TeamCard'
 import classes from './Project.module.css'
@@ -33,18 +36,26 @@ export function PeoplePage() {
         </p>
       </div>
       <Refusal error={error ?? noMembers} />
-      {project && !isTeam && (
-        <p>{`${project.approver.name} is the approver. Only the game team can see its members.`}</p>
-      )}
+      {project && !isTeam && <p>{`${approversOf(project)} Only the game team can see its members.`}</p>}
       {project && isTeam && (
         <div className={`columns ${classes.columns}`}>
           <div className="stack">
             <DesignersCard project={project} />
             <TeamCard project={project} members={members} />
           </div>
-          <ApproverCard project={project} members={members} />
+          <div className="stack">
+            <ApproverCard project={project} members={members} />
+            <CategoriesCard project={project} members={members} />
+            <DeputiesCard project={project} members={members} />
+          </div>
         </div>
       )}
     </div>
   )
+}
+
+/** "Audio director is the approver, Composer of ui." */
+function approversOf({ approver, category_approvers: named }: Project): string {
+  const others = named.map(({ category, approver: own }) => `, ${own.name} of ${category}`)
+  return `${approver.name} is the approver${others.join('')}.`
 }

@@ -6,7 +6,7 @@ import { ApiProblem } from '@/api'
 import { useRoles } from '@/api/roles'
 import { type CueReview, historyQuery, type ReviewFinding, type ReviewTake } from '@/judging/api'
 import { ReplyField } from '@/judging/ReplyField'
-import { capital, happened, sentence, spot, historyText } from '@/judging/words'
+import { byWhom, capital, happened, sentence, spot, historyText } from '@/judging/words'
 import { TakeSourcesPart } from '@/sources'
 import { Button } from '@/ui/Button'
 import { Face } from '@/ui/Face'
@@ -315,7 +315,7 @@ function History({ take }: { take: ReviewTake }) {
         <li key={`${entry.at} ${index}`}>
           <p className="row small">
             <span className="strong">{happened(entry)}</span>
-            <span className="mid cut-text">{entry.by?.name ?? ''}</span>
+            <span className="mid cut-text">{byWhom(entry)}</span>
             <time dateTime={entry.at} className="dim end nowrap" title={`${day(entry.at)}, ${clock(entry.at)}`}>
               {age(entry.at)}
             </time>

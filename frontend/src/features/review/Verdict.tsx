@@ -176,11 +176,16 @@ export function Verdict(props: VerdictProps) {
   )
 }
 
-function whoDecides({ may_approve, approver, rounds }: CueReview, money: CueMoney | null): string {
-  if (!may_approve) return `You can comment. ${approver.name} approves.`
+function whoDecides(review: CueReview, money: CueMoney | null): string {
+  const { may_approve, approver, deputies, on_behalf_of: absent, rounds } = review
+  if (!may_approve) {
+    const names = [approver, ...deputies].map(({ name }) => name)
+    return `You can comment. ${names.join(' or ')} approves.`
+  }
   const counted = rounds.filter(({ number }) => number !== null).length
-  if (money) return `Your call. Revision round ${counted} of ${money.rounds_included}.`
-  return `Your call. ${counted === 0 ? 'No revision round yet.' : `${plural(counted, 'revision round')} so far.`}`
+  const call = absent ? `Your call, for ${absent.name}.` : 'Your call.'
+  if (money) return `${call} Revision round ${counted} of ${money.rounds_included}.`
+  return `${call} ${counted === 0 ? 'No revision round yet.' : `${plural(counted, 'revision round')} so far.`}`
 }
 
 function follows({ review, hand, meant, waiting, whole }: VerdictProps): string {

@@ -2,7 +2,7 @@ import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
 import { historyQuery } from '@/judging/api'
-import { happened, sentence, spot, historyText } from '@/judging/words'
+import { byWhom, happened, sentence, spot, historyText } from '@/judging/words'
 import { LossPanel } from '@/losses'
 import { Card, CardHead } from '@/ui/Card'
 import { age, bytes, channels, clock, day, figure, rate } from '@/ui/format'
@@ -133,7 +133,7 @@ export function HistoryCard({ takeId }: { takeId: string }) {
           <li key={`${entry.at} ${at}`}>
             <p className="row small">
               <span className="strong">{happened(entry)}</span>
-              <span className="mid cut-text">{entry.by?.name ?? ''}</span>
+              <span className="mid cut-text">{byWhom(entry)}</span>
               <time dateTime={entry.at} className="dim end nowrap" title={`${day(entry.at)}, ${clock(entry.at)}`}>
                 {age(entry.at)}
               </time>

@@ -16,6 +16,7 @@ import { type Project } from '../api'
 import { approverHistoryQuery, invitedApproversQuery, type Member, useInviteApprover, useNameApprover } from './api'
 import { Refusal } from '../Refusal'
 import { against, sentence } from '../words'
+import { candidatesOf } from './candidates'
 import classes from './People.module.css'
 
 /** The approver, why, and the former approvers. */
@@ -26,10 +27,8 @@ export function ApproverCard({ project, members = [] }: { project: Project; memb
   const [personId, setPersonId] = useState<string | null>(null)
   const [reason, setReason, draft] = useDraft(`approver:${project.id}`, '')
   const name = useNameApprover(project.id)
-  const { approver, liaisons, mine } = project
-  const candidates = members
-    .filter(({ person, roles }) => liaisons.some(({ id }) => id === person.id) || roles.includes('producer'))
-    .filter(({ person }) => person.id !== approver.id)
+  const { approver, mine } = project
+  const candidates = candidatesOf(project, members).filter(({ person }) => person.id !== approver.id)
   const own = candidates.find(({ person }) => person.id === me?.person.id)
   const begin = (id: string | null) => {
     setPersonId(id)

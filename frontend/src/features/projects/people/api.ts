@@ -13,6 +13,7 @@ export type Engagement = Schemas['EngagementRead']
 export type EngagementKind = Schemas['EngagementKind']
 export type Invitation = Schemas['InvitationRead']
 export type ApproverChange = Schemas['ApproverChangeRead']
+export type Deputy = Schemas['DeputyRead']
 
 const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
 
@@ -52,6 +53,48 @@ export const useSetLiaison = (projectId: string) =>
 export const useNameApprover = (projectId: string) =>
   useProjectChange(projectId, (body: Schemas['ApproverAdd']) =>
     answered(api.PUT('/v1/projects/{project_id}/approver', { ...inProject(projectId), body })),
+  )
+
+/** The categories of the sound list, with the number of their cues. */
+export const categoriesQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: queryKeys.categories(projectId),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/categories', inProject(projectId))),
+  })
+
+/** Give a category an approver of its own, or with null the project's. */
+export const useNameCategoryApprover = (projectId: string) =>
+  useProjectChange(projectId, (body: Schemas['CategoryApproverName']) =>
+    answered(api.PUT('/v1/projects/{project_id}/category-approvers', { ...inProject(projectId), body })),
+  )
+
+/** The deputies of today and of later days. */
+export const deputiesQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: queryKeys.deputies(projectId),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/deputies', inProject(projectId))),
+  })
+
+function useDeputyChange<Asked, Answer>(projectId: string, change: (asked: Asked) => Promise<Answer>) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: change,
+    onSettled: () => invalidate(client, queryKeys.deputies(projectId), queryKeys.me(), queryKeys.cueReview.all),
+  })
+}
+
+export const useNameDeputy = (projectId: string) =>
+  useDeputyChange(projectId, (body: Schemas['DeputyAdd']) =>
+    answered(api.POST('/v1/projects/{project_id}/deputies', { ...inProject(projectId), body })),
+  )
+
+export const useWithdrawDeputy = (projectId: string) =>
+  useDeputyChange(projectId, (deputyId: string) =>
+    answered(
+      api.DELETE('/v1/projects/{project_id}/deputies/{deputy_id}', {
+        params: { path: { project_id: projectId, deputy_id: deputyId } },
+      }),
+    ),
   )
 
 /** Invite an address as the approver: a member becomes it at once, others when they join. */
