@@ -9,6 +9,7 @@ from app.accounts.sign_up_endpoints import router as sign_up
 from app.accounts.studio_endpoints import router as studios
 from app.agreements.award_endpoints import router as awards
 from app.agreements.endpoints import router as contracts
+from app.agreements.redline_endpoints import router as contract_redlines
 from app.agreements.signing_endpoints import router as contract_signing
 from app.agreements.template_endpoints import router as contract_templates
 from app.agreements.verify_endpoints import router as verifying
@@ -62,6 +63,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     contracts,
     contract_signing,
     contract_versions,
+    contract_redlines,
     verifying,
     amendments,
     deliveries,

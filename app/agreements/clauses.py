@@ -3,7 +3,7 @@
 import difflib
 import re
 import tomllib
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
@@ -189,7 +189,7 @@ def faults_of(clauses: Sequence[Clause], terms: Mapping[str, Any]) -> Iterator[t
         if clause.key in seen:
             yield place, f"the key {clause.key} stands twice"
         seen.add(clause.key)
-        yield from ((place, fault) for fault in _faults_of_clause(clause, terms))
+        yield from ((place, fault) for fault in faults_of_clause(clause, terms))
     access = {clause.key for clause in clauses if clause.stands}
     for each in library():
         if each.instead_of and {each.clause.key, each.instead_of} <= access:
@@ -200,7 +200,7 @@ def faults_of(clauses: Sequence[Clause], terms: Mapping[str, Any]) -> Iterator[t
     named, written = names_in(clauses), names_in([clause for clause in clauses if clause.stands])
     for name, value in terms.items():
         place = f"terms.{name}"
-        yield from ((place, fault) for fault in _faults_of_term(name, value))
+        yield from ((place, fault) for fault in faults_of_term(name, value))
         known = known_terms().get(name)
         if value == "" and name in written:
             yield place, f"{{{name}}} is empty; fill it in, or remove its clause"
@@ -217,7 +217,8 @@ def faults_of(clauses: Sequence[Clause], terms: Mapping[str, Any]) -> Iterator[t
                 yield f"terms.{name}", "none; a price by the day wants a rate, and the most days that are paid"
 
 
-def _faults_of_clause(clause: Clause, terms: Mapping[str, Any]) -> Iterator[str]:
+def faults_of_clause(clause: Clause, terms: Mapping[str, Any]) -> Iterator[str]:
+    """Yield what is wrong with one clause, in words."""
     if not KEY.fullmatch(clause.key):
         yield f'"{clause.key}" is no key; wanted a small letter, then small letters, digits and _'
     if not clause.title.strip():
@@ -238,7 +239,8 @@ def _nearest(name: str, known: Collection[str]) -> str:
     return f"; is it {{{near[0]}}}?" if near else "; write \\{ for a brace that is meant as one"
 
 
-def _faults_of_term(name: str, value: Any) -> Iterator[str]:
+def faults_of_term(name: str, value: Any) -> Iterator[str]:
+    """Yield what is wrong with the value of a term, in words."""
     if not KEY.fullmatch(name) or name in FACTS:
         yield f'"{name}" is no name for a term; wanted small letters, digits and _, and none of the server\'s own'
         return
@@ -279,18 +281,23 @@ def written_term(name: str, value: TermValue, currency: str) -> str:
     return percent(value) if name.endswith("_bp") else f"{value:,}"
 
 
-def render(title: str, clauses: Sequence[Clause], terms: Terms, facts: Mapping[str, str], currency: str) -> str:
-    """Return the text of a contract in Markdown: the clauses that stand, numbered, with every variable filled in."""
+def filler(terms: Terms, facts: Mapping[str, str], currency: str) -> Callable[[str], str]:
+    """Return what fills in the variables of a text; a term may name a fact, so values are filled in once more."""
     filled = {**facts, **{name: written_term(name, value, currency) for name, value in terms.items()}}
 
     def fill(text: str, depth: int = 2) -> str:
-        """Put in values; a term may name a fact, so values are filled in once more."""
         if not depth:
             return text
         return VARIABLE.sub(
             lambda found: fill(filled.get(found[1], found[0]), 0 if found[1] in facts else depth - 1), text
         )
 
+    return fill
+
+
+def render(title: str, clauses: Sequence[Clause], terms: Terms, facts: Mapping[str, str], currency: str) -> str:
+    """Return the text of a contract in Markdown: the clauses that stand, numbered, with every variable filled in."""
+    fill = filler(terms, facts, currency)
     parts = [f"# {literal(title)}"]
     access = [clause for clause in clauses if clause.stands]
     for number, clause in enumerate(access, start=1):

@@ -11,7 +11,7 @@ from starlette.concurrency import run_in_threadpool
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.accounts.schemas import PersonBrief
-from app.agreements import lifecycle, queries, schemas, signing, versions
+from app.agreements import lifecycle, queries, redlines, schemas, signing, versions
 from app.agreements.access import party_of, visible_contract
 from app.agreements.documents import TextPdf
 from app.agreements.errors import (
@@ -25,12 +25,14 @@ from app.agreements.errors import (
     NoticeNeeded,
     NotYourContract,
     NotYourTurn,
+    RedlinesOpen,
     TemplateNotFound,
     TooManySigners,
     WrongState,
 )
 from app.agreements.last_contract import last_contract
-from app.agreements.models import Contract
+from app.agreements.models import Contract, ContractVersion
+from app.agreements.redline_rules import TURNS
 from app.agreements.rules import ORDERS, ContractKind, ContractState, Party
 from app.agreements.signing_endpoints import SIGNING, signature_sent
 from app.agreements.template_endpoints import clauses_of
@@ -71,7 +73,7 @@ def _contract(session: DbSession, actor: Actor, contract: Contract) -> schemas.C
     party, state = party_of(actor, contract), contract.state
     is_draft, is_sent = state is ContractState.DRAFT, state is ContractState.SENT
     is_running = state is ContractState.AGREED and contract.kind in ORDERS
-    asked = queries.newest_event(session, contract.id) if is_draft else None
+    asked = queries.newest_event_of(session, contract.id, TURNS) if is_draft else None
     change = json.loads(asked.payload) if asked and asked.kind == "change_requested" else None
     return schemas.ContractRead(
         **_brief(contract, actor, order.parties_left(signing.yeses(acceptances))),
@@ -85,6 +87,8 @@ def _contract(session: DbSession, actor: Actor, contract: Contract) -> schemas.C
         )
         if asked and change
         else None,
+        redlines=_redlines(session, contract),
+        signature_time=_signature_time(session, contract, seen),
         may=schemas.MayRead(
             change=is_draft and party is Party.STUDIO,
             send=is_draft and party is Party.STUDIO,
@@ -95,6 +99,32 @@ def _contract(session: DbSession, actor: Actor, contract: Contract) -> schemas.C
             amend=party is not None and is_running,
         ),
     )
+
+
+def _redlines(session: DbSession, contract: Contract) -> schemas.ContractRedlines | None:
+    rounds = redlines.rounds(session, contract)
+    if not rounds:
+        return None
+    last = rounds[-1]
+    return schemas.ContractRedlines(
+        rounds=len(rounds),
+        count=len(last.redlines),
+        unanswered=len(last.unanswered),
+        is_open=last.sent_version is None,
+        by=last.by,
+        at=last.at,
+    )
+
+
+def _signature_time(
+    session: DbSession, contract: Contract, seen: Sequence[ContractVersion]
+) -> schemas.SignatureTime | None:
+    first_sent_at = min((version.sent_at for version in seen if version.sent_at), default=None)
+    if first_sent_at is None:
+        return None
+    is_awaited = contract.state in (ContractState.DRAFT, ContractState.SENT)
+    turn = queries.newest_event_of(session, contract.id, (*TURNS, "accepted_by")) if is_awaited else None
+    return schemas.SignatureTime(first_sent_at=first_sent_at, waits_since=turn.at if turn else None)
 
 
 def _draft(body: schemas.DraftChange) -> lifecycle.Draft:
@@ -218,7 +248,14 @@ async def _pdf_to_send(request: Request, contract_id: UUID) -> TextPdf:
 @router.post(
     "/contracts/{contract_id}/send",
     responses=problems(
-        ContractNotFound, BriefOpen, DocumentTooLarge, DraftChanged, ProducerNeeded, TypesettingBusy, WrongState
+        ContractNotFound,
+        BriefOpen,
+        DocumentTooLarge,
+        DraftChanged,
+        ProducerNeeded,
+        RedlinesOpen,
+        TypesettingBusy,
+        WrongState,
     ),
 )
 def send_contract(

@@ -125,3 +125,15 @@ class BadTemplate(Invalid):
 
 class TooLongToCompare(Invalid):
     """Two versions of a contract are longer than what is compared word by word."""
+
+
+class BadRedlines(Invalid):
+    """Proposed changes, or an answer to one, cannot stand so; `errors` names the places."""
+
+
+class RedlineNotFound(NotFound):
+    """The contract has no redline of that number that waits for the next version."""
+
+
+class RedlinesOpen(Conflict):
+    """A redline has no answer, or the draft has not the words that were agreed."""

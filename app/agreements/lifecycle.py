@@ -23,6 +23,7 @@ from app.agreements.errors import (
 from app.agreements.facts import ensure_open_answers_are_said, facts_of
 from app.agreements.last_contract import begun_like
 from app.agreements.models import Contract, ContractVersion
+from app.agreements.redlines import ensure_answered
 from app.agreements.rules import (
     KIND_WORDS,
     ContractKind,
@@ -214,6 +215,7 @@ def _sendable(session: Session, contract: Contract) -> tuple[ContractVersion, li
     newest = newest_of(session, contract)
     clauses = [Clause.of(row) for row in newest.clauses]
     ensure_open_answers_are_said(session, contract, clauses)
+    ensure_answered(session, contract, (clauses, newest.terms))
     return newest, clauses
 
 

@@ -250,6 +250,25 @@ def newest_event(session: Session, contract_id: UUID) -> ContractEvent | None:
     )
 
 
+def newest_event_of(session: Session, contract_id: UUID, kinds: Collection[str]) -> ContractEvent | None:
+    """Return the last entry of some kinds of a contract's record."""
+    return session.scalar(
+        select(ContractEvent)
+        .where(ContractEvent.contract_id == contract_id, ContractEvent.kind.in_(kinds))
+        .order_by(ContractEvent.seq.desc())
+        .limit(1)
+    )
+
+
+def events_of_kinds(session: Session, contract_id: UUID, kinds: Collection[str]) -> Sequence[ContractEvent]:
+    """Return the entries of some kinds of a contract's record, in order."""
+    return session.scalars(
+        select(ContractEvent)
+        .where(ContractEvent.contract_id == contract_id, ContractEvent.kind.in_(kinds))
+        .order_by(ContractEvent.seq)
+    ).all()
+
+
 def event_sha256(session: Session, contract_id: UUID, seq: int) -> str | None:
     """Return the hash of one entry of a contract's record; None where there is no such entry."""
     of_it = ContractEvent.contract_id == contract_id

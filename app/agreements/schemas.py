@@ -281,7 +281,29 @@ class ContractRead(ContractBrief):
     change_requested: "ContractChangeRead | None" = Field(
         description="The changes that the designer requests, until it is sent again."
     )
+    redlines: "ContractRedlines | None" = Field(
+        description="The last round of changes that the designer proposed clause by clause; null: none yet."
+    )
+    signature_time: "SignatureTime | None" = Field(description="Null before it is first sent.")
     may: MayRead
+
+
+class ContractRedlines(Schema):
+    """The last round of redlines in figures."""
+
+    rounds: int
+    count: int
+    unanswered: int
+    is_open: bool = Field(description="Whether the next version is still to be sent.")
+    by: str
+    at: datetime
+
+
+class SignatureTime(Schema):
+    """How long a contract takes from first being sent to the last signature."""
+
+    first_sent_at: datetime
+    waits_since: datetime | None = Field(description="Since when its next step is open; null: it waits for nobody.")
 
 
 class ContractChangeRead(Schema):

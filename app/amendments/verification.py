@@ -11,6 +11,8 @@ from app.agreements import record
 from app.agreements.documents import sha256_of
 from app.agreements.models import Contract, ContractAcceptance
 from app.agreements.queries import events_of, versions_of
+from app.agreements.redline_rules import faults_of_sent
+from app.agreements.redlines import rounds, texts_of
 from app.agreements.rules import ContractState
 from app.agreements.signing_rules import BY_CODE
 from app.amendments import queries
@@ -25,6 +27,7 @@ STATE_AFTER = {
     "sent": ContractState.SENT,
     "taken_back": ContractState.DRAFT,
     "change_requested": ContractState.DRAFT,
+    "redlines_proposed": ContractState.DRAFT,
     "agreed": ContractState.AGREED,
     "ended": ContractState.ENDED,
 }
@@ -60,6 +63,7 @@ def table_faults(session: Session, contract: Contract) -> Iterator[str]:
     said: list[Said] = [(event.kind, json.loads(event.payload)) for event in events_of(session, contract.id)]
     yield from _state(contract, said)
     yield from _sent(session, contract, said)
+    yield from faults_of_sent(rounds(session, contract), texts_of(session, contract))
     yield from _acceptances(session, contract, said)
     yield from _ledger(session, contract, said)
     yield from _payments(session, contract, said)

@@ -12,6 +12,7 @@ from app.accounts.rules import Actor
 from app.agreements import queries as agreements
 from app.agreements.access import party_of
 from app.agreements.models import Contract
+from app.agreements.redline_rules import RETURNS, TURNS
 from app.agreements.rules import ContractKind, ContractState, Party
 from app.agreements.signing_rules import Turn
 from app.briefs import queries as briefs
@@ -240,8 +241,8 @@ class _Steps:
             )
 
     def _draft(self, contract: Contract) -> None:
-        event = agreements.newest_event(self._session, contract.id)
-        is_returned = event is not None and event.kind == "change_requested"
+        event = agreements.newest_event_of(self._session, contract.id, TURNS)
+        is_returned = event is not None and event.kind in RETURNS
         self.steps.append(
             NextStep(
                 kind=NextStepKind.CHANGE_CONTRACT if is_returned else NextStepKind.SEND_CONTRACT,

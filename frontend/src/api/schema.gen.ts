@@ -3037,6 +3037,70 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/contracts/{contract_id}/redlines": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Redlines
+         * @description Return a round of redlines in the text that it is about, with the answers so far; the last one by default.
+         */
+        get: operations["read_redlines"];
+        put?: never;
+        /**
+         * Propose Redlines
+         * @description Send a contract back to the studio with changes of its clauses.
+         */
+        post: operations["propose_redlines"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/redline-preview": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Preview Redlines
+         * @description Return the text as changes would mark it; nothing is saved.
+         */
+        post: operations["preview_redlines"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/redlines/{redline_number}/answer": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Answer Redline
+         * @description Accept, refuse or counter a redline; the last answer before the next version is sent counts.
+         */
+        post: operations["answer_redline"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/verify": {
         parameters: {
             query?: never;
@@ -5803,10 +5867,10 @@ export interface components {
         };
         /**
          * AnswerKind
-         * @description What an answer is made of.
+         * @description What the studio says to a redline.
          * @enum {string}
          */
-        AnswerKind: "choice" | "choices" | "text" | "number" | "lines" | "per_category" | "per_scene" | "names";
+        "AnswerKind-Input": "accepted" | "refused" | "countered";
         /**
          * ApproverAdd
          * @description The new approver, and why.
@@ -6560,7 +6624,7 @@ export interface components {
             why: string;
             /** Example */
             example: string;
-            kind: components["schemas"]["AnswerKind"];
+            kind: components["schemas"]["app__briefs__questions__AnswerKind"];
             /** Choices */
             choices: components["schemas"]["BriefChoice"][];
             /** Unit */
@@ -7812,7 +7876,35 @@ export interface components {
             signs_first: components["schemas"]["Party"] | null;
             /** @description The changes that the designer requests, until it is sent again. */
             change_requested: components["schemas"]["ContractChangeRead"] | null;
+            /** @description The last round of changes that the designer proposed clause by clause; null: none yet. */
+            redlines: components["schemas"]["ContractRedlines"] | null;
+            /** @description Null before it is first sent. */
+            signature_time: components["schemas"]["SignatureTime"] | null;
             may: components["schemas"]["MayRead"];
+        };
+        /**
+         * ContractRedlines
+         * @description The last round of redlines in figures.
+         */
+        ContractRedlines: {
+            /** Rounds */
+            rounds: number;
+            /** Count */
+            count: number;
+            /** Unanswered */
+            unanswered: number;
+            /**
+             * Is Open
+             * @description Whether the next version is still to be sent.
+             */
+            is_open: boolean;
+            /** By */
+            by: string;
+            /**
+             * At
+             * Format: date-time
+             */
+            at: string;
         };
         /**
          * ContractState
@@ -10760,6 +10852,27 @@ export interface components {
             version: string;
         };
         /**
+         * MarkedClauseRead
+         * @description A clause of the text that both read, with what is struck and inserted as marks.
+         */
+        MarkedClauseRead: {
+            /** Key */
+            key: string;
+            /**
+             * Number
+             * @description In the version that was sent; null for an inserted clause.
+             */
+            number: number | null;
+            /** Lines */
+            lines: components["schemas"]["ComparedRead"][];
+            /**
+             * Counter Lines
+             * @description The studio's counter, against the version that was sent.
+             */
+            counter_lines: components["schemas"]["ComparedRead"][];
+            redline: components["schemas"]["RedlineRead"] | null;
+        };
+        /**
          * MasterExportRead
          * @description A take's master with what is known of it written into bext and iXML; its sound is the master's, byte for byte.
          */
@@ -13036,6 +13149,200 @@ export interface components {
             entries: components["schemas"]["RecordEntryRead"][];
         };
         /**
+         * RedlineAdd
+         * @description A change of one clause; what is struck needs neither title nor text.
+         */
+        RedlineAdd: {
+            /**
+             * Title
+             * @default
+             */
+            title: string;
+            /**
+             * Text
+             * @default
+             */
+            text: string;
+            /**
+             * Terms
+             * @description Values that change, by name.
+             * @default {}
+             */
+            terms: {
+                [key: string]: number | string;
+            };
+            kind: components["schemas"]["RedlineKind"];
+            /**
+             * Clause Key
+             * @description The clause that is replaced or struck.
+             */
+            clause_key?: string | null;
+            /**
+             * After Key
+             * @description Of an inserted clause, the one before it; null: it is the first.
+             */
+            after_key?: string | null;
+            /**
+             * Comment
+             * @default
+             */
+            comment: string;
+        };
+        /**
+         * RedlineAnswerAdd
+         * @description The studio's answer; a counter has its own wording, a refusal a comment.
+         */
+        RedlineAnswerAdd: {
+            /**
+             * Title
+             * @default
+             */
+            title: string;
+            /**
+             * Text
+             * @default
+             */
+            text: string;
+            /**
+             * Terms
+             * @description Values that change, by name.
+             * @default {}
+             */
+            terms: {
+                [key: string]: number | string;
+            };
+            answer: components["schemas"]["AnswerKind-Input"];
+            /**
+             * Comment
+             * @default
+             */
+            comment: string;
+        };
+        /**
+         * RedlineAnswerRead
+         * @description What the studio said, and its own wording if it countered.
+         */
+        RedlineAnswerRead: {
+            kind: components["schemas"]["app__agreements__redline_rules__AnswerKind"];
+            wording: components["schemas"]["WordingRead"] | null;
+            /** Comment */
+            comment: string;
+            /** By */
+            by: string;
+            /**
+             * At
+             * Format: date-time
+             */
+            at: string;
+        };
+        /**
+         * RedlineKind
+         * @description What is proposed of a clause.
+         * @enum {string}
+         */
+        RedlineKind: "replace" | "strike" | "insert";
+        /**
+         * RedlineRead
+         * @description A change of one clause that was proposed, and the studio's last answer.
+         */
+        RedlineRead: {
+            /** Number */
+            number: number;
+            kind: components["schemas"]["RedlineKind"];
+            /** Clause Key */
+            clause_key: string;
+            wording: components["schemas"]["WordingRead"];
+            /** Comment */
+            comment: string;
+            answer: components["schemas"]["RedlineAnswerRead"] | null;
+        };
+        /**
+         * RedlineRoundRead
+         * @description Redlines that were proposed together.
+         */
+        RedlineRoundRead: {
+            /** Number */
+            number: number;
+            /**
+             * Version
+             * @description The version that they are about.
+             */
+            version: number;
+            /**
+             * Sent Version
+             * @description The version that was sent with the answers; null: none yet.
+             */
+            sent_version: number | null;
+            /** Note */
+            note: string;
+            /** By */
+            by: string;
+            /**
+             * At
+             * Format: date-time
+             */
+            at: string;
+            /** Unanswered */
+            unanswered: number;
+            /** Clauses */
+            clauses: components["schemas"]["MarkedClauseRead"][];
+        };
+        /**
+         * RedlinesAdd
+         * @description Changes of the version that was sent.
+         */
+        RedlinesAdd: {
+            /** Version */
+            version: number;
+            /** Changes */
+            changes: components["schemas"]["RedlineAdd"][];
+            /**
+             * Note
+             * @default
+             */
+            note: string;
+        };
+        /**
+         * RedlinesPreview
+         * @description The text as changes would mark it, and what is wrong with them: `changes.INDEX`.
+         */
+        RedlinesPreview: {
+            /** Clauses */
+            clauses: components["schemas"]["MarkedClauseRead"][];
+            /** Problems */
+            problems: components["schemas"]["DraftProblem"][];
+        };
+        /**
+         * RedlinesRead
+         * @description One round of redlines in the text that it is about, and how many rounds there are.
+         */
+        RedlinesRead: {
+            /**
+             * Contract Id
+             * Format: uuid
+             */
+            contract_id: string;
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /** Rounds */
+            rounds: number;
+            /** @description Null where nothing was ever proposed. */
+            round: components["schemas"]["RedlineRoundRead"] | null;
+            /** May Answer */
+            may_answer: boolean;
+        };
+        /**
+         * RedlinesSet
+         * @description Changes of a text, to see what they would do.
+         */
+        RedlinesSet: {
+            /** Changes */
+            changes: components["schemas"]["RedlineAdd"][];
+        };
+        /**
          * ReelAdd
          * @description The order and gaps of a cue's takes in a reel.
          */
@@ -13912,6 +14219,22 @@ export interface components {
         SignUpShown: {
             /** Email */
             email: string;
+        };
+        /**
+         * SignatureTime
+         * @description How long a contract takes from first being sent to the last signature.
+         */
+        SignatureTime: {
+            /**
+             * First Sent At
+             * Format: date-time
+             */
+            first_sent_at: string;
+            /**
+             * Waits Since
+             * @description Since when its next step is open; null: it waits for nobody.
+             */
+            waits_since: string | null;
         };
         /**
          * SignedRead
@@ -15539,6 +15862,30 @@ export interface components {
             since: string;
         };
         /**
+         * WordingRead
+         * @description A wording as it was written.
+         */
+        WordingRead: {
+            /**
+             * Title
+             * @default
+             */
+            title: string;
+            /**
+             * Text
+             * @default
+             */
+            text: string;
+            /**
+             * Terms
+             * @description Values that change, by name.
+             * @default {}
+             */
+            terms: {
+                [key: string]: number | string;
+            };
+        };
+        /**
          * WorkLogAdd
          * @description Time that went into a cue.
          */
@@ -15644,6 +15991,18 @@ export interface components {
             /** Rounds */
             rounds: number;
         };
+        /**
+         * AnswerKind
+         * @description What the studio says to a redline.
+         * @enum {string}
+         */
+        app__agreements__redline_rules__AnswerKind: "accepted" | "refused" | "countered";
+        /**
+         * AnswerKind
+         * @description What an answer is made of.
+         * @enum {string}
+         */
+        app__briefs__questions__AnswerKind: "choice" | "choices" | "text" | "number" | "lines" | "per_category" | "per_scene" | "names";
     };
     responses: never;
     parameters: never;
@@ -23684,7 +24043,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `brief-open`, `draft-changed`, `wrong-state` */
+            /** @description `brief-open`, `draft-changed`, `redlines-open`, `wrong-state` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -24386,6 +24745,271 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_redlines: {
+        parameters: {
+            query?: {
+                round?: number | null;
+            };
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RedlinesRead"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `too-many-at-once` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    propose_redlines: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["RedlinesAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RedlinesRead"];
+                };
+            };
+            /** @description `not-your-contract` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `wrong-state`, `text-changed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-redlines` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-at-once` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    preview_redlines: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["RedlinesSet"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RedlinesPreview"];
+                };
+            };
+            /** @description `not-your-contract` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `wrong-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `too-many-at-once` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    answer_redline: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+                redline_number: number;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["RedlineAnswerAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RedlinesRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found`, `redline-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `wrong-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-redlines` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-at-once` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };

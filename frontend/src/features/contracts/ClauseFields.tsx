@@ -116,7 +116,8 @@ interface TermFieldProps {
   onChange: (value: number | string) => void
 }
 
-function TermField({ name, known, value, currency, onChange }: TermFieldProps) {
+/** What a clause leaves open, in the field that fits it: a choice, a text, a percentage, an amount or a number. */
+export function TermField({ name, known, value, currency, onChange }: TermFieldProps) {
   const label = known?.label ?? inWords(name)
   const choices = known?.choices ?? []
   if (choices.length > 0) {

@@ -9,8 +9,9 @@ import { EmptyState } from '@/ui/EmptyState'
 import { plural } from '@/ui/format'
 import { Select } from '@/ui/Select'
 
-import { type Compared, comparisonQuery, versionsQuery } from './api'
+import { comparisonQuery, versionsQuery } from './api'
 import classes from './Contracts.module.css'
+import { MarkedLine } from './MarkedLine'
 import { Refusal } from './Refusal'
 
 /** Two versions of a contract, word by word. */
@@ -66,7 +67,7 @@ export function ComparePage() {
         <Card aria-label="Text" className={classes.sheet}>
           <div className={classes.text}>
             {compared.data.lines.map((line, index) => (
-              <Line key={index} line={line} />
+              <MarkedLine key={index} line={line} />
             ))}
           </div>
         </Card>
@@ -90,13 +91,4 @@ function VersionSelect({ label, value, numbers, onChange }: VersionSelectProps) 
       ))}
     </Select>
   )
-}
-
-function Line({ line }: { line: Compared }) {
-  const said = line.runs.map(({ is_in, text }, index) =>
-    is_in === 'later' ? <ins key={index}>{text}</ins> : is_in === 'earlier' ? <del key={index}>{text}</del> : text,
-  )
-  const className = line.change === 'same' ? undefined : classes.changed
-  if (line.kind === 'head') return <h3 className={className}>{said}</h3>
-  return <p className={line.kind === 'item' ? `${classes.item} ${className ?? ''}` : className}>{said}</p>
 }

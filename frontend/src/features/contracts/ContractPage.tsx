@@ -9,13 +9,15 @@ import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { clock, day } from '@/ui/format'
+import { clock, day, plural } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 import { State } from '@/ui/State'
 
 import { type Contract, useDeed, useKeepAsTemplate, versionsQuery } from './api'
 import classes from './Contracts.module.css'
+import { RedlinesNote } from './RedlinesNote'
 import { Refusal } from './Refusal'
+import { SignatureTime } from './SignatureTime'
 import { Signers } from './Signers'
 import { SignForm } from './SignForm'
 import { Text } from './Text'
@@ -43,6 +45,7 @@ export function ContractPage() {
           <p className="mid">
             {`${KIND_WORDS[contract.kind]} between ${contract.studio_name} and ${contract.designer.name}, version ${contract.version.number}`}
           </p>
+          <SignatureTime contract={contract} />
         </div>
         <State kind={kind} pill>
           {text}
@@ -56,6 +59,7 @@ export function ContractPage() {
           </footer>
         </blockquote>
       )}
+      <RedlinesNote contract={contract} to={`/projects/${projectId}/contracts/${contract.id}/redlines`} />
       <div className={`columns ${classes.columns}`}>
         <Card aria-label="Text" className={classes.sheet}>
           <Text blocks={contract.version.blocks} />
@@ -101,6 +105,14 @@ function Steps({ contract, projectId }: { contract: Contract; projectId: string 
       <div className={classes.form}>
         {may.change && <SendIt contract={contract} projectId={projectId} />}
         {may.accept && <Accept contract={contract} />}
+        {may.request_change && (
+          <div className={classes.inner}>
+            <p>Or change the text yourself, clause by clause. The studio answers each change.</p>
+            <ButtonLink component={Link} icon="pencil" to={`/projects/${projectId}/contracts/${contract.id}/redlines`}>
+              Propose changes
+            </ButtonLink>
+          </div>
+        )}
         {may.request_change && <AskChange contract={contract} />}
         {may.recall && <Recall contract={contract} />}
       </div>
@@ -110,6 +122,17 @@ function Steps({ contract, projectId }: { contract: Contract; projectId: string 
 
 function SendIt({ contract, projectId }: { contract: Contract; projectId: string }) {
   const send = useDeed(contract.id)
+  const unanswered = contract.redlines?.is_open ? contract.redlines.unanswered : 0
+  if (unanswered > 0) {
+    return (
+      <>
+        <p>{`Accept, refuse or counter each change that ${contract.designer.name} proposes. Then the next version can be sent.`}</p>
+        <ButtonLink component={Link} variant="primary" to={`/projects/${projectId}/contracts/${contract.id}/redlines`}>
+          {`Answer ${plural(unanswered, 'change')}`}
+        </ButtonLink>
+      </>
+    )
+  }
   return (
     <>
       <p>{`${contract.designer.name} receives the text as a PDF, with the current sound list and open questions.`}</p>

@@ -1,7 +1,7 @@
 import { Select, TextInput } from '@mantine/core'
 import { keepPreviousData, useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams } from '@tanstack/react-router'
-import { useEffect, useState } from 'react'
+import { useState } from 'react'
 
 import { contractQuery } from '@/api/project'
 import { DraftNote, useDraft } from '@/app/drafts'
@@ -18,9 +18,9 @@ import { moveButtonId, movedClause, withClauseBack, withoutClause } from './clau
 import classes from './Contracts.module.css'
 import { Refusal } from './Refusal'
 import { Text } from './Text'
+import { useSettled } from './useSettled'
 import { sentence } from './words'
 
-const SETTLED_MS = 400 // after the last key, the preview is requested
 const RELEASES = [
   { value: 'per_cue', label: 'When each cue is accepted' },
   { value: 'on_completion', label: 'When a milestone’s last cue is accepted' },
@@ -62,15 +62,6 @@ const draftOf = ({ title, currency, release_clause, holdback_bp, version }: Cont
   clauses: version.clauses,
   terms: version.terms,
 })
-
-function useSettled<T>(value: T): T {
-  const [settled, setSettled] = useState(value)
-  useEffect(() => {
-    const waiting = setTimeout(() => setSettled(value), SETTLED_MS)
-    return () => clearTimeout(waiting)
-  }, [value])
-  return settled
-}
 
 function Editor({ contract: newest, back }: { contract: Contract; back: string }) {
   const [contract] = useState(newest) // what is typed stays, and names the version that it began from

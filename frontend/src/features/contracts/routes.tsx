@@ -23,6 +23,11 @@ export const contractRoutes = [
   }),
   createRoute({
     getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/contracts/$contractId/redlines',
+    component: lazyRouteComponent(() => import('./RedlinesPage'), 'RedlinesPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
     path: '/projects/$projectId/contracts/$contractId/compare',
     validateSearch: (search: Record<string, unknown>): { from?: number; to?: number } => ({
       from: version(search.from),

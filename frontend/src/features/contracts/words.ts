@@ -66,6 +66,8 @@ const EVENT_WORDS: Record<string, string> = {
   sent: 'Sent to both parties',
   taken_back: 'Recalled',
   change_requested: 'Change requested',
+  redlines_proposed: 'Redlines proposed',
+  redline_answered: 'Redline answered',
   accepted_by: 'Accepted',
   agreed: 'Agreed',
   ended: 'Ended',

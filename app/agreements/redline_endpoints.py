@@ -1,0 +1,148 @@
+"""The endpoints of redlines: what a designer wants otherwise in a text that was sent, clause by clause."""
+
+from collections.abc import Sequence
+from typing import Annotated
+from uuid import UUID
+
+from fastapi import Path, Query
+
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience
+from app.agreements import redline_schemas as schemas
+from app.agreements import redlines
+from app.agreements.access import party_of, visible_contract
+from app.agreements.errors import (
+    BadRedlines,
+    ContractNotFound,
+    NotYourContract,
+    RedlineNotFound,
+    TextChanged,
+    WrongState,
+)
+from app.agreements.redline_rules import Change, RedlineKind, Wording
+from app.agreements.rules import ContractState, Party
+from app.agreements.schemas import DraftProblem
+from app.kit.bodies import LARGE_BODY_BYTES
+from app.kit.fair_share import FairShare, TooManyAtOnce
+from app.kit.http import DbSession, Route, Router, problems
+from app.projects.errors import ProducerNeeded
+
+router = Router(prefix="/v1", tags=["contracts"], route_class=Route)
+MARKED = FairShare(2, "texts with redlines")
+RedlineNumber = Annotated[int, Path(ge=1, le=2**31 - 1)]
+
+
+def _wording(body: schemas.WordingFields) -> Wording:
+    return Wording(body.title.strip(), body.text.strip(), body.terms)
+
+
+def _changes(bodies: Sequence[schemas.RedlineAdd]) -> list[Change]:
+    return [
+        Change(
+            kind=body.kind,
+            clause_key=None if body.kind is RedlineKind.INSERT else body.clause_key,
+            after_key=body.after_key,
+            wording=Wording() if body.kind is RedlineKind.STRIKE else _wording(body),
+            comment=body.comment,
+        )
+        for body in bodies
+    ]
+
+
+def _read(session: DbSession, actor: Actor, contract_id: UUID, number: int | None = None) -> schemas.RedlinesRead:
+    contract = visible_contract(session, actor, contract_id)
+    found = redlines.rounds(session, contract)
+    shown = found[min(number or len(found), len(found)) - 1] if found else None
+    is_last_open = bool(found) and found[-1].sent_version is None
+    return schemas.RedlinesRead(
+        contract_id=contract.id,
+        project_id=contract.project_id,
+        rounds=len(found),
+        round=schemas.RedlineRoundRead(
+            number=shown.number,
+            version=shown.version,
+            sent_version=shown.sent_version,
+            note=shown.note,
+            by=shown.by,
+            at=shown.at,
+            unanswered=len(shown.unanswered),
+            clauses=[schemas.MarkedClauseRead.model_validate(one) for one in redlines.marked(session, contract, shown)],
+        )
+        if shown
+        else None,
+        may_answer=is_last_open
+        and shown is found[-1]
+        and contract.state is ContractState.DRAFT
+        and party_of(actor, contract) is Party.STUDIO,
+    )
+
+
+@router.get("/contracts/{contract_id}/redlines", responses=problems(ContractNotFound, TooManyAtOnce))
+def read_redlines(
+    contract_id: UUID,
+    session: DbSession,
+    round_number: Annotated[int | None, Query(alias="round", ge=1, le=2**31 - 1)] = None,
+    actor: Actor = allows(Audience.PROJECT),
+) -> schemas.RedlinesRead:
+    """Return a round of redlines in the text that it is about, with the answers so far; the last one by default."""
+    with MARKED.of(actor.person):
+        return _read(session, actor, contract_id, round_number)
+
+
+@router.post(
+    "/contracts/{contract_id}/redlines",
+    status_code=201,
+    responses=problems(ContractNotFound, NotYourContract, WrongState, TextChanged, BadRedlines, TooManyAtOnce),
+    max_body_size=LARGE_BODY_BYTES,
+)
+def propose_redlines(
+    contract_id: UUID, body: schemas.RedlinesAdd, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
+) -> schemas.RedlinesRead:
+    """Send a contract back to the studio with changes of its clauses."""
+    with MARKED.of(actor.person):
+        changes = _changes(body.changes)
+        redlines.propose(session, actor, contract_id, version=body.version, changes=changes, note=body.note)
+        return _read(session, actor, contract_id)
+
+
+@router.post(
+    "/contracts/{contract_id}/redline-preview",
+    responses=problems(ContractNotFound, NotYourContract, WrongState, TooManyAtOnce),
+    max_body_size=LARGE_BODY_BYTES,
+)
+def preview_redlines(
+    contract_id: UUID, body: schemas.RedlinesSet, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
+) -> schemas.RedlinesPreview:
+    """Return the text as changes would mark it; nothing is saved."""
+    with MARKED.of(actor.person):
+        marked, found = redlines.preview(session, actor, contract_id, _changes(body.changes))
+        return schemas.RedlinesPreview(
+            clauses=[schemas.MarkedClauseRead.model_validate(one) for one in marked],
+            problems=[DraftProblem.model_validate(each) for each in found],
+        )
+
+
+@router.post(
+    "/contracts/{contract_id}/redlines/{redline_number}/answer",
+    responses=problems(ContractNotFound, ProducerNeeded, WrongState, RedlineNotFound, BadRedlines, TooManyAtOnce),
+    max_body_size=LARGE_BODY_BYTES,
+)
+def answer_redline(
+    contract_id: UUID,
+    redline_number: RedlineNumber,
+    body: schemas.RedlineAnswerAdd,
+    session: DbSession,
+    actor: Actor = allows(Audience.PRODUCER),
+) -> schemas.RedlinesRead:
+    """Accept, refuse or counter a redline; the last answer before the next version is sent counts."""
+    with MARKED.of(actor.person):
+        redlines.answer(
+            session,
+            actor,
+            contract_id,
+            redline_number,
+            kind=body.answer,
+            wording=_wording(body),
+            comment=body.comment,
+        )
+        return _read(session, actor, contract_id)

@@ -1,0 +1,82 @@
+"""A text with redlines as both parties read it: each clause filled in, and what is struck and inserted marked."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from app.agreements.clauses import Clause, Terms, filler
+from app.agreements.comparison import MAX_CHARS, Compared, Run, compare, lines_of
+from app.agreements.redline_rules import Redline, RedlineKind, Text, agreed_clause, keys_in_order
+from app.agreements.text import literal
+
+
+@dataclass(frozen=True)
+class MarkedClause:
+    """A clause of a text, with what is proposed of it as marks."""
+
+    key: str
+    number: int | None  # in the text that was sent; None for an inserted clause
+    lines: Sequence[Compared]
+    counter_lines: Sequence[Compared]  # the studio's counter against the text that was sent
+    redline: Redline | None
+
+
+def marked_clauses(
+    base: Text, redlines: Sequence[Redline], facts: Mapping[str, str], currency: str
+) -> list[MarkedClause]:
+    """Return the clauses of a text that stand, with those that are proposed in their places."""
+    return _Marking(base, redlines, facts, currency).clauses()
+
+
+class _Marking:
+    def __init__(self, base: Text, redlines: Sequence[Redline], facts: Mapping[str, str], currency: str) -> None:
+        self._clauses, self._terms = base
+        self._redlines, self._facts, self._currency = redlines, facts, currency
+        self._chars_left = MAX_CHARS
+
+    def clauses(self) -> list[MarkedClause]:
+        standing = {clause.key: clause for clause in self._clauses if clause.stands}
+        numbers = {key: number for number, key in enumerate(standing, start=1)}
+        of_clause = {redline.clause_key: redline for redline in self._redlines}
+        after = dict(self._terms)
+        for redline in self._redlines:
+            after |= redline.current_wording.terms if redline.current_wording else {}
+        return [
+            self._marked(key, numbers.get(key), standing.get(key), of_clause.get(key), after)
+            for key in keys_in_order(self._clauses, self._redlines)
+            if key in standing or key in of_clause
+        ]
+
+    def _marked(
+        self, key: str, number: int | None, clause: Clause | None, redline: Redline | None, after: Terms
+    ) -> MarkedClause:
+        if redline is None:  # its terms may be changed in another clause
+            return MarkedClause(key, number, self._compared(clause, clause, after), (), None)
+        proposed = None
+        if redline.kind is not RedlineKind.STRIKE:
+            proposed = Clause(key, redline.wording.title, redline.wording.text)
+        lines = self._compared(clause, proposed, self._terms | redline.wording.terms)
+        counter_lines: Sequence[Compared] = ()
+        if redline.agreed_wording not in (None, redline.wording):
+            counter = agreed_clause(redline, self._clauses)
+            counter_lines = self._compared(clause, counter, self._terms | redline.agreed_wording.terms)
+        return MarkedClause(key, number, lines, counter_lines, redline)
+
+    def _compared(self, earlier: Clause | None, later: Clause | None, after: Terms) -> list[Compared]:
+        old, new = self._filled(earlier, self._terms), self._filled(later, after)
+        if old == new and earlier != later:  # a variable became its value: the sources differ, and not what is read
+            old, new = _markdown(earlier), _markdown(later)
+        if old == new:
+            return [Compared(line.kind, "same", [Run("both", line.text)]) for line in lines_of(new)]
+        self._chars_left -= len(old) + len(new)
+        if self._chars_left >= 0:
+            return compare(old, new)
+        gone = [Compared(line.kind, "removed", [Run("earlier", line.text)]) for line in lines_of(old)]
+        return [*gone, *(Compared(line.kind, "added", [Run("later", line.text)]) for line in lines_of(new))]
+
+    def _filled(self, clause: Clause | None, terms: Terms) -> str:
+        fill = filler(terms, self._facts, self._currency)
+        return _markdown(clause and Clause(clause.key, clause.title, fill(clause.text)))
+
+
+def _markdown(clause: Clause | None) -> str:
+    return f"## {literal(clause.title)}\n\n{clause.text.strip()}\n" if clause else ""

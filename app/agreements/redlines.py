@@ -1,0 +1,218 @@
+"""Redlines of a contract that was sent: proposed by its designer, answered by the studio, kept in the record alone."""
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.models import Person
+from app.accounts.rules import Actor
+from app.agreements import clauses as clause_rules
+from app.agreements import queries, record
+from app.agreements.access import contract_to_change, party_of, visible_contract
+from app.agreements.clauses import Clause, Terms, terms_in_force
+from app.agreements.errors import (
+    BadRedlines,
+    ContractVersionNotFound,
+    NotYourContract,
+    RedlineNotFound,
+    RedlinesOpen,
+    TextChanged,
+)
+from app.agreements.facts import facts_of
+from app.agreements.models import Contract, ContractVersion
+from app.agreements.redline_marks import MarkedClause, marked_clauses
+from app.agreements.redline_rules import (
+    ANSWERED,
+    PROPOSED,
+    SENT,
+    Answer,
+    AnswerKind,
+    Change,
+    Redline,
+    Round,
+    Text,
+    Wording,
+    answered_draft,
+    faults_of_changes,
+    faults_of_wording,
+    is_in,
+    named_in_words,
+    numbered,
+    rounds_of,
+)
+from app.agreements.rules import ContractState, Party, ensure_state
+from app.agreements.versions import add_version, newest_of
+from app.kit import clock
+from app.kit.errors import FieldProblem
+from app.kit.events import publish
+
+
+def rounds(session: Session, contract: Contract) -> list[Round]:
+    """Return the rounds of redlines of a contract, in order, as its record tells them."""
+    events = queries.events_of_kinds(session, contract.id, (PROPOSED, ANSWERED, SENT))
+    return rounds_of((event.kind, event.at, json.loads(event.payload)) for event in events)
+
+
+def texts_of(session: Session, contract: Contract) -> Mapping[int, Text]:
+    """Return clauses and terms of every version of a contract by its number."""
+    return {version.number: text_of(version) for version in queries.versions_of(session, contract.id)}
+
+
+def text_of(version: ContractVersion) -> Text:
+    """Return clauses and terms of a version."""
+    return [Clause.of(row) for row in version.clauses], version.terms
+
+
+def propose(
+    session: Session, actor: Actor, contract_id: UUID, *, version: int, changes: Sequence[Change], note: str
+) -> None:
+    """Send a contract back to the studio with changes of its clauses, as its designer wants them.
+
+    Raises NotYourContract for all but its designer, TextChanged for another version than the one that stands, and
+    BadRedlines for changes that a draft could not have either.
+    """
+    contract = _to_propose(session, actor, contract_id)
+    contract = queries.lock_contract(session, contract.id)
+    sent = _sent_version(session, contract)
+    if sent.number != version:
+        raise TextChanged(
+            f"version {sent.number} stands now, and these changes are of version {version}; nothing was sent",
+            fix="reload the page and read what changed; what you wrote is kept",
+        )
+    clauses, terms = text_of(sent)
+    if problems := _problems(changes, clauses, terms):
+        raise BadRedlines(f"nothing was sent; {problems[0]['message']}", errors=problems)
+    earlier = rounds(session, contract)
+    first = sum(len(round_.redlines) for round_ in earlier) + 1
+    redlines = numbered(changes, first)
+    contract.state = ContractState.DRAFT
+    facts = {"round": len(earlier) + 1, "note": note, "redlines": [redline.as_facts() for redline in redlines]}
+    record.append_by(session, actor, contract, PROPOSED, sent, **facts)
+    words = named_in_words(redlines, clauses)
+    text = f"{words}. {note}" if note else f"{words}."
+    publish(session, "contract.change_requested", studio_id=contract.studio_id, contract_id=contract.id, text=text)
+
+
+def preview(
+    session: Session, actor: Actor, contract_id: UUID, changes: Sequence[Change]
+) -> tuple[list[MarkedClause], list[FieldProblem]]:
+    """Return the text as changes would mark it, and what is wrong with them; nothing is saved."""
+    contract = _to_propose(session, actor, contract_id)
+    sent = _sent_version(session, contract)
+    clauses, terms = text_of(sent)
+    problems = _problems(changes, clauses, terms)
+    broken = {problem["where"] for problem in problems}
+    whole = [change for index, change in enumerate(changes) if f"changes.{index}" not in broken]
+    return _marked(session, contract, (clauses, terms), numbered(whole, 1)), problems
+
+
+def answer(
+    session: Session,
+    actor: Actor,
+    contract_id: UUID,
+    number: int,
+    *,
+    kind: AnswerKind,
+    wording: Wording,
+    comment: str,
+) -> None:
+    """Answer a redline for the studio: what is accepted or countered is in the draft from now on, word for word.
+
+    A redline can be answered again until the next version is sent; the last answer counts. Raises RedlineNotFound for a
+    number that does not wait for that version, and BadRedlines for an answer that the draft could not have.
+    """
+    contract = contract_to_change(session, actor, contract_id)
+    ensure_state(contract.state, {ContractState.DRAFT}, "a redline is answered before the next version is sent")
+    found = rounds(session, contract)
+    redline = next((one for one in found[-1].redlines if one.number == number), None) if found else None
+    if redline is None or found[-1].sent_version is not None:
+        raise RedlineNotFound(f"no redline {number} of this contract waits for an answer")
+    base = _base(session, contract, found[-1])
+    is_counter = kind is AnswerKind.COUNTERED
+    if fault := _fault_of_answer(redline, kind, wording, comment, base):
+        raise BadRedlines(f"nothing was saved; {fault}", errors=[FieldProblem(where="answer", message=fault)])
+    person = session.get_one(Person, actor.person)
+    answered = replace(redline, answer=Answer(kind, wording if is_counter else None, comment, person.name, clock.now()))
+    draft = text_of(newest_of(session, contract))
+    clauses, terms = answered_draft(draft, base, found[-1], answered)
+    before = set(clause_rules.faults_of(*draft))
+    if faults := [fault for fault in clause_rules.faults_of(clauses, terms) if fault not in before]:
+        errors = [FieldProblem(where=where, message=message) for where, message in faults]
+        raise BadRedlines(
+            f"nothing was saved; the draft would not be whole: {faults[0][1]}",
+            errors=errors,
+            fix="counter with a text that keeps it, or change the draft first",
+        )
+    if (clauses, terms) != (list(draft[0]), draft[1]):
+        title = answered.wording.title or next(one.title for one in base[0] if one.key == answered.clause_key)
+        add_version(session, actor, contract, clauses, terms, note=f"Redline {number} {kind.value}: {title}")
+    facts = (wording if is_counter else Wording()).as_facts() | {"comment": comment}
+    record.append_by(session, actor, contract, ANSWERED, redline=number, answer=kind.value, **facts)
+
+
+def _fault_of_answer(redline: Redline, kind: AnswerKind, wording: Wording, comment: str, base: Text) -> str | None:
+    if kind is AnswerKind.REFUSED and not comment:
+        return "say why it is refused"
+    if kind is not AnswerKind.COUNTERED:
+        return None
+    if wording == redline.wording:
+        return "this is what was proposed; accept it"
+    return next(faults_of_wording(wording, base[1]), None)
+
+
+def ensure_answered(session: Session, contract: Contract, text: Text) -> None:
+    """Raise RedlinesOpen unless every redline is answered and a text has what was agreed, word for word."""
+    found = rounds(session, contract)
+    if not found or found[-1].sent_version is not None:
+        return
+    if unanswered := found[-1].unanswered:
+        counted = "one proposed change has" if len(unanswered) == 1 else f"{len(unanswered)} proposed changes have"
+        raise RedlinesOpen(f"{counted} no answer yet", fix="accept, refuse or counter each on the page Redlines")
+    base = _base(session, contract, found[-1])
+    for redline in found[-1].redlines:
+        if not is_in(redline, text, base[0]) and redline.answer is not None:
+            raise RedlinesOpen(
+                f"redline {redline.number} was {redline.answer.kind.value}, and the draft has other words there now",
+                fix="answer it again on the page Redlines: its words are put back, or yours are a counter",
+            )
+
+
+def marked(session: Session, contract: Contract, round_: Round) -> list[MarkedClause]:
+    """Return the text that a round is about, clause by clause, with what is proposed and countered as marks."""
+    return _marked(session, contract, _base(session, contract, round_), round_.redlines)
+
+
+def _base(session: Session, contract: Contract, round_: Round) -> Text:
+    """Return the text that a round is about."""
+    version = queries.version_by_number(session, contract.id, round_.version)
+    if version is None:
+        raise ContractVersionNotFound(f"this contract has no version {round_.version}")
+    return text_of(version)
+
+
+def _to_propose(session: Session, actor: Actor, contract_id: UUID) -> Contract:
+    contract = visible_contract(session, actor, contract_id)
+    if party_of(actor, contract) is not Party.DESIGNER:
+        raise NotYourContract("only the contract's designer proposes changes of it; a producer recalls and edits it")
+    return contract
+
+
+def _sent_version(session: Session, contract: Contract) -> ContractVersion:
+    ensure_state(contract.state, {ContractState.SENT}, "changes can be proposed while it needs your signature")
+    return newest_of(session, contract)
+
+
+def _problems(changes: Sequence[Change], clauses: Sequence[Clause], terms: Terms) -> list[FieldProblem]:
+    return [FieldProblem(where=where, message=message) for where, message in faults_of_changes(changes, clauses, terms)]
+
+
+def _marked(session: Session, contract: Contract, base: Text, redlines: Sequence[Redline]) -> list[MarkedClause]:
+    clauses, terms = base
+    # Before the NDA is agreed its designer may know nothing but what the text says that was sent.
+    known = clause_rules.names_in([clause for clause in clauses if clause.stands])
+    facts = facts_of(session, contract, terms_in_force(clauses, terms))
+    told = {name: value for name, value in facts.items() if name in known}
+    return marked_clauses(base, redlines, told, contract.currency)

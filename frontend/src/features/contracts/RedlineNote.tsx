@@ -1,0 +1,187 @@
+import { Textarea } from '@mantine/core'
+import type { FormEvent } from 'react'
+
+import { DraftNote, useDraft } from '@/app/drafts'
+import { Button } from '@/ui/Button'
+import { day } from '@/ui/format'
+import { State, type StateKind } from '@/ui/State'
+import { useFocusOnMount } from '@/ui/useFocusOnMount'
+
+import type { Contract } from './api'
+import classes from './Contracts.module.css'
+import type { Answer, Redline } from './redlines'
+import styles from './Redlines.module.css'
+import { Refusal } from './Refusal'
+import { WordingFields } from './WordingFields'
+
+/** The form that is open under a change. */
+export interface Opened {
+  number: number
+  does: 'refused' | 'countered'
+}
+
+type Given = (body: Answer, onDone?: () => void) => void
+
+interface RedlineNoteProps {
+  contract: Contract
+  /** Who proposed it. */
+  by: string
+  redline: Redline
+  mayAnswer: boolean
+  opened: Opened | null
+  onOpen: (opened: Opened | null) => void
+  isPending: boolean
+  error: unknown
+  onAnswer: Given
+}
+
+const DOES: Record<Redline['kind'], string> = {
+  replace: 'changes this clause',
+  strike: 'strikes this clause',
+  insert: 'adds this clause',
+}
+const ANSWERS: Record<NonNullable<Redline['answer']>['kind'], { kind: StateKind; word: string }> = {
+  accepted: { kind: 'accepted', word: 'Accepted' },
+  refused: { kind: 'refused', word: 'Refused' },
+  countered: { kind: 'change_requested', word: 'Countered' },
+}
+
+/** Whose change it is, what they say of it, what the studio answered, and the answers to choose from. */
+export function RedlineNote(props: RedlineNoteProps) {
+  const { by, redline, mayAnswer, opened, onOpen, isPending, error, onAnswer } = props
+  const { number, answer } = redline
+  return (
+    <div className={styles.note}>
+      <p>
+        <strong>{`Change ${number}`}</strong> <span className="mid">{`${by} ${DOES[redline.kind]}.`}</span>
+      </p>
+      {redline.comment !== '' && <p className={styles.said}>{redline.comment}</p>}
+      {answer ? (
+        <>
+          <p>
+            <State kind={ANSWERS[answer.kind].kind}>{ANSWERS[answer.kind].word}</State>{' '}
+            <span className="small mid">{`by ${answer.by}, ${day(answer.at)}`}</span>
+          </p>
+          {answer.comment !== '' && <p className={styles.said}>{answer.comment}</p>}
+        </>
+      ) : (
+        <State kind="waiting">Waiting for the studio’s answer</State>
+      )}
+      {mayAnswer && (
+        <div className={classes.buttons}>
+          <Button
+            icon="tick"
+            keys="a"
+            aria-label={`Accept change ${number}`}
+            aria-busy={isPending}
+            onClick={() => onAnswer({ answer: 'accepted' })}
+          >
+            Accept
+          </Button>
+          <Button
+            icon="cross"
+            keys="r"
+            aria-label={`Refuse change ${number}`}
+            aria-expanded={opened?.does === 'refused'}
+            onClick={() => onOpen({ number, does: 'refused' })}
+          >
+            Refuse
+          </Button>
+          <Button
+            icon="pencil"
+            keys="c"
+            aria-label={`Counter change ${number}`}
+            aria-expanded={opened?.does === 'countered'}
+            onClick={() => onOpen({ number, does: 'countered' })}
+          >
+            Counter
+          </Button>
+        </div>
+      )}
+      {mayAnswer && opened?.does === 'refused' && <Refuse {...props} />}
+      {mayAnswer && opened?.does === 'countered' && <Counter {...props} />}
+      <Refusal error={error} />
+    </div>
+  )
+}
+
+function Refuse({ contract, redline: { number }, isPending, onOpen, onAnswer }: RedlineNoteProps) {
+  const field = useFocusOnMount<HTMLTextAreaElement>()
+  const [comment, setComment, draft] = useDraft(`redline-refusal:${contract.id}:${number}`, '')
+  const submit = (event: FormEvent) => {
+    event.preventDefault()
+    if (comment.trim() !== '') onAnswer({ answer: 'refused', comment: comment.trim() }, draft.discard)
+  }
+  return (
+    <form className={classes.inner} aria-label={`Refuse change ${number}`} onSubmit={submit}>
+      <Textarea
+        ref={field}
+        label="Why it is refused"
+        rows={2}
+        resize="vertical"
+        value={comment}
+        maxLength={5000}
+        onChange={({ currentTarget: { value } }) => setComment(value)}
+      />
+      <DraftNote draft={draft} />
+      <Send word="Refuse the change" isPending={isPending} disabled={comment.trim() === ''} onOpen={onOpen} />
+    </form>
+  )
+}
+
+function Counter({ contract, redline, isPending, onOpen, onAnswer }: RedlineNoteProps) {
+  const clause = contract.version.clauses.find(({ key }) => key === redline.clause_key)
+  const [{ wording, comment }, setTyped, draft] = useDraft(`redline-counter:${contract.id}:${redline.number}`, () => ({
+    wording:
+      redline.answer?.wording ??
+      (redline.kind === 'strike'
+        ? { title: clause?.title ?? '', text: clause?.text ?? '', terms: {} }
+        : redline.wording),
+    comment: '',
+  }))
+  const submit = (event: FormEvent) => {
+    event.preventDefault()
+    onAnswer({ answer: 'countered', ...wording, comment: comment.trim() }, draft.discard)
+  }
+  return (
+    <form className={classes.inner} aria-label={`Counter change ${redline.number}`} onSubmit={submit}>
+      <WordingFields
+        contract={contract}
+        clauseKey={redline.clause_key}
+        wording={wording}
+        takesFocus
+        onChange={(changes) => setTyped((now) => ({ ...now, wording: { ...now.wording, ...changes } }))}
+      />
+      <Textarea
+        label="Comment (optional)"
+        rows={2}
+        resize="vertical"
+        value={comment}
+        maxLength={5000}
+        onChange={({ currentTarget: { value } }) => setTyped((now) => ({ ...now, comment: value }))}
+      />
+      <DraftNote draft={draft} />
+      <Send word="Send the counter" isPending={isPending} disabled={false} onOpen={onOpen} />
+    </form>
+  )
+}
+
+interface SendProps {
+  word: string
+  isPending: boolean
+  disabled: boolean
+  onOpen: (opened: null) => void
+}
+
+function Send({ word, isPending, disabled, onOpen }: SendProps) {
+  return (
+    <div className={classes.buttons}>
+      <Button type="submit" variant="primary" disabled={disabled} aria-busy={isPending}>
+        {word}
+      </Button>
+      <Button variant="quiet" onClick={() => onOpen(null)}>
+        Close
+      </Button>
+    </div>
+  )
+}

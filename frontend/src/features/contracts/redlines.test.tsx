@@ -1,0 +1,381 @@
+import { cleanup, screen, waitFor, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import axe from 'axe-core'
+import { beforeEach, describe, expect, test } from 'vitest'
+
+import { openApp } from '@/test/openApp'
+import { type Answers, refusal, serve, wrote } from '@/test/server'
+
+const CLAUSES = [
+  { key: 'parties', title: 'Parties', text: 'Between us.', stands: true },
+  { key: 'rounds', title: 'Rounds', text: 'It includes {rounds_included} rounds.', stands: true },
+]
+const VERSION = {
+  number: 2,
+  note: '',
+  author: { id: 'x1', name: 'Producer' },
+  created_at: '2026-11-20T09:00:00Z',
+  sent_at: '2026-11-20T10:00:00Z',
+  text_sha256: 'a'.repeat(64),
+  pdf_sha256: 'b'.repeat(64),
+  blocks: [],
+  clauses: CLAUSES,
+  terms: { rounds_included: 2 },
+}
+const MAY = {
+  change: false,
+  send: false,
+  recall: false,
+  request_change: false,
+  accept: false,
+  end: false,
+  amend: false,
+}
+const CONTRACT = {
+  id: 'c1',
+  project_id: 'p1',
+  number: 1,
+  title: 'Effects for Alpha',
+  kind: 'single',
+  state: 'sent',
+  designer: { id: 'x3', name: 'Sound designer' },
+  engagement_id: 'e1',
+  framework_id: null,
+  currency: 'USD',
+  release_clause: 'per_cue',
+  deposit_bp: 2000,
+  holdback_bp: 0,
+  created_at: '2026-11-19T09:00:00Z',
+  agreed_at: null,
+  ended_at: null,
+  end_reason: null,
+  my_party: 'designer',
+  waits_for: ['studio', 'designer'],
+  studio_name: 'Shield Wing studio',
+  version: VERSION,
+  acceptances: [],
+  signers: [],
+  signs_first: null,
+  change_requested: null,
+  redlines: null,
+  signature_time: { first_sent_at: '2026-11-20T10:00:00Z', waits_since: '2026-11-20T10:00:00Z' },
+  may: { ...MAY, request_change: true },
+}
+const same = (text: string, kind = 'text') => ({ kind, change: 'same', runs: [{ is_in: 'both', text }] })
+const marked = (key: string, number: number | null, lines: object[], redline: object | null = null) => ({
+  key,
+  number,
+  lines,
+  counter_lines: [],
+  redline,
+})
+const UNMARKED = [
+  marked('parties', 1, [same('Parties', 'head'), same('Between us.')]),
+  marked('rounds', 2, [same('Rounds', 'head'), same('It includes 2 rounds.')]),
+]
+const redline = (number: number, clause: string, more: object = {}) => ({
+  number,
+  kind: 'replace',
+  clause_key: clause,
+  wording: { title: 'Rounds', text: 'It includes four rounds.', terms: {} },
+  comment: 'Two are few.',
+  answer: null,
+  ...more,
+})
+const CHANGED = {
+  kind: 'text',
+  change: 'changed',
+  runs: [
+    { is_in: 'both', text: 'It includes ' },
+    { is_in: 'earlier', text: '2' },
+    { is_in: 'later', text: 'four' },
+    { is_in: 'both', text: ' rounds.' },
+  ],
+}
+const ADDED = { kind: 'text', change: 'added', runs: [{ is_in: 'later', text: 'At four.' }] }
+const round = (answers: (object | null)[] = [null, null], more: object = {}) => ({
+  number: 1,
+  version: 2,
+  sent_version: null,
+  note: 'See you.',
+  by: 'Sound designer',
+  at: '2026-11-21T10:00:00Z',
+  unanswered: answers.filter((answer) => answer === null).length,
+  clauses: [
+    UNMARKED[0],
+    marked('rounds', 2, [same('Rounds', 'head'), CHANGED], redline(1, 'rounds', { answer: answers[0] })),
+    marked('own_tea_2', null, [ADDED], {
+      ...redline(2, 'own_tea_2', { answer: answers[1] }),
+      kind: 'insert',
+      wording: { title: 'Tea', text: 'At four.', terms: {} },
+      comment: '',
+    }),
+  ],
+  ...more,
+})
+const given = (kind: string, more: object = {}) => ({
+  kind,
+  wording: null,
+  comment: '',
+  by: 'Producer',
+  at: '2026-11-22T10:00:00Z',
+  ...more,
+})
+const page = (of: object | null, mayAnswer = false) => ({
+  contract_id: 'c1',
+  project_id: 'p1',
+  rounds: of === null ? 0 : 1,
+  round: of,
+  may_answer: mayAnswer,
+})
+const PROJECT = {
+  id: 'p1',
+  name: 'Shield Wing',
+  studio_id: 's1',
+  studio_name: 'Shield Wing studio',
+  part: 'designer',
+  cue_prefix: 'SW',
+  is_producer: false,
+  engagement_kind: 'contract',
+}
+const ME = { person: { id: 'x3', name: 'Someone' }, email: 'x@sound.example', studios: [], projects: [PROJECT] }
+const LIBRARY = {
+  kind: 'single',
+  notice: '',
+  variables: {},
+  clauses: [
+    {
+      ...{ key: 'rounds', title: 'Rounds', text: '', stands: true, why: '', music: false, instead_of: null },
+      terms: [{ name: 'rounds_included', default: 2, label: 'Rounds of changes', min: 0, max: 20, choices: [] }],
+    },
+  ],
+}
+const all = (more: Answers = {}): Answers => ({
+  'GET /v1/session': { signed_in: true, demo: false, person: ME.person },
+  'GET /v1/me': ME,
+  'GET /v1/contracts/c1': CONTRACT,
+  'GET /v1/contracts/c1/redlines': page(null),
+  'POST /v1/contracts/c1/redline-preview': { clauses: UNMARKED, problems: [] },
+  'GET /v1/contract-library/single': LIBRARY,
+  ...more,
+})
+const PAGE = '/projects/p1/contracts/c1/redlines'
+const axeFinds = async () => {
+  const { violations } = await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })
+  return violations.map(({ id, nodes }) => [id, nodes[0]?.html])
+}
+
+beforeEach(() => {
+  localStorage.clear()
+  // A text field that grows asks when fonts are there, which jsdom does not know.
+  Object.defineProperty(document, 'fonts', { value: new EventTarget(), configurable: true })
+})
+
+describe('the designer of a contract that was sent', () => {
+  test('edits, strikes and adds clauses, and sends them together', async () => {
+    const { asked, answers } = serve(all())
+    answers['POST /v1/contracts/c1/redlines'] = () => {
+      answers['GET /v1/contracts/c1/redlines'] = page(round())
+      answers['GET /v1/contracts/c1'] = { ...CONTRACT, state: 'draft', may: MAY }
+      return page(round())
+    }
+    openApp(PAGE)
+    await userEvent.click(await screen.findByRole('button', { name: 'Edit Rounds' }))
+    const text = screen.getByLabelText('Text')
+    expect(text).toHaveFocus()
+    await userEvent.clear(text)
+    await userEvent.paste('Each of the {rounds_included} rounds is free.')
+    const value = screen.getByLabelText('Rounds of changes')
+    await userEvent.clear(value)
+    await userEvent.type(value, '4')
+    await userEvent.type(screen.getByLabelText('Comment (optional)'), 'As agreed on the phone.')
+    await userEvent.click(screen.getByRole('button', { name: 'Strike Parties' }))
+    await waitFor(() => expect(screen.getByRole('button', { name: 'Undo the change of Parties' })).toHaveFocus())
+    await userEvent.click(screen.getByRole('button', { name: 'Add a clause after Rounds' }))
+    const added = within(screen.getByRole('region', { name: 'New clause after Rounds' }))
+    await userEvent.type(added.getByLabelText('Clause title'), 'Tea')
+    await userEvent.type(added.getByLabelText('Text'), 'At four.')
+    await userEvent.type(screen.getByLabelText('Note to the studio (optional)'), 'See you.')
+    expect(await axeFinds()).toEqual([])
+    await userEvent.click(screen.getByRole('button', { name: 'Send 3 changes to Shield Wing studio' }))
+    expect(await screen.findByText('3 changes sent to Shield Wing studio.')).toBeVisible()
+    expect(wrote(asked, 'POST /v1/contracts/c1/redlines')[0]?.body).toEqual({
+      version: 2,
+      note: 'See you.',
+      changes: [
+        {
+          kind: 'replace',
+          clause_key: 'rounds',
+          after_key: null,
+          title: 'Rounds',
+          text: 'Each of the {rounds_included} rounds is free.',
+          terms: { rounds_included: 4 },
+          comment: 'As agreed on the phone.',
+        },
+        { kind: 'strike', clause_key: 'parties', after_key: null, title: '', text: '', terms: {}, comment: '' },
+        {
+          kind: 'insert',
+          clause_key: null,
+          after_key: 'rounds',
+          title: 'Tea',
+          text: 'At four.',
+          terms: {},
+          comment: '',
+        },
+      ],
+    })
+    expect(await screen.findAllByText('Waiting for the studio’s answer')).toHaveLength(2)
+    expect(screen.queryByRole('button', { name: /Accept change/ })).not.toBeInTheDocument()
+  })
+
+  test('finds what was typed after a reload, and is told which change has a fault', async () => {
+    const { answers } = serve(all())
+    openApp(PAGE)
+    await userEvent.click(await screen.findByRole('button', { name: 'Edit Rounds' }))
+    await userEvent.type(screen.getByLabelText('Text'), ' More.')
+    cleanup()
+    const message = 'there is no variable {round}; is it {rounds_included}?'
+    answers['POST /v1/contracts/c1/redline-preview'] = {
+      clauses: UNMARKED,
+      problems: [{ where: 'changes.0', message }],
+    }
+    openApp(PAGE)
+    expect(await screen.findByLabelText('Text')).toHaveValue('It includes {rounds_included} rounds. More.')
+    expect(screen.getByLabelText('Text')).not.toHaveFocus()
+    expect(await screen.findByText('There is no variable {round}; is it {rounds_included}?')).toBeVisible()
+    expect(screen.getByRole('button', { name: /^Send 1 change/ })).toBeDisabled()
+  })
+
+  test('sees what became of each change, and can propose again', async () => {
+    const countered = given('countered', {
+      wording: { title: 'Rounds', text: 'Three.', terms: {} },
+      comment: 'Half way.',
+    })
+    const closed = round([countered, given('refused', { comment: 'No tea.' })], { sent_version: 3 })
+    serve(all({ 'GET /v1/contracts/c1/redlines': page(closed) }))
+    openApp(PAGE)
+    expect(await screen.findByText('Version 3 was sent')).toBeVisible()
+    const first = within(screen.getByRole('article', { name: 'Change 1' }))
+    expect(first.getByText('Countered')).toBeVisible()
+    expect(first.getByText('Half way.')).toBeVisible()
+    expect(within(screen.getByRole('article', { name: 'Change 2' })).getByText('No tea.')).toBeVisible()
+    expect(await screen.findByRole('heading', { name: 'Propose changes' })).toBeVisible()
+  })
+})
+
+describe('a producer', () => {
+  const draft = { ...CONTRACT, state: 'draft', my_party: 'studio', waits_for: ['studio'] }
+  const contract = { ...draft, may: { ...MAY, change: true, send: true } }
+
+  const opened = (of: object = round()) => {
+    const served = serve(all({ 'GET /v1/contracts/c1': contract, 'GET /v1/contracts/c1/redlines': page(of, true) }))
+    const answerWith = (number: number, next: object) => {
+      served.answers[`POST /v1/contracts/c1/redlines/${number}/answer`] = () => {
+        served.answers['GET /v1/contracts/c1/redlines'] = page(next, true)
+        return page(next, true)
+      }
+    }
+    return { ...served, answerWith }
+  }
+  const bodies = (asked: Parameters<typeof wrote>[0], number: number) =>
+    wrote(asked, `POST /v1/contracts/c1/redlines/${number}/answer`).map(({ body }) => body)
+
+  test('reads one text with marks, by whom and when', async () => {
+    opened()
+    openApp(PAGE)
+    expect(await screen.findByText('2', { selector: 'del' })).toBeVisible()
+    expect(screen.getByText('four', { selector: 'ins' })).toBeVisible()
+    expect(screen.getByText('Between us.')).toBeVisible()
+    expect(screen.getByText('Two are few.')).toBeVisible()
+    expect(screen.getByText(/^2 changes to version 2 by Sound designer, Saturday 21 November/)).toBeVisible()
+    expect(await axeFinds()).toEqual([])
+    await userEvent.click(screen.getByRole('button', { name: 'Changes only' }))
+    expect(screen.queryByText('Between us.')).not.toBeInTheDocument()
+  })
+
+  test('answers by keys alone: next, accept, counter', async () => {
+    const { asked, answerWith } = opened()
+    const half = round([given('accepted'), null])
+    answerWith(1, half)
+    answerWith(2, round([given('accepted'), given('countered')]))
+    openApp(PAGE)
+    await screen.findByRole('article', { name: 'Change 1' })
+    await userEvent.keyboard('n')
+    expect(screen.getByRole('article', { name: 'Change 1' })).toHaveFocus()
+    await userEvent.keyboard('np')
+    expect(screen.getByRole('article', { name: 'Change 1' })).toHaveFocus()
+    await userEvent.keyboard('a')
+    await waitFor(() => expect(screen.getByRole('article', { name: 'Change 2' })).toHaveFocus())
+    expect(screen.getByText('1 change without an answer.')).toBeVisible()
+    await userEvent.keyboard('c')
+    const form = within(await screen.findByRole('form', { name: 'Counter change 2' }))
+    await userEvent.clear(form.getByLabelText('Text'))
+    await userEvent.type(form.getByLabelText('Text'), 'At five, not four.')
+    await userEvent.type(form.getByLabelText('Comment (optional)'), 'Later.')
+    await userEvent.click(form.getByRole('button', { name: 'Send the counter' }))
+    expect(await screen.findByText('Every change is answered.')).toBeVisible()
+    expect(bodies(asked, 1)).toEqual([{ answer: 'accepted', title: '', text: '', terms: {}, comment: '' }])
+    expect(bodies(asked, 2)).toEqual([
+      { answer: 'countered', title: 'Tea', text: 'At five, not four.', terms: {}, comment: 'Later.' },
+    ])
+    expect(screen.getByRole('button', { name: 'Send to Sound designer' })).toBeVisible()
+  })
+
+  test('says why a change is refused, and keeps that over a reload', async () => {
+    const { asked, answers, answerWith } = opened()
+    openApp(PAGE)
+    await screen.findByRole('article', { name: 'Change 1' })
+    await userEvent.keyboard('nr')
+    const field = await screen.findByLabelText('Why it is refused')
+    expect(field).toHaveFocus()
+    await userEvent.type(field, 'Two are enough, and a car.')
+    answers['POST /v1/contracts/c1/redlines/1/answer'] = refusal(409, 'wrong-state', 'it was sent meanwhile')
+    await userEvent.click(screen.getByRole('button', { name: 'Refuse the change' }))
+    expect(await screen.findByText('It was sent meanwhile.')).toBeVisible()
+    cleanup()
+    answerWith(1, round([given('refused'), null]))
+    openApp(PAGE)
+    await userEvent.click(await screen.findByRole('button', { name: 'Refuse change 1' }))
+    expect(screen.getByLabelText('Why it is refused')).toHaveValue('Two are enough, and a car.')
+    await userEvent.click(screen.getByRole('button', { name: 'Refuse the change' }))
+    await waitFor(() => expect(screen.queryByLabelText('Why it is refused')).not.toBeInTheDocument())
+    expect(bodies(asked, 1).at(-1)).toMatchObject({ answer: 'refused', comment: 'Two are enough, and a car.' })
+  })
+
+  test('is led from the contract to what is not answered, and cannot send before', async () => {
+    const redlines = {
+      rounds: 1,
+      count: 3,
+      unanswered: 2,
+      is_open: true,
+      by: 'Sound designer',
+      at: '2026-11-21T10:00:00Z',
+    }
+    serve(all({ 'GET /v1/contracts/c1': { ...contract, redlines }, 'GET /v1/contracts/c1/versions': [VERSION] }))
+    const app = openApp('/projects/p1/contracts/c1')
+    expect(await screen.findByText(/^Sound designer proposed 3 changes.* 2 without an answer\.$/)).toBeVisible()
+    expect(screen.queryByRole('button', { name: 'Send to Sound designer' })).not.toBeInTheDocument()
+    await userEvent.click(screen.getByRole('link', { name: 'Answer 2 changes' }))
+    await waitFor(() => expect(app.at()).toBe(PAGE))
+  })
+})
+
+describe('time to signature', () => {
+  test('is said once both have signed', async () => {
+    const agreed = { ...CONTRACT, state: 'agreed', agreed_at: '2026-11-26T11:00:00Z', waits_for: [], may: MAY }
+    serve(all({ 'GET /v1/contracts/c1': agreed, 'GET /v1/contracts/c1/versions': [VERSION] }))
+    openApp('/projects/p1/contracts/c1')
+    expect(await screen.findByText(/^First sent Friday 20 November.*\. Time to signature: 6 days\.$/)).toBeVisible()
+  })
+
+  test('names before for whom it waits, and since when', async () => {
+    serve(
+      all({
+        'GET /v1/contracts/c1': { ...CONTRACT, waits_for: ['studio'] },
+        'GET /v1/contracts/c1/versions': [VERSION],
+      }),
+    )
+    openApp('/projects/p1/contracts/c1')
+    expect(await screen.findByText(/Waiting for the studio since Friday 20 November/)).toBeVisible()
+  })
+})

@@ -1,0 +1,74 @@
+import { keepPreviousData, queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
+
+import { answered, api } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
+import type { components } from '@/api/schema.gen'
+
+type Schemas = components['schemas']
+export type Redlines = Schemas['RedlinesRead']
+export type Round = Schemas['RedlineRoundRead']
+export type Marked = Schemas['MarkedClauseRead']
+export type Redline = Schemas['RedlineRead']
+export type Wording = Schemas['WordingRead']
+export type Proposed = Schemas['RedlineAdd']
+export type Answer = Pick<Schemas['RedlineAnswerAdd'], 'answer'> & Partial<Schemas['RedlineAnswerAdd']>
+
+/** What a change, or an answer, has to begin with. */
+export const NOTHING = { title: '', text: '', terms: {}, comment: '' }
+
+const of = (contractId: string) => ({ params: { path: { contract_id: contractId } } })
+
+/** A round of redlines in the text that it is about; the last one, unless another is named. */
+export const redlinesQuery = (contractId: string, round?: number) =>
+  queryOptions({
+    queryKey: queryKeys.contract(contractId, 'redlines', round ?? 'last'),
+    queryFn: () =>
+      answered(
+        api.GET('/v1/contracts/{contract_id}/redlines', {
+          params: { path: { contract_id: contractId }, query: round === undefined ? {} : { round } },
+        }),
+      ),
+  })
+
+/** The text as changes would mark it, and what is wrong with them. */
+export const redlinePreviewQuery = (contractId: string, version: number, changes: Proposed[]) =>
+  queryOptions({
+    queryKey: queryKeys.contract(contractId, 'redline-preview', version, changes),
+    queryFn: () =>
+      answered(api.POST('/v1/contracts/{contract_id}/redline-preview', { ...of(contractId), body: { changes } })),
+    placeholderData: keepPreviousData,
+    staleTime: Infinity,
+    gcTime: 60_000,
+  })
+
+function useRedlines<T>(contractId: string, send: (body: T) => Promise<Redlines>) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: send,
+    onSuccess: async (redlines) => {
+      client.setQueryData(redlinesQuery(contractId).queryKey, redlines)
+      await invalidate(
+        client,
+        queryKeys.contract(contractId),
+        queryKeys.contracts(redlines.project_id),
+        queryKeys.nextSteps(redlines.project_id),
+        queryKeys.today(redlines.project_id),
+      )
+    },
+  })
+}
+
+export const useProposeRedlines = (contractId: string) =>
+  useRedlines(contractId, (body: Schemas['RedlinesAdd']) =>
+    answered(api.POST('/v1/contracts/{contract_id}/redlines', { ...of(contractId), body })),
+  )
+
+export const useAnswerRedline = (contractId: string) =>
+  useRedlines(contractId, ({ number, body }: { number: number; body: Answer }) =>
+    answered(
+      api.POST('/v1/contracts/{contract_id}/redlines/{redline_number}/answer', {
+        params: { path: { contract_id: contractId, redline_number: number } },
+        body: { ...NOTHING, ...body },
+      }),
+    ),
+  )
