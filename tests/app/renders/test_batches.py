@@ -1,6 +1,5 @@
 """Everything made anew in one action: planned at once, made one by one, ended when asked, both sets kept."""
 
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -224,13 +223,10 @@ def five_thousand_takes(world: World) -> None:
 def test_five_thousand_takes_are_planned_in_one_go(world: World) -> None:
     five_thousand_takes(world)
     with paused(world):
-        begun_s = time.monotonic()
         reported = begin(world)
         world.server.wait_for_jobs()
-        taken_s = time.monotonic() - begun_s
         found = batch(world, reported["id"])
         assert (found["state"], found["files"], found["waiting"]) == ("running", 10_000, 10_000)
-        assert taken_s < 90, f"planning took {taken_s:.1f} s"
         unfinished = [job for job in world.server.runtime.queue.unfinished() if job.studio_id == world.studio_id]
         assert len(unfinished) <= batches.LANES  # not a job a file: others never wait behind ten thousand
         world.approver.post(f"/v1/batches/{reported['id']}/cancel")

@@ -280,20 +280,20 @@ def test_every_byte_of_sound_is_read_once_with_all_checks_on(monkeypatch, tmp_pa
     assert size <= sum(count for _, count in reads) < size + 600  # only headers are seen twice
 
 
-def test_the_base_install_is_enough_and_starts_fast():
+def test_the_base_install_is_enough_and_loads_little():
     # What an import pulls in is seen only by a fresh interpreter.
     script = """
-import sys, time
-started = time.process_time()
+import sys
+loaded = len(sys.modules)
 from audio_checks import check_file, load_spec, read_sound_list
 import audio_checks.cli
-print(time.process_time() - started)
+print(len(sys.modules) - loaded)
 heavy = {"scipy", "librosa", "app", "pydub", "soundfile", "pydantic", "typer", "rich"} & set(sys.modules)
 sys.exit(f"imported: {heavy}" if heavy else 0)
 """
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
-    assert float(done.stdout) < 0.5
+    assert int(done.stdout) < 350  # 274, of them 86 of numpy; scipy.signal alone would load 833
 
 
 def test_the_front_door_opens_on_every_name():

@@ -7,7 +7,6 @@ import socket
 import struct
 import subprocess
 import sys
-import time
 
 import numpy as np
 import pytest
@@ -367,20 +366,19 @@ def test_a_file_that_shrinks_while_it_is_read(tmp_path):
 
 
 def test_only_regular_files_are_opened(tmp_path):
+    # Where a FIFO without a writer were opened, this would wait without end.
     os.mkfifo(tmp_path / "fifo.wav")
     (tmp_path / "folder.wav").mkdir()
     (tmp_path / "dangling.wav").symlink_to(tmp_path / "nowhere")
     (tmp_path / "circle.wav").symlink_to(tmp_path / "circle.wav")
     with socket.socket(socket.AF_UNIX) as listener:
         listener.bind(str(tmp_path / "socket.wav"))
-        started = time.monotonic()
         for name in ("fifo.wav", "folder.wav", "dangling.wav", "circle.wav", "socket.wav", "absent.wav", "nul\0.wav"):
             with pytest.raises(Unreadable) as refusal:
                 open_regular(f"{tmp_path}/{name}")
             assert refusal.value.rule == "R11"
         with pytest.raises(Unreadable):
             open_regular("/dev/zero")
-    assert time.monotonic() - started < 10  # a FIFO without a writer is waited for without end
 
 
 def test_a_link_to_a_file_is_opened(tmp_path):
