@@ -17,7 +17,9 @@ from app.projects.queries import engagement_by_id
 from app.projects.service import project_access
 
 PARTIES = "parties"
-OF_ONE_CONTRACT = frozenset({"po_number", "exclusive_from", "exclusive_until", "bonus_trigger", "bonus_minor"})
+OF_ONE_CONTRACT = frozenset(
+    {"po_number", "exclusive_from", "exclusive_until", "bonus_trigger", "bonus_minor", "bonus_when"}
+)
 OF_ONE_DESIGNER = frozenset({"tax_bp", "reverse_charge", "credit_line"})
 
 

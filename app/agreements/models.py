@@ -54,6 +54,7 @@ class Contract(Base):
     record_sha256: Mapped[str] = mapped_column(default=START)  # of the newest entry of its record
     head_mailed_length: Mapped[int] = mapped_column(default=0)  # of the record when its signed head was last mailed
     head_mailed_on: Mapped[date | None]
+    game_shipped_on: Mapped[date | None]  # as a producer said, where a bonus waits for it
     project: Mapped[Project] = relationship(lazy="raise")
     engagement: Mapped[Engagement] = relationship(lazy="raise")
     designer: Mapped[Person] = relationship(lazy="raise", foreign_keys=[designer_id])
@@ -244,4 +245,5 @@ class ContractCue(Base):
     accepted_by: Mapped[AcceptedBy | None]
     cut_at: Mapped[datetime | None]
     cut_in: Mapped[WorkState | None]
+    change_requested_at: Mapped[datetime | None]  # the first round of changes that was counted
     cue: Mapped[Cue] = relationship(lazy="raise")

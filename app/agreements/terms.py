@@ -31,6 +31,15 @@ class DownloadsOpen(StrEnum):
     WHEN_PAID = "when_paid"  # what is due for an accepted cue
 
 
+class BonusWhen(StrEnum):
+    """What sets a bonus off."""
+
+    OTHER = "other"  # in the parties' own words, and theirs to see to
+    ON_TIME = "on_time"  # every cue is accepted by the date of its milestone
+    NO_REJECTED_TAKE = "no_rejected_take"  # every cue is accepted without a round of changes
+    SHIPPED = "shipped"  # the studio says that the game has shipped
+
+
 class PriceMode(StrEnum):
     """How a contract's price comes about."""
 
@@ -78,6 +87,8 @@ class MoneyTerms:
     sources_needed: SourcesNeeded = SourcesNeeded.ASKED
     downloads_open: DownloadsOpen = DownloadsOpen.AT_ONCE
     late_interest_monthly_bp: int = 0  # of what is open of an invoice after its day
+    bonus_minor: int = 0
+    bonus_when: BonusWhen = BonusWhen.OTHER
 
     @classmethod
     def of(cls, terms: Mapping[str, Any]) -> "MoneyTerms":
@@ -93,6 +104,8 @@ class MoneyTerms:
             known["sources_needed"] = SourcesNeeded(known["sources_needed"])
         if "downloads_open" in known:
             known["downloads_open"] = DownloadsOpen(known["downloads_open"])
+        if "bonus_when" in known:
+            known["bonus_when"] = BonusWhen(known["bonus_when"])
         if "reverse_charge" in known:
             known["reverse_charge"] = bool(known["reverse_charge"])  # 0 or 1 where only numbers and text are kept
         return cls(**known)

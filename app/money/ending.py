@@ -36,7 +36,7 @@ class Statement:
     figures: Figures
     deposit_minor: int
     rounds_minor: int
-    extra_minor: int  # work by change orders
+    extra_minor: int  # work by change orders, interest, a bonus
     days_minor: int
 
     @property
@@ -69,7 +69,9 @@ def statement_of(
         deposit_minor=sum(line.amount_minor for line in after.standing(LineKind.DEPOSIT)),
         rounds_minor=sum(line.amount_minor for line in after.standing(LineKind.EXTRA_ROUND)),
         extra_minor=sum(
-            line.amount_minor for kind in (LineKind.EXTRA_WORK, LineKind.LATE_INTEREST) for line in after.standing(kind)
+            line.amount_minor
+            for kind in (LineKind.EXTRA_WORK, LineKind.LATE_INTEREST, LineKind.BONUS)
+            for line in after.standing(kind)
         ),
         days_minor=sum(line.amount_minor for line in after.standing(LineKind.WORKED_DAY)),
     )

@@ -15,7 +15,18 @@ from app.kit.bodies import LARGE_BODY_BYTES
 from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
 from app.kit.single_thread_route import SingleThreadRoute
 from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
-from app.money import calendar, days, estimates, invoice_text, invoices, overview, payments, schemas, settlement
+from app.money import (
+    calendar,
+    days,
+    estimates,
+    invoice_text,
+    invoices,
+    overview,
+    payments,
+    schemas,
+    settlement,
+    shipping,
+)
 from app.money.errors import (
     CalendarNotFound,
     CapExceeded,
@@ -26,6 +37,7 @@ from app.money.errors import (
     InvoiceNotFound,
     InvoiceNumberTaken,
     NoInterestDue,
+    NoShippingBonus,
     NotAgreed,
     NotDayRate,
     NothingToInvoice,
@@ -107,6 +119,18 @@ def check_plan(
         faults=[schemas.PlanFault(**fault) for fault in faults],
         advice=[schemas.AdviceRead(**asdict(one)) for one in advice],
     )
+
+
+@router.post(
+    "/contracts/{contract_id}/shipped",
+    responses=problems(ContractNotFound, ProducerNeeded, NoShippingBonus, DayInFuture),
+)
+def say_game_shipped(
+    contract_id: UUID, body: schemas.Shipped, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> schemas.LedgerRead:
+    """Say that the game has shipped, which makes the bonus due that waits for it."""
+    shipping.say_shipped(session, actor, contract_id, shipped_on=body.shipped_on)
+    return overview.ledger(session, actor, contract_id)
 
 
 @router.get("/contracts/{contract_id}/ledger", responses=problems(ContractNotFound))

@@ -3,6 +3,10 @@
 from app.kit.errors import Conflict, Forbidden, Invalid, NotFound
 
 
+class NoShippingBonus(Conflict):
+    """No bonus of the contract waits for the game to ship, or it is said already."""
+
+
 class NotAgreed(Conflict):
     """Money is invoiced, paid and logged under an agreed contract only."""
 

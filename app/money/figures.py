@@ -6,14 +6,16 @@ from dataclasses import dataclass
 from app.money.ledger_book import LedgerBook, PricedCue
 from app.money.rules import LineKind
 
-EXTRAS = frozenset({LineKind.EXTRA_ROUND, LineKind.EXTRA_WORK, LineKind.LATE_INTEREST})  # due since, and in no plan
+EXTRAS = frozenset(  # due since, and in no plan
+    {LineKind.EXTRA_ROUND, LineKind.EXTRA_WORK, LineKind.LATE_INTEREST, LineKind.BONUS}
+)
 
 
 @dataclass(frozen=True)
 class Figures:
     """A contract's money without tax; `paid + due + open + saved` is `agreed`."""
 
-    agreed_minor: int  # the plan, the extra rounds and work that were agreed to since, and interest
+    agreed_minor: int  # the plan, the extra rounds and work that were agreed to since, a bonus, interest
     accepted_minor: int  # what became due by acceptance and cuts, deposit and extras included
     paid_minor: int
     due_minor: int  # owed and not paid; below zero: paid for what was taken back since

@@ -198,7 +198,9 @@ def texts_of(session: Session, contract: Contract, lines: Iterable[Line]) -> dic
                 return f"Interest on invoice {late.full_number if late else ''}, up to {line.late_until_on}"
             case LineKind.EXTRA_WORK:
                 return f"Work by a change order ({milestone})"
-        return f"Taken back: {cue or milestone}"
+            case LineKind.BONUS:
+                return "Bonus"
+        return f"Taken back: {cue or milestone or 'bonus'}"
 
     return {line.id: text(line) for line in lines}
 

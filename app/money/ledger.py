@@ -31,6 +31,7 @@ EVENTS = {
     LineKind.WORKED_DAY: "due",
     LineKind.EXTRA_WORK: "due",
     LineKind.LATE_INTEREST: "due",
+    LineKind.BONUS: "due",
     LineKind.TAX: "due",
     LineKind.REVERSED: "taken_back",
     LineKind.PAID: "paid",
@@ -91,9 +92,11 @@ def write(
     person_id: UUID | None,
     payment_id: UUID | None = None,
     is_by_server: bool = False,
+    reason: str = "",
 ) -> list[LedgerLine]:
     """Add lines to a contract's ledger, and record each; callers hold the contract's lock.
 
+    `reason` is what the record says besides.
     `is_by_server`: a clause or a schedule did it, and the person, if there is one, answers for it only.
     """
     lines = [
@@ -112,7 +115,7 @@ def write(
     if lines:
         prefix = session.get_one(Project, contract.project_id).cue_prefix
         for line in lines:
-            facts = _facts_of(session, line, contract.currency, prefix)
+            facts = _facts_of(session, line, contract.currency, prefix) | ({"reason": reason} if reason else {})
             record.append(session, contract.id, EVENTS[line.kind], facts, by=None if is_by_server else person_id)
     return lines
 

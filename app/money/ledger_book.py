@@ -26,6 +26,7 @@ CLAUSES = {
     LineKind.WORKED_DAY: "rates",
     LineKind.EXTRA_WORK: "changes",
     LineKind.LATE_INTEREST: "payment",
+    LineKind.BONUS: "bonus",
     LineKind.TAX: "payment",
     LineKind.PAID: "payment",
 }  # a line that takes another back names that one's clause
@@ -173,6 +174,14 @@ def settle_shares(book: LedgerBook, cues: Sequence[PricedCue], rules: PayRules) 
             if kind not in kept and amount_minor
         ]
     return entries
+
+
+def settle_bonus(book: LedgerBook, bonus_minor: int, *, is_earned: bool) -> list[Entry]:
+    """Return the entry that makes a bonus due, once, or takes it back where it is not earned any more."""
+    owed = book.standing(LineKind.BONUS)
+    if not is_earned:
+        return [reverse(line) for line in owed]
+    return [] if owed or not bonus_minor else [Entry(LineKind.BONUS, bonus_minor, CLAUSES[LineKind.BONUS])]
 
 
 def _clause(kind: LineKind, cue: PricedCue) -> str:

@@ -69,7 +69,8 @@ class LedgerLine(Base):
         CheckConstraint("(kind in ('paid', 'refunded')) = (payment_id is not null)", name="payments_are_named"),
         CheckConstraint("(kind in ('reversed', 'paid', 'refunded')) = (about_id is not null)", name="about_a_line"),
         CheckConstraint(
-            "cue_id is not null or milestone_id is not null or tax_bp is not null or late_invoice_id is not null",
+            "cue_id is not null or milestone_id is not null or tax_bp is not null or late_invoice_id is not null"
+            " or kind = 'bonus' or about_id is not null",
             name="about_something",
         ),
         CheckConstraint("(late_invoice_id is null) = (late_until_on is null)", name="late_until_a_day"),

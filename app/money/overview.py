@@ -18,6 +18,7 @@ from app.agreements.queries import contract_for
 from app.agreements.rules import ContractState
 from app.agreements.terms import MoneyTerms
 from app.money import queries, schemas
+from app.money.bonuses import bonus_of
 from app.money.figures import Figures, figures_of, open_tax_minor, tax_minor
 from app.money.ledger import load_ledger_book, priced, rules_of
 from app.money.ledger_book import LedgerBook, PricedCue, price_of_round, settle_shares
@@ -133,6 +134,7 @@ def ledger(session: Session, actor: Actor, contract_id: UUID) -> schemas.LedgerR
         figures=schemas.FiguresRead(**asdict(figures(session, contract, book))),
         tax_minor=tax_minor(book),
         open_tax_minor=open_tax_minor(book),
+        bonus=bonus_of(session, contract, book),
         lines=ledger_lines(session, contract),
     )
 

@@ -8,7 +8,9 @@ from uuid import UUID
 from pydantic import Field, StringConstraints
 
 from app.agreements.rules import ContractState, WorkState
+from app.agreements.terms import BonusWhen
 from app.kit.http import Schema
+from app.money.bonus import BonusState
 from app.money.estimating import Habit
 from app.money.rules import LineKind
 
@@ -162,6 +164,21 @@ class LedgerLineRead(Schema):
     reference: str | None
 
 
+class BonusRead(Schema):
+    """The bonus of a contract, and what became of it."""
+
+    amount_minor: int
+    when: BonusWhen
+    state: BonusState | None = Field(description="Null for a trigger in the parties' own words, which they see to.")
+    because: str = Field(description="Why it is so; of a trigger in the parties' own words, these.")
+
+
+class Shipped(Schema):
+    """The day on which the game shipped."""
+
+    shipped_on: date
+
+
 class LedgerRead(Schema):
     """A contract's ledger in the order of its writing, and what it comes to."""
 
@@ -170,6 +187,7 @@ class LedgerRead(Schema):
     figures: FiguresRead
     tax_minor: int
     open_tax_minor: int
+    bonus: BonusRead | None
     lines: Sequence[LedgerLineRead]
 
 

@@ -17,10 +17,12 @@ from app.agreements.rules import AcceptedBy, ContractState, WorkState
 from app.agreements.terms import DepositAtEnd
 from app.kit import clock
 from app.money import queries
+from app.money.bonus import BonusState
+from app.money.bonuses import bonus_standing
 from app.money.ending import Statement, statement_of
 from app.money.errors import ExtraRoundNotFound, OtherPartyNeeded, RoundAlreadySettled
 from app.money.ledger import called, load_ledger_book, priced, rules_of, write
-from app.money.ledger_book import CLAUSES, Entry, PricedCue, price_of_round, settle_shares
+from app.money.ledger_book import CLAUSES, Entry, PricedCue, price_of_round, settle_bonus, settle_shares
 from app.money.models import ExtraRound
 from app.money.rules import LineKind
 from app.projects.errors import ProducerNeeded
@@ -139,11 +141,12 @@ def settle_end(
 
 
 def price_round(session: Session, cue_id: UUID, *, number: int, person_id: UUID) -> ExtraRound | None:
-    """Propose the price of a round beyond the included ones; None where the contract includes it, or there is none."""
+    """Note a counted round, and propose its price; None where the contract includes it, or prices none."""
     covered = _locked(session, cue_id, None)
     if covered is None or covered.cut_at is not None:
         return None
     contract = session.get_one(Contract, covered.contract_id)
+    covered.change_requested_at = covered.change_requested_at or clock.now()
     terms = terms_of(session, contract)
     if number <= terms.rounds_included or not price_of_round(_priced(covered), terms.extra_round_bp):
         return None
@@ -231,10 +234,15 @@ def settle(session: Session, contract_id: UUID, person_id: UUID | None, *, is_by
     """Bring a contract's ledger to what its cues and their states make due; callers hold its lock."""
     session.flush()
     contract = session.get_one(Contract, contract_id)
-    rules = rules_of(contract, terms_of(session, contract))
+    terms = terms_of(session, contract)
+    rules = rules_of(contract, terms)
     cues = priced(plan_queries.cues_of(session, contract_id))
-    due = settle_shares(load_ledger_book(session, contract), cues, rules)
-    write(session, contract, due, person_id=person_id, is_by_server=is_by_server)
+    book = load_ledger_book(session, contract)
+    write(session, contract, settle_shares(book, cues, rules), person_id=person_id, is_by_server=is_by_server)
+    standing = bonus_standing(session, contract, terms) if contract.state is ContractState.AGREED else None
+    if standing is not None:
+        bonus = settle_bonus(book, terms.bonus_minor, is_earned=standing.state is BonusState.EARNED)
+        write(session, contract, bonus, person_id=person_id, is_by_server=is_by_server, reason=standing.because)
 
 
 def _priced(covered: ContractCue) -> PricedCue:

@@ -99,6 +99,7 @@ EXAMPLES: dict[str, Any] = {
     "report": report(),
     "paid_on": "2026-11-20",
     "worked_on": "2026-11-20",
+    "shipped_on": "2026-11-20",
     "from_on": "2998-11-20",
     "until_on": "2998-11-21",
     "currency": "USD",

@@ -2089,6 +2089,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/contracts/{contract_id}/shipped": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Say Game Shipped
+         * @description Say that the game has shipped, which makes the bonus due that waits for it.
+         */
+        post: operations["say_game_shipped"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/contracts/{contract_id}/ledger": {
         parameters: {
             query?: never;
@@ -6421,6 +6441,34 @@ export interface components {
             rows: components["schemas"]["SpanRead"][][][];
         };
         /**
+         * BonusRead
+         * @description The bonus of a contract, and what became of it.
+         */
+        BonusRead: {
+            /** Amount Minor */
+            amount_minor: number;
+            when: components["schemas"]["BonusWhen"];
+            /** @description Null for a trigger in the parties' own words, which they see to. */
+            state: components["schemas"]["BonusState"] | null;
+            /**
+             * Because
+             * @description Why it is so; of a trigger in the parties' own words, these.
+             */
+            because: string;
+        };
+        /**
+         * BonusState
+         * @description What became of a bonus.
+         * @enum {string}
+         */
+        BonusState: "earned" | "possible" | "missed";
+        /**
+         * BonusWhen
+         * @description What sets a bonus off.
+         * @enum {string}
+         */
+        BonusWhen: "other" | "on_time" | "no_rejected_take" | "shipped";
+        /**
          * BoundRead
          * @description What a sealed file binds, and whom.
          */
@@ -10534,6 +10582,7 @@ export interface components {
             tax_minor: number;
             /** Open Tax Minor */
             open_tax_minor: number;
+            bonus: components["schemas"]["BonusRead"] | null;
             /** Lines */
             lines: components["schemas"]["LedgerLineRead"][];
         };
@@ -10650,7 +10699,7 @@ export interface components {
          * @description Why a line of the ledger was written.
          * @enum {string}
          */
-        LineKind: "deposit" | "accepted" | "held_back" | "cut" | "extra_round" | "worked_day" | "extra_work" | "late_interest" | "tax" | "reversed" | "paid" | "refunded";
+        LineKind: "deposit" | "accepted" | "held_back" | "cut" | "extra_round" | "worked_day" | "extra_work" | "late_interest" | "bonus" | "tax" | "reversed" | "paid" | "refunded";
         /**
          * ListComparison
          * @description The changes of the list between two revisions.
@@ -14104,6 +14153,17 @@ export interface components {
             max: number[];
             /** Rms */
             rms: number[];
+        };
+        /**
+         * Shipped
+         * @description The day on which the game shipped.
+         */
+        Shipped: {
+            /**
+             * Shipped On
+             * Format: date
+             */
+            shipped_on: string;
         };
         /**
          * ShortlistWrite
@@ -22009,6 +22069,68 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    say_game_shipped: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Shipped"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["LedgerRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `no-shipping-bonus` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `day-in-future` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };

@@ -26,6 +26,7 @@ export type PlanProposal = Schemas['PlanProposal']
 export type PlanChecked = Schemas['PlanChecked']
 export type Contract = Schemas['ContractRead']
 export type ListedCue = Schemas['CueRead']
+export type Bonus = Schemas['BonusRead']
 export type WorkedDay = Schemas['WorkedDayRead']
 export type WorkedDayAdd = Schemas['WorkedDayAdd']
 export type WorkLogAdd = Schemas['WorkLogAdd']
@@ -50,6 +51,17 @@ export const ledgerQuery = (contractId: string) =>
     queryKey: queryKeys.money('ledger', contractId),
     queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/ledger', of(contractId))),
   })
+
+/** Say on which day the game shipped: the bonus that waits for it is due. */
+export function useSayShipped(contractId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (shippedOn: string) =>
+      answered(api.POST('/v1/contracts/{contract_id}/shipped', { ...of(contractId), body: { shipped_on: shippedOn } })),
+    onSuccess: (ledger) => client.setQueryData(ledgerQuery(contractId).queryKey, ledger),
+    onSettled: () => invalidate(client, queryKeys.money.all, queryKeys.nextSteps.all),
+  })
+}
 
 export const invoicesQuery = (contractId: string) =>
   queryOptions({

@@ -15,7 +15,7 @@ from app.agreements.rules import ReleaseClause, WorkState
 from app.agreements.terms import KillFees
 from app.money.ending import statement_of
 from app.money.figures import figures_of
-from app.money.ledger_book import Entry, LedgerBook, Line, PayRules, PricedCue, settle_shares
+from app.money.ledger_book import Entry, LedgerBook, Line, PayRules, PricedCue, settle_bonus, settle_shares
 from app.money.rules import LineKind
 
 DEPOSIT_MINOR, ROUND_BP = 77_777, 1_250
@@ -41,6 +41,8 @@ class Life:
         self.lines: list[Line] = []
         self.write([Entry(LineKind.DEPOSIT, DEPOSIT_MINOR, "payment_plan", milestone_id=uuid4())])
         self.extras: list[int] = []
+        self.bonus_minor = 0
+        self.had_bonus = False
         self.is_ended = False
 
     @property
@@ -56,11 +58,24 @@ class Life:
 
     def settle(self) -> None:
         self.write(settle_shares(self.book, self.cues, self.rules))
+        if not self.is_ended:
+            self.write(settle_bonus(self.book, self.bonus_minor, is_earned=self.earns_the_bonus()))
+            self.had_bonus = self.earns_the_bonus()
+
+    def earns_the_bonus(self) -> bool:
+        """Whether every cue that was not cut is accepted, and some are."""
+        left = [cue for cue in self.cues if cue.cut_in is None]
+        return bool(left) and all(cue.is_accepted for cue in left)
+
+    def owed_bonus(self) -> int:
+        """Return what an early end leaves of a bonus: what was due before it."""
+        earned = self.had_bonus if self.is_ended else self.earns_the_bonus()
+        return self.bonus_minor if earned else 0
 
     def owed_by_the_model(self) -> int:
         """Return what must be owed by what happened, without any line."""
         deposit = 0 if self.is_ended and self.is_set_off else DEPOSIT_MINOR
-        return deposit + sum(self.extras) + sum(map(self._share, self.cues))
+        return deposit + sum(self.extras) + self.owed_bonus() + sum(map(self._share, self.cues))
 
     def _share(self, cue: PricedCue) -> int:
         if cue.cut_in is not None:
@@ -83,12 +98,15 @@ class Lives(RuleBasedStateMachine):
         holdbacks=st.lists(st.sampled_from([0, 999, 3_333]), min_size=CONTRACTS, max_size=CONTRACTS),
         prices=st.lists(st.lists(st.integers(0, 99_999), min_size=CUES, max_size=CUES), min_size=2, max_size=2),
         set_off=st.lists(st.booleans(), min_size=CONTRACTS, max_size=CONTRACTS),
+        bonuses=st.lists(st.sampled_from([0, 31_337]), min_size=CONTRACTS, max_size=CONTRACTS),
     )
-    def agree(self, releases, holdbacks, prices, set_off):
+    def agree(self, releases, holdbacks, prices, set_off, bonuses):
         self.lives = [
             Life(*given, is_set_off=is_set_off)
             for *given, is_set_off in zip(releases, holdbacks, prices, set_off, strict=True)
         ]
+        for life, bonus_minor in zip(self.lives, bonuses, strict=True):
+            life.bonus_minor = bonus_minor
 
     def running(self, which: int) -> Life | None:
         life = self.lives[which % CONTRACTS]
@@ -145,6 +163,20 @@ class Lives(RuleBasedStateMachine):
             life.extras.append(price)
             life.write([Entry(LineKind.EXTRA_WORK, price, "changes", milestone_id=life.milestones[0])])
 
+    @rule(which=st.integers(0, 1))
+    def accept_all(self, which):
+        """Accept every open cue: with the last one a bonus is due."""
+        if life := self.running(which):
+            for place, cue in enumerate(life.cues):
+                if not cue.is_settled:
+                    life.change(place, is_accepted=True)
+
+    @invariant()
+    def a_bonus_stands_once(self):
+        for life in self.lives:
+            standing = [line.amount_minor for line in life.book.standing(LineKind.BONUS)]
+            assert standing == [amount for amount in [life.owed_bonus()] if amount]
+
     @rule(which=st.integers(0, 1), states=st.lists(st.sampled_from(list(PARTS)), min_size=20, max_size=20))
     def end(self, which, states):
         """Settle: what the statement says, then exactly that in the ledger."""
@@ -178,7 +210,7 @@ class Lives(RuleBasedStateMachine):
         for life in self.lives:
             figures = figures_of(life.book, life.cues, DEPOSIT_MINOR, is_ended=life.is_ended)
             together = figures.paid_minor + figures.due_minor + figures.open_minor + figures.saved_minor
-            whole = DEPOSIT_MINOR + sum(cue.amount_minor for cue in life.cues) + sum(life.extras)
+            whole = DEPOSIT_MINOR + sum(cue.amount_minor for cue in life.cues) + sum(life.extras) + life.owed_bonus()
             assert together == figures.agreed_minor == whole
             assert figures.open_minor >= 0
             assert figures.saved_minor >= 0

@@ -13,6 +13,7 @@ const KINDS = {
   worked_day: 'Day worked',
   extra_work: 'Extra work',
   late_interest: 'Late interest',
+  bonus: 'Bonus',
   tax: 'Tax',
   reversed: 'Reversed',
   paid: 'Paid',

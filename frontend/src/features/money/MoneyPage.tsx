@@ -10,6 +10,7 @@ import { MoneyLine } from '@/money/MoneyLine'
 import { EmptyState } from '@/ui/EmptyState'
 import { ProblemNote } from '@/ui/ProblemNote'
 
+import { BonusCard } from './BonusCard'
 import { CalendarCard } from './CalendarCard'
 import { DaysCard } from './DaysCard'
 import { EstimatesCard } from './EstimatesCard'
@@ -103,6 +104,7 @@ function Contract({ contract, projectId, side, isProducer, withCalendar }: Contr
           of={contract.title}
           end={`${contract.title}, ${contract.designer.name}`}
         />
+        <BonusCard contract={contract} isProducer={isProducer} />
         {grows > 0 && <p className="small mid">Each milestone is {grows.toFixed(1)} days later than the one before.</p>}
         <RoundsCard rounds={contract.proposed_rounds} title={contract.title} side={side} isProducer={isProducer} />
         {(isProducer || side === 'designer') && (

@@ -42,10 +42,10 @@ export function PeoplePage() {
           <div className="stack">
             <DesignersCard project={project} />
             <TeamCard project={project} members={members} />
+            <CategoriesCard project={project} members={members} />
           </div>
           <div className="stack">
             <ApproverCard project={project} members={members} />
-            <CategoriesCard project={project} members={members} />
             <DeputiesCard project={project} members={members} />
           </div>
         </div>

@@ -14,7 +14,7 @@ import { Refusal } from '../Refusal'
 import { candidatesOf } from './candidates'
 import classes from './People.module.css'
 
-/** Stands for the project's approver in a choice of approvers. */
+/** The value of the project’s approver in a choice of approvers. */
 const OF_PROJECT = 'project'
 
 /** The approver of each category of the sound list: the project's, or one of its own. */
@@ -31,7 +31,7 @@ export function CategoriesCard({
   const cues = new Map(categories?.map((one) => [one.category, one.cues]))
   const shown = [...new Set([...cues.keys(), ...named.keys()])].filter(Boolean).sort((a, b) => a.localeCompare(b))
   const choices = [
-    { value: OF_PROJECT, label: `${project.approver.name}, the project’s approver` },
+    { value: OF_PROJECT, label: `${project.approver.name} (project)` },
     ...candidatesOf(project, members)
       .filter(({ person }) => person.id !== project.approver.id)
       .map(({ person }) => ({ value: person.id, label: person.name })),
@@ -78,7 +78,7 @@ export function CategoriesCard({
       )}
       <Rows aria-label="Categories">
         {shown.map((category) => (
-          <Row key={category} className={classes.person}>
+          <Row key={category}>
             <div className="grow">
               <p className="strong">{category}</p>
               <p className="small mid">{plural(cues.get(category) ?? 0, 'cue')}</p>

@@ -45,13 +45,13 @@ test('a category gets its own approver, and undo gives it back', async () => {
   const rows = await within(list).findAllByRole('listitem')
   expect(rows.map((row) => row.querySelector('.grow')?.textContent)).toEqual(['ui12 cues', 'weapon1 cue'])
   const ui = within(list).getByRole('combobox', { name: 'Approver of ui' })
-  expect(ui).toHaveValue('Audio director, the project’s approver')
+  expect(ui).toHaveValue('Audio director (project)')
   await userEvent.click(ui)
   await userEvent.click(await screen.findByRole('option', { name: 'Producer' }))
   expect(await screen.findByText('Producer approves ui now.')).toBeVisible()
   expect(ui).toHaveValue('Producer')
   await userEvent.click(screen.getByRole('button', { name: /Undo/ }))
-  await vi.waitFor(() => expect(ui).toHaveValue('Audio director, the project’s approver'))
+  await vi.waitFor(() => expect(ui).toHaveValue('Audio director (project)'))
   expect(wrote(asked, 'PUT /v1/projects/p1/category-approvers').map(({ body }) => body)).toEqual([
     { category: 'ui', person_id: people.producer.id },
     { category: 'ui', person_id: null },
