@@ -1,5 +1,6 @@
 """Random lawful lives of a contract: the ledger stays balanced, and every line can be followed."""
 
+from dataclasses import replace
 from uuid import UUID, uuid4
 
 import pytest
@@ -21,6 +22,8 @@ from app.money.ledger_book import (
     PayRules,
     PricedCue,
     allocate,
+    open_lines,
+    paid_cues,
     price_of_round,
     refund,
     settle_shares,
@@ -287,3 +290,49 @@ def test_what_is_held_back_comes_with_the_last_cue():
     every = [PricedCue(cue.cue_id, cue.milestone_id, 18_000, is_accepted=True) for cue in cues]
     due = settle_shares(LedgerBook(lines, "USD"), every, rules)
     assert sorted(entry.amount_minor for entry in due) == [1_800, 1_800, 1_800, 16_200, 16_200]
+
+
+def paid(line: Line, amount_minor: int) -> Line:
+    return written(Entry(LineKind.PAID, amount_minor, "payment", line.cue_id, line.milestone_id, line.id))
+
+
+def test_a_cue_is_paid_with_its_last_cent():
+    cues, book = alpha()
+    accepted = [replace(cues[0], is_accepted=True), *cues[1:]]
+    lines = [written(entry) for entry in settle_shares(book, accepted, PayRules())]
+
+    def seen(*payments: Line) -> tuple[set[UUID], list[list[Line] | None]]:
+        book = LedgerBook([*lines, *payments], "USD")
+        return paid_cues(book, accepted), [open_lines(book, cue) for cue in accepted]
+
+    assert seen() == (set(), [lines, None, None])
+    assert seen(paid(lines[0], 17_999)) == (set(), [lines, None, None])
+    assert seen(paid(lines[0], 18_000)) == ({cues[0].cue_id}, [[], None, None])
+
+
+def test_a_cue_of_which_a_share_is_held_back_is_open_and_not_paid_in_full():
+    cues, book = alpha()
+    accepted = [replace(cues[0], is_accepted=True), *cues[1:]]
+    lines = [written(entry) for entry in settle_shares(book, accepted, PayRules(holdback_bp=1_000))]
+    book = LedgerBook([*lines, paid(lines[0], 16_200)], "USD")
+    assert (paid_cues(book, accepted), open_lines(book, accepted[0])) == (set(), [])
+
+
+def test_a_cue_without_a_price_is_paid_with_the_whole_contract():
+    cue = PricedCue(uuid4(), uuid4(), 0, is_accepted=True)
+    day = written(Entry(LineKind.WORKED_DAY, 50_000, "rates"))
+    owed, settled = LedgerBook([day], "USD"), LedgerBook([day, paid(day, 50_000)], "USD")
+    assert (paid_cues(owed, [cue]), open_lines(owed, cue)) == (set(), [day])
+    assert (paid_cues(settled, [cue]), open_lines(settled, cue)) == ({cue.cue_id}, [])
+
+
+def test_the_credit_for_a_share_taken_back_pays_for_the_one_in_its_place():
+    cues, book = alpha()
+    accepted = [replace(cues[0], is_accepted=True), *cues[1:]]
+    lines = [written(entry, invoice_id=uuid4()) for entry in settle_shares(book, accepted, PayRules())]
+    lines.append(paid(lines[0], 18_000))
+    lines += [written(entry) for entry in settle_shares(LedgerBook(lines, "USD"), cues, PayRules())]
+    assert [line.amount_minor for line in lines] == [18_000, 18_000, -18_000]
+    lines += [written(entry) for entry in settle_shares(LedgerBook(lines, "USD"), accepted, PayRules())]
+    assert [line.amount_minor for line in lines[3:]] == [18_000]
+    assert open_lines(LedgerBook(lines, "USD"), accepted[0]) == []

@@ -46,7 +46,16 @@ def test_cue_points():
     assert read_cue(payload(chunks.cue({})), {}) == ()
 
 
-@pytest.mark.parametrize("content", [b"", b"\1\0\0", struct.pack("<I", 2) + bytes(24), struct.pack("<I", 0xFFFFFFFF)])
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"",
+        b"\1\0\0",
+        struct.pack("<I", 2) + bytes(24),
+        struct.pack("<I", 2) + bytes(47),  # a byte short
+        struct.pack("<I", 0xFFFFFFFF),
+    ],
+)
 def test_a_damaged_cue_chunk(content):
     with pytest.raises(ValueError, match='"cue "'):
         read_cue(content, {})
@@ -58,6 +67,8 @@ def test_a_note_beyond_midi_is_none():
 
     assert read_smpl(of(127)).unity_note == 127
     assert read_smpl(of(128)).unity_note is None
+    assert read_inst(bytes([127, *bytes(6)])).unity_note == 127
+    assert read_inst(bytes([128, *bytes(6)])).unity_note is None
 
 
 def test_notes():

@@ -2,6 +2,7 @@
 
 import json
 import math
+from dataclasses import replace
 
 import jsonschema_rs
 import pytest
@@ -67,7 +68,17 @@ def test_the_json_holds_to_its_schema():
         "end_s": 1.3,
     }
     assert document["spec"] == {"name": "Shield Wing", "sha256": "c" * 64}
+    assert "specs" not in document
     assert document["not_run"] == ["baked-reverb"]
+
+
+def test_several_specs_are_listed_and_none_is_the_spec():
+    two = (SpecRef("Shield Wing", "c" * 64), SpecRef("Shield Wing: UI", "d" * 64))
+    document = json.loads(dumps(replace(REPORT, specs=two).to_dict()))
+    jsonschema_rs.validator_for(schema()).validate(document)
+    assert document["spec"] is None
+    assert [spec["name"] for spec in document["specs"]] == ["Shield Wing", "Shield Wing: UI"]
+    assert Report.from_dict(document).specs == two
 
 
 @pytest.mark.parametrize("wrong", [{"schema_version": 2}, {"files": [{}]}, {"summary": {"files": -1}}])
