@@ -37,3 +37,9 @@ def test_the_largest_remainder_gets_the_cent():
 def test_no_cues_share_nothing():
     with pytest.raises(NothingToSplit, match="over no cues"):
         split(100, [])
+
+
+@pytest.mark.parametrize(("amount", "weights"), [(-1, [1]), (100, [2, -1])])
+def test_amounts_and_weights_below_zero_are_refused(amount, weights):
+    with pytest.raises(ValueError, match="zero or more"):
+        split(amount, weights)
