@@ -21,16 +21,40 @@ class MarkedClause:
 
 
 def marked_clauses(
-    base: Text, redlines: Sequence[Redline], facts: Mapping[str, str], currency: str
+    base: Text, redlines: Sequence[Redline], facts: Mapping[str, str], currency: str, sent_text: str
 ) -> list[MarkedClause]:
-    """Return the clauses of a text that stand, with those that are proposed in their places."""
-    return _Marking(base, redlines, facts, currency).clauses()
+    """Return the clauses of a text that stand, with those that are proposed in their places.
+
+    A clause that nothing changes reads as it was sent; one that is changed is filled in with the facts of today before
+    and after, so that what differs is the change alone.
+    """
+    return _Marking(base, redlines, facts, currency, sent_text).clauses()
+
+
+def clauses_as_sent(text: str, clauses: Sequence[Clause]) -> dict[str, str]:
+    """Return by key what a text says of each clause that stands, without its heading."""
+    found: dict[str, str] = {}
+    place, key = 0, None
+    for number, clause in enumerate((clause for clause in clauses if clause.stands), start=1):
+        heading = f"\n\n## {number}. {literal(clause.title)}\n\n"
+        begins = text.find(heading, max(place - 2, 0))  # an empty clause shares its blank line
+        if begins < 0:
+            continue
+        if key is not None:
+            found[key] = text[place:begins]
+        place, key = begins + len(heading), clause.key
+    if key is not None:
+        found[key] = text[place:]
+    return found
 
 
 class _Marking:
-    def __init__(self, base: Text, redlines: Sequence[Redline], facts: Mapping[str, str], currency: str) -> None:
+    def __init__(
+        self, base: Text, redlines: Sequence[Redline], facts: Mapping[str, str], currency: str, sent_text: str
+    ) -> None:
         self._clauses, self._terms = base
         self._redlines, self._facts, self._currency = redlines, facts, currency
+        self._as_sent = clauses_as_sent(sent_text, self._clauses)
         self._chars_left = MAX_CHARS
 
     def clauses(self) -> list[MarkedClause]:
@@ -50,7 +74,11 @@ class _Marking:
         self, key: str, number: int | None, clause: Clause | None, redline: Redline | None, after: Terms
     ) -> MarkedClause:
         if redline is None:  # its terms may be changed in another clause
-            return MarkedClause(key, number, self._compared(clause, clause, after), (), None)
+            lines = self._compared(clause, clause, after)
+            if clause and key in self._as_sent and all(line.change == "same" for line in lines):
+                sent = _markdown(Clause(key, clause.title, self._as_sent[key]))
+                lines = [Compared(line.kind, "same", [Run("both", line.text)]) for line in lines_of(sent)]
+            return MarkedClause(key, number, lines, (), None)
         proposed = None
         if redline.kind is not RedlineKind.STRIKE:
             proposed = Clause(key, redline.wording.title, redline.wording.text)

@@ -96,7 +96,7 @@ class Redline:
 
     @property
     def current_wording(self) -> Wording | None:
-        """The wording that stands for now: as proposed while it is open; None where it is refused."""
+        """The wording so far: as proposed while it is open; None where it is refused."""
         return self.agreed_wording if self.answer else self.wording
 
     def as_facts(self) -> dict[str, Any]:
@@ -142,7 +142,7 @@ class Round:
 
 
 def rounds_of(entries: Iterable[tuple[str, datetime, Mapping[str, Any]]]) -> list[Round]:
-    """Return the rounds that a record tells of, in order, from the kind, instant and payload of its entries."""
+    """Return the rounds of a record, in order, from the kind, instant and payload of its entries."""
     rounds: list[Round] = []
     for kind, at, said in entries:
         if kind == PROPOSED:

@@ -6,8 +6,9 @@ from uuid import UUID
 from pydantic import ConfigDict, Field
 
 from app.accounts.schemas import Prose
+from app.agreements.comparison_schemas import ComparedRead
 from app.agreements.redline_rules import AnswerKind, RedlineKind
-from app.agreements.schemas import ComparedRead, DraftProblem
+from app.agreements.schemas import DraftProblem
 from app.kit.http import LARGEST_NUMBER, Schema
 
 

@@ -51,7 +51,7 @@ from app.kit.events import publish
 
 
 def rounds(session: Session, contract: Contract) -> list[Round]:
-    """Return the rounds of redlines of a contract, in order, as its record tells them."""
+    """Return the rounds of redlines in the record of a contract, in order."""
     events = queries.events_of_kinds(session, contract.id, (PROPOSED, ANSWERED, SENT))
     return rounds_of((event.kind, event.at, json.loads(event.payload)) for event in events)
 
@@ -106,7 +106,7 @@ def preview(
     problems = _problems(changes, clauses, terms)
     broken = {problem["where"] for problem in problems}
     whole = [change for index, change in enumerate(changes) if f"changes.{index}" not in broken]
-    return _marked(session, contract, (clauses, terms), numbered(whole, 1)), problems
+    return _marked(session, contract, sent, numbered(whole, 1)), problems
 
 
 def answer(
@@ -182,15 +182,19 @@ def ensure_answered(session: Session, contract: Contract, text: Text) -> None:
 
 def marked(session: Session, contract: Contract, round_: Round) -> list[MarkedClause]:
     """Return the text that a round is about, clause by clause, with what is proposed and countered as marks."""
-    return _marked(session, contract, _base(session, contract, round_), round_.redlines)
+    return _marked(session, contract, _base_version(session, contract, round_), round_.redlines)
 
 
 def _base(session: Session, contract: Contract, round_: Round) -> Text:
-    """Return the text that a round is about."""
+    return text_of(_base_version(session, contract, round_))
+
+
+def _base_version(session: Session, contract: Contract, round_: Round) -> ContractVersion:
+    """Return the version that a round is about."""
     version = queries.version_by_number(session, contract.id, round_.version)
     if version is None:
         raise ContractVersionNotFound(f"this contract has no version {round_.version}")
-    return text_of(version)
+    return version
 
 
 def _to_propose(session: Session, actor: Actor, contract_id: UUID) -> Contract:
@@ -209,10 +213,12 @@ def _problems(changes: Sequence[Change], clauses: Sequence[Clause], terms: Terms
     return [FieldProblem(where=where, message=message) for where, message in faults_of_changes(changes, clauses, terms)]
 
 
-def _marked(session: Session, contract: Contract, base: Text, redlines: Sequence[Redline]) -> list[MarkedClause]:
-    clauses, terms = base
+def _marked(
+    session: Session, contract: Contract, sent: ContractVersion, redlines: Sequence[Redline]
+) -> list[MarkedClause]:
+    clauses, terms = text_of(sent)
     # Before the NDA is agreed its designer may know nothing but what the text says that was sent.
     known = clause_rules.names_in([clause for clause in clauses if clause.stands])
     facts = facts_of(session, contract, terms_in_force(clauses, terms))
     told = {name: value for name, value in facts.items() if name in known}
-    return marked_clauses(base, redlines, told, contract.currency)
+    return marked_clauses((clauses, terms), redlines, told, contract.currency, sent.text)

@@ -9,7 +9,7 @@ from fastapi import Path, Query, Response
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.agreements import comparison, heads, queries, record, schemas, versions
+from app.agreements import comparison, comparison_schemas, heads, queries, record, schemas, versions
 from app.agreements.access import visible_contract
 from app.agreements.documents import PDF
 from app.agreements.errors import (
@@ -20,6 +20,7 @@ from app.agreements.errors import (
 from app.agreements.models import ContractVersion
 from app.agreements.template_endpoints import attachment
 from app.agreements.text import Block, blocks_of
+from app.agreements.word_document import DOCX, Earlier, Heading, word_document
 from app.kit.fair_share import FairShare, TooManyAtOnce
 from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
 
@@ -97,6 +98,37 @@ def download_contract_pdf(
 
 
 @router.get(
+    "/contracts/{contract_id}/versions/{version}/contract.docx",
+    response_class=Response,
+    responses={
+        **problems(ContractNotFound, ContractVersionNotFound, TooLongToCompare, TooManyAtOnce),
+        200: {"content": {DOCX: {"schema": {"type": "string", "format": "binary"}}}},
+    },
+)
+def download_contract_docx(
+    contract_id: UUID,
+    version: VersionNumber,
+    session: DbSession,
+    against: Annotated[int | None, Query(ge=1, le=2**31 - 1)] = None,
+    actor: Actor = allows(Audience.PROJECT),
+) -> Response:
+    """Return a version as a Word document, with tracked changes against another one if one is named."""
+    contract = visible_contract(session, actor, contract_id)
+    found = versions.visible_version(session, actor, contract, version)
+    name = f"{contract.title}, version {version}"
+    standing = [row for row in found.clauses if row["stands"]]
+    headings = [Heading(row["key"], f"{number}. {row['title']}") for number, row in enumerate(standing, start=1)]
+    with COMPARISONS.of(actor.person):
+        earlier = None
+        if against is not None:
+            other = versions.visible_version(session, actor, contract, against)
+            earlier = Earlier(other.text, found.author.name, found.created_at)
+            name = f"{name}, changes since version {against}"
+        document = word_document(found.text, headings, earlier)
+    return Response(document, media_type=DOCX, headers=attachment(f"{name}.docx"))
+
+
+@router.get(
     "/contracts/{contract_id}/comparison",
     responses=problems(ContractNotFound, ContractVersionNotFound, TooLongToCompare, TooManyAtOnce),
 )
@@ -106,17 +138,17 @@ def compare_contract_versions(
     from_version: Annotated[int, Query(ge=1, le=2**31 - 1)],
     to_version: Annotated[int, Query(ge=1, le=2**31 - 1)],
     actor: Actor = allows(Audience.PROJECT),
-) -> schemas.ComparisonRead:
+) -> comparison_schemas.ComparisonRead:
     """Return two versions word by word."""
     contract = visible_contract(session, actor, contract_id)
     earlier = versions.visible_version(session, actor, contract, from_version)
     later = versions.visible_version(session, actor, contract, to_version)
     with COMPARISONS.of(actor.person):
         lines = comparison.compare(earlier.text, later.text)
-        return schemas.ComparisonRead(
+        return comparison_schemas.ComparisonRead(
             from_version=from_version,
             to_version=to_version,
-            lines=[schemas.ComparedRead.model_validate(line) for line in lines],
+            lines=[comparison_schemas.ComparedRead.model_validate(line) for line in lines],
         )
 
 

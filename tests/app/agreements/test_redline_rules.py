@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from app.agreements.clauses import Clause, Terms
 from app.agreements.comparison import MAX_CHARS
-from app.agreements.redline_marks import marked_clauses
+from app.agreements.redline_marks import clauses_as_sent, marked_clauses
 from app.agreements.redline_rules import (
     Answer,
     AnswerKind,
@@ -134,14 +134,24 @@ def test_two_values_for_one_term_are_named():
 
 def test_a_value_that_changes_is_marked_wherever_it_is_read():
     redlines = numbered([Change(RedlineKind.REPLACE, "a", None, Wording("A", "a {days}.", {"days": 11}))], 1)
-    marked = {one.key: one for one in marked_clauses((BASE, TERMS), redlines, {}, "USD")}
+    marked = {one.key: one for one in marked_clauses((BASE, TERMS), redlines, {}, "USD", "")}
     assert {run.text for line in marked["c"].lines for run in line.runs if run.is_in != "both"} == {"10.", "11."}
     refused = [answered(redlines[0], AnswerKind.REFUSED)]
-    marked = {one.key: one for one in marked_clauses((BASE, TERMS), refused, {}, "USD")}
+    marked = {one.key: one for one in marked_clauses((BASE, TERMS), refused, {}, "USD", "")}
     assert {line.change for line in marked["c"].lines} == {"same"}
+
+
+def test_a_clause_that_nothing_changes_reads_as_it_was_sent():
+    sent = "# T\n\n## 1. A\n\na 9.\n\n## 2. B\n\nb 9.\n\n## 3. Other\n\nb too.\n\n## 3. C\n\nc 9.\n"
+    assert clauses_as_sent(sent, BASE) == {"a": "a 9.", "b": "b 9.\n\n## 3. Other\n\nb too.", "c": "c 9.\n"}
+    change = Change(RedlineKind.REPLACE, "a", None, Wording("A", "new {days}."))
+    marked = marked_clauses((BASE, TERMS), numbered([change], 1), {}, "USD", sent)
+    read = {one.key: [run.text for line in one.lines for run in line.runs] for one in marked}
+    assert read["a"] == ["A", "a", "new", " 10."], "before and after by the facts of today"
+    assert read["c"] == ["C", "c 9."]
 
 
 def test_a_text_too_long_for_words_is_marked_by_paragraphs():
     long = Change(RedlineKind.REPLACE, "a", None, Wording("A", "word " * (MAX_CHARS // 5)))
-    (first, *_) = marked_clauses((BASE, TERMS), numbered([long], 1), {}, "USD")
+    (first, *_) = marked_clauses((BASE, TERMS), numbered([long], 1), {}, "USD", "")
     assert [line.change for line in first.lines] == ["removed", "removed", "added", "added"]

@@ -47,9 +47,19 @@ export function ComparePage() {
                 : `${plural(changed.length, 'paragraph')} of ${contract?.title ?? 'the contract'} differ between version ${from} and ${to}.`)}
           </p>
         </div>
-        <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contractId}`}>
-          Back to contract
-        </ButtonLink>
+        <div className={classes.buttons}>
+          {changed.length > 0 && (
+            <ButtonLink
+              icon="download"
+              href={`/v1/contracts/${contractId}/versions/${to}/contract.docx?against=${from}`}
+            >
+              Word, with tracked changes
+            </ButtonLink>
+          )}
+          <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contractId}`}>
+            Back to contract
+          </ButtonLink>
+        </div>
       </div>
       <Refusal error={error ?? compared.error} />
       {numbers.length === 1 && (

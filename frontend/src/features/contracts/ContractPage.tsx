@@ -108,9 +108,15 @@ function Steps({ contract, projectId }: { contract: Contract; projectId: string 
         {may.request_change && (
           <div className={classes.inner}>
             <p>Or change the text yourself, clause by clause. The studio answers each change.</p>
-            <ButtonLink component={Link} icon="pencil" to={`/projects/${projectId}/contracts/${contract.id}/redlines`}>
-              Propose changes
-            </ButtonLink>
+            <div className={classes.buttons}>
+              <ButtonLink
+                component={Link}
+                icon="pencil"
+                to={`/projects/${projectId}/contracts/${contract.id}/redlines`}
+              >
+                Propose changes
+              </ButtonLink>
+            </div>
           </div>
         )}
         {may.request_change && <AskChange contract={contract} />}
@@ -127,9 +133,15 @@ function SendIt({ contract, projectId }: { contract: Contract; projectId: string
     return (
       <>
         <p>{`Accept, refuse or counter each change that ${contract.designer.name} proposes. Then the next version can be sent.`}</p>
-        <ButtonLink component={Link} variant="primary" to={`/projects/${projectId}/contracts/${contract.id}/redlines`}>
-          {`Answer ${plural(unanswered, 'change')}`}
-        </ButtonLink>
+        <div className={classes.buttons}>
+          <ButtonLink
+            component={Link}
+            variant="primary"
+            to={`/projects/${projectId}/contracts/${contract.id}/redlines`}
+          >
+            {`Answer ${plural(unanswered, 'change')}`}
+          </ButtonLink>
+        </div>
       </>
     )
   }
@@ -289,6 +301,14 @@ function Versions({ contract, projectId }: { contract: Contract; projectId: stri
               <p>{`Version ${number}${note ? `: ${note}` : ''}`}</p>
               <p className="small mid">{`${author.name}, ${day(created_at)}`}</p>
             </div>
+            <ButtonLink
+              variant="quiet"
+              icon="download"
+              href={`/v1/contracts/${contract.id}/versions/${number}/contract.docx`}
+              aria-label={`Version ${number} for Word`}
+            >
+              Word
+            </ButtonLink>
             {pdf_sha256 !== null && (
               <ButtonLink
                 variant="quiet"
