@@ -131,6 +131,24 @@ def test_the_approver_is_reminded_once_each_time(moved: MovedClock) -> None:
     assert moved.agreed.owed() == []
 
 
+def test_todays_deputy_of_the_categorys_approver_is_reminded_too(moved: MovedClock) -> None:
+    world = moved.agreed.world
+    project = f"/v1/projects/{world.project_id}"
+    assert world.producer.put(f"{project}/liaisons/{world.reviewer_id}").status_code == 200
+    named = {"category": "ui", "person_id": str(world.reviewer_id)}
+    assert world.producer.put(f"{project}/category-approvers", json=named).status_code == 200
+    today = datetime.now(UTC).date()
+    deputy = {"person_id": str(world.reviewer_id), "deputy_id": str(world.producer_id)}
+    span = {"from_on": str(today - days(2)), "until_on": str(today + days(2))}
+    assert world.producer.post(f"{project}/deputies", json=deputy | span).status_code == 201
+    cue = moved.agreed.cue(category="ui")
+    moved.agree(cue, moved.agreed.take(cue))
+    moved.apply_deemed(FRIDAY + days(5))
+    reminded = {recipient for recipient, subject, _ in moved.mails() if "review soon" in subject}
+    assert reminded == {str(world.reviewer_id), str(world.producer_id)}
+    assert moved.entries() == ["planned", "reminded", "reminded"]
+
+
 def test_when_the_days_are_over_the_cue_is_accepted_as_by_an_approval(moved: MovedClock) -> None:
     agreed, world = moved.agreed, moved.agreed.world
     cue = agreed.cue()

@@ -51,7 +51,7 @@ export function ApproverCard({ project, members = [] }: { project: Project; memb
   const fields = name.error instanceof ApiProblem && name.error.errors.length > 0
   return (
     <Card aria-labelledby="approver">
-      <CardHead id="approver" title="Approver" note="approves or returns every sound" />
+      <CardHead id="approver" title="Approver" note={ofWhat(project)} />
       <div className={classes.approver}>
         <Face name={approver.name} filled />
         <div className="grow">
@@ -124,6 +124,10 @@ export function ApproverCard({ project, members = [] }: { project: Project; memb
     </Card>
   )
 }
+
+/** What the project's approver approves: every sound, but for categories with an approver of their own. */
+const ofWhat = ({ category_approvers: own }: Project): string =>
+  own.length === 0 ? 'approves or returns every sound' : 'approves or returns every other sound'
 
 /** An address becomes the approver in one step: a member at once, others when they join. */
 function InviteApprover({ project }: { project: Project }) {

@@ -53,6 +53,9 @@ export function TeamCard({ project, members }: { project: Project; members: read
             ...roles.filter((role) => role !== 'liaison'),
             ...(isLiaison ? ['audio lead'] : []),
             ...(person.id === project.approver.id ? ['approver'] : []),
+            ...project.category_approvers
+              .filter(({ approver }) => approver.id === person.id)
+              .map(({ category }) => `approver of ${category}`),
           ]
           return (
             <Row key={person.id} className={classes.person}>

@@ -79,6 +79,8 @@ test('who names nobody sees who approves what', async () => {
   const list = await screen.findByRole('list', { name: 'Categories' })
   expect(within(list).getByText('Composer')).toBeVisible()
   expect(within(list).queryByRole('combobox')).toBeNull()
+  expect(screen.getByText('approves or returns every other sound')).toBeVisible()
+  expect(await screen.findByText(/^reviewer, approver of ui/)).toBeVisible()
   expect(await screen.findByText('Producer for Audio director')).toBeVisible()
   expect(screen.queryByRole('form', { name: 'Name a deputy' })).toBeNull()
 })
