@@ -316,6 +316,7 @@ describe('the next step', () => {
   test('is named first, with what else there is, and what others are to do', async () => {
     server.on(`GET /v1/projects/${PROJECT}`, {
       approver: { id: 'approver', name: 'Audio director' },
+      category_approvers: [],
       liaisons: [],
       engagements: [{ designer: { id: 'ada', name: 'Ada' } }],
     })
