@@ -1,19 +1,22 @@
 """The names of a project's list, ready to match files against: built once for each revision of the list."""
 
-from collections import OrderedDict
-from collections.abc import Collection, Sequence
-from dataclasses import dataclass
-from threading import Lock
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass, field
+from typing import Any, TypeVar
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
 import audio_checks
+from app.kit.lru_cache import LRUCache
 from app.projects.models import Project
 from app.sound_lists import queries
 from app.sound_lists.rules import label
 
 INDEXES_KEPT = 8  # of some 20 MB for 10,000 cues
+ANSWERS_KEPT = 4_000  # of each; a tray is read again and again while a thousand files come
+
+Found = TypeVar("Found")  # a match, or None; or guesses
 
 
 @dataclass(frozen=True)
@@ -36,16 +39,29 @@ class ListNames:
 
     index: audio_checks.NameIndex
     cues: dict[UUID, audio_checks.ListedCue]
+    _answers: LRUCache[tuple[object, ...], tuple[Any]] = field(default_factory=lambda: LRUCache(ANSWERS_KEPT))
 
     def sure(self, file_name: str, people: Sequence[str], prefixes: Collection[str] = ()) -> MatchedCue | None:
         """Return the one cue and variation that a file is for by its name; None in any doubt."""
+        return self._once(self._sure, file_name, tuple(people), frozenset(prefixes))
+
+    def guesses(self, file_name: str, people: Sequence[str], prefixes: Collection[str] = ()) -> list[MatchedCue]:
+        """Return up to three cues that a file may be for, the likeliest first."""
+        return self._once(self._guesses, file_name, tuple(people), frozenset(prefixes))
+
+    def _once(self, find: Callable[..., Found], *given: object) -> Found:
+        """Return what is found for these names, from before where they were asked about before."""
+        key = (find.__name__, *given)
+        kept: tuple[Found] | None = self._answers.get(key)
+        return (kept or self._answers.keep(key, (find(*given),)))[0]
+
+    def _sure(self, file_name: str, people: Sequence[str], prefixes: Collection[str]) -> MatchedCue | None:
         found = self.index.sure(file_name, people, prefixes)
         if found is None:
             return None
         return self._matched(UUID(str(found.cue)), found.variation, "the name fits no other", found.alternate)
 
-    def guesses(self, file_name: str, people: Sequence[str], prefixes: Collection[str] = ()) -> list[MatchedCue]:
-        """Return up to three cues that a file may be for, the likeliest first."""
+    def _guesses(self, file_name: str, people: Sequence[str], prefixes: Collection[str]) -> list[MatchedCue]:
         return [
             self._matched(UUID(str(guess.cue)), guess.variation, guess.why, None)
             for guess in self.index.guesses(file_name, people, prefixes)
@@ -58,27 +74,7 @@ class ListNames:
         return MatchedCue(cue_id, cue.label, cue.name, stem, variation, cue.variations, reason, alternate)
 
 
-class _Kept:
-    """The least recently used list is dropped first; threads may share it."""
-
-    def __init__(self) -> None:
-        self._lock = Lock()
-        self._names: OrderedDict[tuple[object, ...], ListNames] = OrderedDict()
-
-    def get(self, key: tuple[object, ...]) -> ListNames | None:
-        with self._lock:
-            if key in self._names:
-                self._names.move_to_end(key)
-            return self._names.get(key)
-
-    def put(self, key: tuple[object, ...], names: ListNames) -> None:
-        with self._lock:
-            self._names[key] = names
-            while len(self._names) > INDEXES_KEPT:
-                self._names.popitem(last=False)
-
-
-_kept = _Kept()
+_kept: LRUCache[tuple[object, ...], ListNames] = LRUCache(INDEXES_KEPT)
 
 
 def list_names(session: Session, project_id: UUID) -> ListNames:
@@ -102,5 +98,5 @@ def list_names(session: Session, project_id: UUID) -> ListNames:
         }
         index = audio_checks.NameIndex(cues.values(), [project.name, project.cue_prefix])
         names = ListNames(index, cues)
-        _kept.put(key, names)
+        _kept.keep(key, names)
     return names

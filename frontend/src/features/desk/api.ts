@@ -43,7 +43,8 @@ export interface Change {
 const POLL_MS = 1000
 /** Asking for a thousand rows every second would keep the server from checking them. */
 const SLOW_POLL_MS = 4000
-const MANY = 200
+/** For each file in the answer: a thousand take the server a second to write. */
+const POLL_MS_EACH = 10
 /** A file that has no picture after so long could not be read as a sound. */
 const DRAWN_WITHIN_MS = 60_000
 
@@ -57,7 +58,9 @@ export const useDesk = (projectId: string) =>
   useQuery({
     ...deskQuery(projectId),
     refetchInterval: ({ state: { data } }) =>
-      data && (data.checking > 0 || data.came_back.some(isBeingDrawn)) ? POLL_MS : false,
+      data && (data.checking > 0 || data.came_back.some(isBeingDrawn))
+        ? Math.max(POLL_MS, POLL_MS_EACH * data.checking)
+        : false,
   })
 
 /** The delivery that files go into now: the newest one that is not closed. */
@@ -92,7 +95,7 @@ export const useDelivery = (deliveryId: string | undefined) =>
     ...deliveryQuery(deliveryId ?? ''),
     enabled: deliveryId !== undefined,
     refetchInterval: ({ state: { data } }) =>
-      data && isMoving(data) ? (data.takes.length > MANY ? SLOW_POLL_MS : POLL_MS) : false,
+      data && isMoving(data) ? Math.max(POLL_MS, POLL_MS_EACH * data.takes.length) : false,
   })
 
 export const addTake = (deliveryId: string, body: Schemas['TakeAdd']) =>

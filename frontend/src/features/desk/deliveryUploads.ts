@@ -23,6 +23,8 @@ import {
 
 /** Of a thousand files each changes the lists; reading those again for each of them would keep the server busy. */
 const REFRESH_EVERY_MS = 2_000
+/** Longer for each file that came: the lists grow with them. */
+const REFRESH_MS_EACH = 8
 
 /** Files on their way into one project. They go on while other pages are looked at. */
 export class DeliveryUploads {
@@ -104,7 +106,8 @@ export class DeliveryUploads {
   }
 
   #refreshSoon(): void {
-    const wait = Math.max(0, this.#refreshedAt + REFRESH_EVERY_MS - performance.now())
+    const everyMs = REFRESH_EVERY_MS + REFRESH_MS_EACH * this.#takes.size
+    const wait = Math.max(0, this.#refreshedAt + everyMs - performance.now())
     if (this.#refreshing !== undefined) return
     this.#refreshing = setTimeout(() => {
       this.#refreshing = undefined
