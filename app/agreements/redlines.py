@@ -220,5 +220,5 @@ def _marked(
     # Before the NDA is agreed its designer may know nothing but what the text says that was sent.
     known = clause_rules.names_in([clause for clause in clauses if clause.stands])
     facts = facts_of(session, contract, terms_in_force(clauses, terms))
-    told = {name: value for name, value in facts.items() if name in known}
-    return marked_clauses((clauses, terms), redlines, told, contract.currency, sent.text)
+    shown = {name: value for name, value in facts.items() if name in known}
+    return marked_clauses((clauses, terms), redlines, shown, contract.currency, sent.text)

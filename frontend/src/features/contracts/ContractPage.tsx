@@ -19,6 +19,7 @@ import { RedlinesNote } from './RedlinesNote'
 import { Refusal } from './Refusal'
 import { SignatureTime } from './SignatureTime'
 import { Signers } from './Signers'
+import { SendVersion } from './SendVersion'
 import { SignForm } from './SignForm'
 import { Text } from './Text'
 import { KIND_WORDS, PROOF_WORDS, progress } from './words'
@@ -127,18 +128,14 @@ function Steps({ contract, projectId }: { contract: Contract; projectId: string 
 }
 
 function SendIt({ contract, projectId }: { contract: Contract; projectId: string }) {
-  const send = useDeed(contract.id)
+  const back = `/projects/${projectId}/contracts/${contract.id}`
   const unanswered = contract.redlines?.is_open ? contract.redlines.unanswered : 0
   if (unanswered > 0) {
     return (
       <>
         <p>{`Accept, refuse or counter each change that ${contract.designer.name} proposes. Then the next version can be sent.`}</p>
         <div className={classes.buttons}>
-          <ButtonLink
-            component={Link}
-            variant="primary"
-            to={`/projects/${projectId}/contracts/${contract.id}/redlines`}
-          >
+          <ButtonLink component={Link} variant="primary" to={`${back}/redlines`}>
             {`Answer ${plural(unanswered, 'change')}`}
           </ButtonLink>
         </div>
@@ -148,29 +145,13 @@ function SendIt({ contract, projectId }: { contract: Contract; projectId: string
   return (
     <>
       <p>{`${contract.designer.name} receives the text as a PDF, with the current sound list and open questions.`}</p>
-      <Refusal error={send.error} />
-      <div className={classes.buttons}>
-        <ButtonLink component={Link} icon="pencil" to={`/projects/${projectId}/contracts/${contract.id}/draft`}>
-          Edit draft
-        </ButtonLink>
+      <SendVersion contract={contract} back={back}>
         {isOrder(contract) && (
-          <ButtonLink component={Link} icon="lines" to={`/projects/${projectId}/contracts/${contract.id}/plan`}>
+          <ButtonLink component={Link} icon="lines" to={`${back}/plan`}>
             Plan milestones
           </ButtonLink>
         )}
-        <Button
-          variant="primary"
-          aria-busy={send.isPending}
-          onClick={() =>
-            send.mutate(
-              { does: 'send', note: '' },
-              { onSuccess: () => showToast(`${contract.title} sent. Both sides can sign it now.`) },
-            )
-          }
-        >
-          {`Send to ${contract.designer.name}`}
-        </Button>
-      </div>
+      </SendVersion>
     </>
   )
 }

@@ -1,22 +1,20 @@
-import { Link } from '@tanstack/react-router'
 import { useRef, useState } from 'react'
 
 import { useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
-import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { day, plural } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
 import { Segmented } from '@/ui/Segmented'
 import { State } from '@/ui/State'
 
-import { type Contract, useDeed } from './api'
+import type { Contract } from './api'
 import classes from './Contracts.module.css'
 import { MarkedLine } from './MarkedLine'
 import { type Opened, RedlineNote } from './RedlineNote'
 import { type Answer, type Redline, type Round, useAnswerRedline } from './redlines'
 import styles from './Redlines.module.css'
-import { Refusal } from './Refusal'
+import { SendVersion } from './SendVersion'
 
 interface RedlineRoundProps {
   contract: Contract
@@ -180,7 +178,6 @@ function Standing({ round }: { round: Round }) {
 }
 
 function NextStep({ contract, round, back }: { contract: Contract; round: Round; back: string }) {
-  const send = useDeed(contract.id)
   return (
     <Card aria-labelledby="next">
       <CardHead id="next" title="Next step" />
@@ -190,24 +187,7 @@ function NextStep({ contract, round, back }: { contract: Contract; round: Round;
         ) : (
           <>
             <p>{`Every change is answered. ${contract.designer.name} receives the next version with your answers.`}</p>
-            <Refusal error={send.error} />
-            <div className={classes.buttons}>
-              <ButtonLink component={Link} icon="pencil" to={`${back}/draft`}>
-                Edit draft
-              </ButtonLink>
-              <Button
-                variant="primary"
-                aria-busy={send.isPending}
-                onClick={() =>
-                  send.mutate(
-                    { does: 'send', note: '' },
-                    { onSuccess: () => showToast(`${contract.title} sent. Both sides can sign it now.`) },
-                  )
-                }
-              >
-                {`Send to ${contract.designer.name}`}
-              </Button>
-            </div>
+            <SendVersion contract={contract} back={back} />
           </>
         )}
       </div>

@@ -228,7 +228,7 @@ describe('the designer of a contract that was sent', () => {
     expect(screen.queryByRole('button', { name: /Accept change/ })).not.toBeInTheDocument()
   })
 
-  test('finds what was typed after a reload, and is told which change has a fault', async () => {
+  test('finds what was typed after a reload, and says which change has a fault', async () => {
     const { answers } = serve(all())
     openApp(PAGE)
     await userEvent.click(await screen.findByRole('button', { name: 'Edit Rounds' }))

@@ -368,13 +368,13 @@ describe('what is said', () => {
     expect(posts()[0]).toMatchObject({ path: '/v1/takes/a/comments', body: { text: 'I’d pick A.' } })
   })
 
-  test('a deputy is told for whom they decide, and everybody else who may', async () => {
+  test('a deputy sees for whom they decide, and everybody else who may', async () => {
     serveReview(aReview(shield, { deputies: [{ id: 'x1', name: 'Producer' }], on_behalf_of: APPROVER }))
     await opened()
     expect(screen.getByText(/^Your call, for Audio director\./)).toBeVisible()
   })
 
-  test('who advises is told of the deputy too', async () => {
+  test('who advises sees the deputy too', async () => {
     serveReview(aReview(shield, { deputies: [{ id: 'x1', name: 'Producer' }], may_approve: false }))
     await opened()
     expect(screen.getByText('You can comment. Audio director or Producer approves.')).toBeVisible()

@@ -85,7 +85,7 @@ test('who names nobody sees who approves what', async () => {
   expect(screen.queryByRole('form', { name: 'Name a deputy' })).toBeNull()
 })
 
-test('a designer is told who approves which category', async () => {
+test('a designer sees who approves which category', async () => {
   serve({
     ...inProject('designer', {
       'GET /v1/projects/p1': aProject('designer', {
