@@ -105,6 +105,7 @@ int arguments(const char *name, Py_ssize_t given, Py_ssize_t wanted);
 enum { ROW = 32 };                            /* samples of which the highest magnitude is kept */
 enum { K_SEEN = 6, K_LANES = 8, K_NUMBERS = K_SEEN * K_LANES }; /* what the K-weighting remembers, and its streams */
 
+enum { MIDDLES = 8 }; /* found at once */
 enum { SCREENED = 64, TOWERED = 4 }; /* cells asked at once, and how many on either side each is compared with */
 
 /* lanes.c: what looks at every sample, by the widest registers at hand. */
@@ -113,6 +114,8 @@ typedef struct {
     void (*maxima)(const double *samples, Py_ssize_t frames, double *maxima); /* the last row may be shorter */
     void (*sums)(const double *samples, Py_ssize_t count, double *figures);   /* adds: sum, sum of squares */
     void (*maxima_and_sums)(const double *samples, Py_ssize_t rows, double *maxima, double *figures);
+    /* the middles of so many intervals; the first takes samples[0 .. 2 * pairs - 1] */
+    void (*middles)(const double *samples, const double *taps, Py_ssize_t pairs, double *middles);
     double (*product)(const double *one, const double *other, Py_ssize_t count);
     void (*stereo)(const double *left, const double *right, Py_ssize_t count, double *figures); /* adds four */
     void (*cells)(const double *samples, Py_ssize_t size, Py_ssize_t count, double *out, Py_ssize_t row);

@@ -85,6 +85,19 @@ LOOP void NAMED(maxima_and_sums)(const double *RESTRICT samples, Py_ssize_t rows
     figures[1] += NAMED(sum_of_eight)(squares);
 }
 
+/* Points half-way between samples, by symmetric taps from the middle outwards. */
+LOOP void NAMED(middles)(const double *RESTRICT samples, const double *RESTRICT taps, Py_ssize_t pairs,
+                         double *RESTRICT middles) {
+    VECTOR sums[NAMED(EIGHT)] = {ALL(0)};
+    for (Py_ssize_t pair = 0; pair < pairs; pair++) {
+        const double *left = samples + pairs - 1 - pair, *right = samples + pairs + pair;
+        for (int which = 0; which < NAMED(EIGHT); which++) {
+            sums[which] += ALL(taps[pair]) * (AT(left + which * WIDTH) + AT(right + which * WIDTH));
+        }
+    }
+    memcpy(middles, sums, sizeof sums);
+}
+
 LOOP double NAMED(product)(const double *RESTRICT one, const double *RESTRICT other, Py_ssize_t count) {
     VECTOR sums[NAMED(EIGHT)] = {ALL(0)};
     Py_ssize_t at = 0;

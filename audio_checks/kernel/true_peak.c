@@ -2,20 +2,24 @@
  *
  * An interval runs from one sample to the next. Each sieve costs more than the one before: the row of intervals by the
  * filter's largest gain; the interval by how far a curve that bends so can rise above the samples beside it; 24 taps,
- * with what these may miss in the treble; and last the fine phases of 512 taps.
+ * with what these may miss in the treble; and last the fine points. These are drawn in two steps: 504 taps find the
+ * middles of intervals, and amid samples and middles, which together hold twice the band, 12 taps are enough.
  */
 #include "kernel.h"
 
-enum { TAPS = 24, PHASES = 8, FINE_TAPS = 512, FINE_PHASES = 16, REACH = FINE_TAPS - 1 };
-enum { LEAD = FINE_TAPS / 2 - 1, NEAR = (FINE_TAPS - TAPS) / 2 }; /* taps before an interval's sample; to the first of 24 */
+enum { TAPS = 24, PHASES = 8, MIDDLE_TAPS = 504, HALF_TAPS = 12, FINE_PHASES = 16 };
+enum { BESIDE = HALF_TAPS / 4, TOUCHED_BY_FINE = MIDDLE_TAPS + 8 }; /* middles on either side; samples a fine point takes */
+enum { REACH = TOUCHED_BY_FINE - 1 };
+enum { LEAD = TOUCHED_BY_FINE / 2 - 1, NEAR = (TOUCHED_BY_FINE - TAPS) / 2 }; /* taps before an interval's sample; to the first of 24 */
 enum { PART = 4, PARTS = ROW / PART, SPAN = TAPS / PART, TOUCHED = ROW + TAPS };
 
 typedef struct {
-    const double *near_taps; /* (TAPS / 2, PHASES): see interpolate */
-    const double *fine_taps; /* (FINE_TAPS / 2, FINE_PHASES) */
-    double gain;             /* of the 24 taps at most */
-    double bend, kink;       /* of the second and fourth difference: by how much a curve exceeds its samples */
-    double missed;           /* of the fourth difference: what the 24 taps miss */
+    const double *near_taps;   /* (TAPS / 2, PHASES): see interpolate */
+    const double *middle_taps; /* (MIDDLE_TAPS / 2), from the middle outwards */
+    const double *half_taps;   /* (HALF_TAPS / 2, PHASES): between a sample and a middle */
+    double gain;               /* of the 24 taps at most */
+    double bend, kink;         /* of the second and fourth difference: by how much a curve exceeds its samples */
+    double missed;             /* of the fourth difference: what the 24 taps miss */
 } interpolator;
 
 typedef struct {
@@ -54,21 +58,50 @@ static double near_curve(const double *samples, const double *taps) {
     return largest(highest);
 }
 
-static double fine_curve(const double *samples, const double *taps, int *at) {
-    enum { HALF = FINE_PHASES / 2 };
+/* The middles of a row's intervals and of those beside it, by groups, as they are asked for. */
+typedef struct {
+    const double *samples; /* that the row's first interval touches */
+    Py_ssize_t first, count; /* its place amid all that is searched */
+    unsigned known; /* which groups */
+    double middles[1 + ROW + 2 * BESIDE + MIDDLES]; /* [1]: of the interval BESIDE before the first */
+} drawn_row;
+
+/* Return the middles around an interval of the row. */
+static const double *middles_around(drawn_row *row, Py_ssize_t interval, const double *taps) {
+    for (Py_ssize_t group = interval / MIDDLES; group <= (interval + 2 * BESIDE) / MIDDLES; group++) {
+        if (row->known >> group & 1) continue;
+        const Py_ssize_t last = row->count + 2 * BESIDE - MIDDLES; /* touches what the last interval touches */
+        const Py_ssize_t from = group * MIDDLES < last ? group * MIDDLES : last;
+        in_lanes()->middles(row->samples + 1 + from, taps, MIDDLE_TAPS / 2, row->middles + 1 + from);
+        row->known |= 1U << group;
+    }
+    return row->middles + 1 + interval;
+}
+
+/* Return the highest of the points between sample and middle; the first of them is a phase after `phase`. */
+static void half_curve(const double *points, const double *taps, int phase, double *highest, int *at) {
+    enum { HALF = PHASES / 2 };
     together evens[HALF / TOGETHER], odds[HALF / TOGETHER];
-    double even[HALF], odd[HALF], highest = 0;
-    interpolate(samples, taps, FINE_TAPS, HALF, evens, odds);
+    double even[HALF], odd[HALF];
+    interpolate(points, taps, HALF_TAPS, HALF, evens, odds);
     memcpy(even, evens, sizeof even);
     memcpy(odd, odds, sizeof odd);
-    for (int phase = 1; phase < FINE_PHASES; phase++) {
-        const double point = phase <= HALF ? fabs(even[phase - 1] + odd[phase - 1])
-                                           : fabs(even[FINE_PHASES - phase - 1] - odd[FINE_PHASES - phase - 1]);
-        if (point > highest) {
-            highest = point;
-            *at = phase;
-        }
+    for (int step = 1; step < PHASES; step++) {
+        const double point = step <= HALF ? fabs(even[step - 1] + odd[step - 1])
+                                          : fabs(even[PHASES - step - 1] - odd[PHASES - step - 1]);
+        if (point > *highest) *highest = point, *at = phase + step;
     }
+}
+
+static double fine_curve(drawn_row *row, Py_ssize_t interval, const interpolator *by, int *at) {
+    const double *middles = middles_around(row, interval, by->middle_taps);
+    const double *samples = row->samples + interval + LEAD - BESIDE + 1;
+    double points[HALF_TAPS + 1], highest = fabs(middles[BESIDE]);
+    for (int pair = 0; pair < HALF_TAPS / 2; pair++) points[2 * pair] = middles[pair], points[2 * pair + 1] = samples[pair];
+    points[HALF_TAPS] = middles[HALF_TAPS / 2];
+    *at = FINE_PHASES / 2;
+    half_curve(points, by->half_taps, 0, &highest, at);
+    half_curve(points + 1, by->half_taps, FINE_PHASES / 2, &highest, at);
     return highest;
 }
 
@@ -94,26 +127,28 @@ static inline double highest_of_part(const double *x) {
     return largest(highest);
 }
 
-static void search_part(const double *samples, Py_ssize_t first, Py_ssize_t count, double excess, double missed,
-                        const interpolator *by, found *result) {
-    for (Py_ssize_t interval = first; interval < first + count; interval++) {
+static void search_part(drawn_row *row, Py_ssize_t from, double excess, double missed, const interpolator *by,
+                        found *result) {
+    const double *samples = row->samples;
+    for (Py_ssize_t interval = from; interval < from + PART && interval < row->count; interval++) {
         const double left = fabs(samples[interval + LEAD]), right = fabs(samples[interval + LEAD + 1]);
         if ((left > right ? left : right) + excess <= result->best) continue;
         if (near_curve(samples + interval + NEAR, by->near_taps) + missed <= result->best) continue;
-        int phase = 0;
-        const double fine = fine_curve(samples + interval, by->fine_taps, &phase);
+        int phase;
+        const double fine = fine_curve(row, interval, by, &phase);
         if (fine > result->best) {
             result->best = fine;
-            result->place = (result->start + interval + LEAD) * FINE_PHASES + phase;
+            result->place = (result->start + row->first + interval + LEAD) * FINE_PHASES + phase;
         }
     }
 }
 
 /* Search the intervals of a row part by part; the 24 taps of a part touch SPAN parts. */
-static void search_row(const double *samples, Py_ssize_t first, Py_ssize_t count, const interpolator *by, found *result) {
+static void search_row(const double *samples, Py_ssize_t count, Py_ssize_t first, const interpolator *by, found *result) {
+    drawn_row row = {.samples = samples, .first = first, .count = count, .known = 0};
     together bends[PARTS + SPAN - 1], kinks[PARTS + SPAN - 1];
     double copy[TOUCHED];
-    const double *touched = samples + first + NEAR;
+    const double *touched = samples + NEAR;
     if (count < ROW) {
         memset(copy, 0, sizeof copy);
         touched = memcpy(copy, touched, (size_t)(count + TAPS - 1) * sizeof(double));
@@ -129,8 +164,7 @@ static void search_row(const double *samples, Py_ssize_t first, Py_ssize_t count
         }
         const double excess = by->bend * largest(bend) + by->kink * largest(kink);
         if (highest_of_part(touched + TAPS / 2 - 1 + part * PART) + excess <= result->best) continue;
-        const Py_ssize_t left = count - part * PART;
-        search_part(samples, first + part * PART, left < PART ? left : PART, excess, by->missed * largest(kink), by, result);
+        search_part(&row, part * PART, excess, by->missed * largest(kink), by, result);
     }
 }
 
@@ -145,7 +179,7 @@ static void search(const double *samples, Py_ssize_t count, const double *maxima
             const double beside = maxima[row - 1] > maxima[row + 1] ? maxima[row - 1] : maxima[row + 1];
             const double around = maxima[row] > beside ? maxima[row] : beside;
             if (around * by->gain > result->best) {
-                search_row(samples, first, count - first < ROW ? count - first : ROW, by, result);
+                search_row(samples + first, count - first < ROW ? count - first : ROW, first, by, result);
             }
         }
     }
@@ -189,7 +223,8 @@ static void search_block(const planar *block, int64_t seen, const planar *maxima
     }
 }
 
-/* block, its maxima, history (channels, REACH), taps of 24, taps of 512, (gain, bend, kink, missed), best, its place, first frame
+/* block, its maxima, history (channels, REACH), taps of 24, of middles and beside them, (gain, bend, kink, missed), best, its
+ * place, first frame
  * -> best, its place in 16ths of a frame */
 PyObject *true_peak(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
@@ -199,16 +234,17 @@ PyObject *true_peak(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     found result;
     double *history;
     const double *bounds;
-    if (arguments("true_peak", count, 9) < 0) return NULL;
-    result.best = PyFloat_AsDouble(args[6]);
-    result.place = PyLong_AsLongLong(args[7]);
-    const int64_t seen = PyLong_AsLongLong(args[8]);
+    if (arguments("true_peak", count, 10) < 0) return NULL;
+    result.best = PyFloat_AsDouble(args[7]);
+    result.place = PyLong_AsLongLong(args[8]);
+    const int64_t seen = PyLong_AsLongLong(args[9]);
     if (PyErr_Occurred() || take_planar(&held, args[0], &block, 0) < 0 ||
         take_maxima(&held, args[1], &block, block.frames, &maxima, 0) < 0 ||
         !(history = TAKE_DOUBLES(&held, args[2], block.channels * REACH, 1)) ||
         !(by.near_taps = TAKE_DOUBLES(&held, args[3], TAPS / 2 * PHASES, 0)) ||
-        !(by.fine_taps = TAKE_DOUBLES(&held, args[4], FINE_TAPS / 2 * FINE_PHASES, 0)) ||
-        !(bounds = TAKE_DOUBLES(&held, args[5], 4, 0))) {
+        !(by.middle_taps = TAKE_DOUBLES(&held, args[4], MIDDLE_TAPS / 2, 0)) ||
+        !(by.half_taps = TAKE_DOUBLES(&held, args[5], HALF_TAPS / 2 * PHASES, 0)) ||
+        !(bounds = TAKE_DOUBLES(&held, args[6], 4, 0))) {
         let_go(&held);
         return NULL;
     }

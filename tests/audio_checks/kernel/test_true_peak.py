@@ -7,16 +7,24 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from audio_checks.measure.true_peak import FINE_TAPS, TruePeak, fine_phases
+from audio_checks.measure.true_peak import HISTORY, TruePeak, half_phases, middle_taps
 from tests.audio_checks.kernel.signals import Samples, cut, signals
 from tests.support.waves import join, noise, sine
 
 
 def whole_curve(samples: Samples) -> float:
     """The highest of all fine points between all samples, and of the samples themselves."""
-    padded = np.pad(samples, ((FINE_TAPS - 1, FINE_TAPS - 1), (0, 0)))
-    curve = [np.convolve(channel, taps[::-1], "valid") for channel in padded.T for taps in fine_phases()]
-    return max(float(np.abs(curve).max()), float(np.abs(samples).max(initial=0)))
+    padded = np.pad(samples, ((HISTORY, HISTORY), (0, 0)))
+    return max(float(np.abs(samples).max(initial=0)), *(_highest(channel) for channel in padded.T))
+
+
+def _highest(channel: Samples) -> float:
+    middles = np.convolve(channel, middle_taps(), "valid")
+    twice = np.empty(2 * len(middles))
+    twice[0::2] = channel[len(middle_taps()) // 2 - 1 :][: len(middles)]  # the sample before each middle
+    twice[1::2] = middles
+    between = [np.convolve(twice, taps[::-1], "valid") for taps in half_phases()]
+    return max(float(np.abs(points).max()) for points in (twice, *between))
 
 
 def measured(blocks: list[Samples], channels: int, frames: int) -> dict[str, float]:
@@ -45,6 +53,7 @@ def test_skipping_changes_nothing(samples: Samples, seed: int):
         noise(seconds=0.3, rate=96_000, seed=4),
         join(noise(seconds=0.1, dbfs=-50), sine(hz=9_000, seconds=0.1)),
         join(sine(hz=23_500, seconds=0.05, phase=0.4), noise(seconds=0.1, dbfs=-40)),
+        np.sign(sine(hz=997, seconds=0.1)),
     ],
 )
 def test_sounds_and_noise_miss_nothing(samples: Samples):
