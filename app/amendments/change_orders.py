@@ -17,7 +17,7 @@ from app.agreements.rules import ORDERS, ContractKind, ContractState, Party
 from app.agreements.schemas import BlockRead
 from app.agreements.signing import Signature
 from app.agreements.text import blocks_of
-from app.amendments import queries, schemas
+from app.amendments import offers, queries, schemas
 from app.amendments.agreed_changes import CHANGES, apply
 from app.amendments.change_order_review import Review, Reviewer
 from app.amendments.change_order_text import change_order_text, change_order_title
@@ -56,6 +56,7 @@ def change_orders(session: Session, actor: Actor, contract_id: UUID) -> schemas.
         may_propose=in_force and party is not None,
         extra_round_bp=reviewer.terms.extra_round_bp,
         orders=[_read(session, reviewer, one, party) for one in queries.change_orders_of(session, contract.id)],
+        offers=offers.offers(session, reviewer, party) if in_force and party is not None else [],
         milestones=[
             schemas.OrderMilestone(id=one.id, name=one.name, due_on=one.due_on)
             for one in reviewer.milestones.values()
@@ -119,6 +120,7 @@ def propose(session: Session, actor: Actor, contract_id: UUID, order: schemas.Ch
     )
     proposed.text = _text(reviewer, proposed, review)
     proposed.text_sha256 = sha256_of(proposed.text)
+    taken_up = offers.taken_up(session, reviewer, party, order.offers)
     session.add(proposed)
     session.flush()
     facts = {
@@ -127,11 +129,19 @@ def propose(session: Session, actor: Actor, contract_id: UUID, order: schemas.Ch
         "reason": proposed.reason,
         "text_sha256_of_amendment": proposed.text_sha256,
         "begins": "before both agree, at the proposer's risk" if proposed.begins_at_once else "when both agree",
+        **({"offers": taken_up} if taken_up else {}),
     }
     record.append(session, contract.id, "change_proposed", facts, by=actor.person)
     begin_pause(session, contract, proposed.number)
     publish(session, "change_order.proposed", studio_id=contract.studio_id, contract_id=contract.id, party=party.value)
     return proposed
+
+
+def dismiss_offer(session: Session, actor: Actor, contract_id: UUID, offer: str, *, reason: str) -> None:
+    """Note that the caller's party wants no change order for something that changed since both signed."""
+    contract, party = locked_for_party(session, actor, contract_id)
+    _ensure_in_force(contract)
+    offers.dismiss(session, actor, Reviewer(session, contract), party, offer, reason=reason)
 
 
 def accept(

@@ -19,6 +19,7 @@ from app.amendments import change_orders, ending, schemas
 from app.amendments.errors import (
     AlreadyEnded,
     BadChangeOrder,
+    ChangeOfferNotFound,
     ChangeOrderClosed,
     ChangeOrderNotFound,
     ChangeOrderStale,
@@ -123,6 +124,18 @@ def preview_change_order(
 ) -> schemas.ChangePreview:
     """Return what changes would do to scope, price and dates; nothing is saved."""
     return change_orders.preview(session, actor, contract_id, body.changes)
+
+
+@router.post(
+    "/contracts/{contract_id}/change-offers/dismiss",
+    responses=problems(ContractNotFound, NotYourContract, NotInForce, ChangeOfferNotFound),
+)
+def dismiss_change_offer(
+    contract_id: UUID, body: schemas.OfferDismiss, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> schemas.ChangeOrdersRead:
+    """Dismiss an offered change order for the caller's party; the record keeps the reason."""
+    change_orders.dismiss_offer(session, actor, contract_id, body.offer, reason=body.reason)
+    return change_orders.change_orders(session, actor, contract_id)
 
 
 @router.post(

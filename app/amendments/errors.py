@@ -45,3 +45,7 @@ class OwnChangeOrder(Conflict):
 
 class NotOwnChangeOrder(Conflict):
     """Who did not propose a change order refuses it; the other party withdraws it."""
+
+
+class ChangeOfferNotFound(NotFound):
+    """Nothing of that kind is offered to the caller's party: it was never there, or is settled."""

@@ -10,6 +10,7 @@ from app.accounts.schemas import PersonBrief
 from app.agreements.rules import Party, WorkState
 from app.agreements.schemas import BlockRead, Reason
 from app.agreements.terms import DepositAtEnd
+from app.amendments.offer_rules import OfferKind
 from app.amendments.rules import ChangeOrderState
 from app.kit.http import Schema
 from app.money.schemas import LARGEST_MINOR, AdviceRead, ContractedCue, FiguresRead, Minor
@@ -132,6 +133,47 @@ class AddWork(Schema):
 Change = Annotated[AddCue | CutCue | RepriceCue | AddRound | MoveDate | AddWork, Field(discriminator="kind")]
 
 
+OfferKey = Annotated[str, StringConstraints(min_length=1, max_length=120, pattern="^[a-z0-9:-]+$")]
+
+
+class OfferedChange(Schema):
+    """What the form begins with where a change order is offered; what is null is for the party to say."""
+
+    kind: Literal["add_cue", "reprice_cue", "add_round", "move_date", "add_work"]
+    cue_id: UUID | None = None
+    milestone_id: UUID | None = None
+    text: str = ""
+    due_on: date | None = None
+
+
+class OfferDismissed(Schema):
+    """That the other party wants no change order for it."""
+
+    party: Party
+    by: str
+    at: datetime
+    reason: str
+
+
+class ChangeOfferRead(Schema):
+    """Something that changed since both signed, and that no change order says yet."""
+
+    offer: str = Field(description="Names it for good, in a proposal or when it is dismissed.")
+    kind: OfferKind
+    text: str
+    who: str = Field(description="Whose act it was; empty where that is not known.")
+    at: datetime
+    change: OfferedChange
+    dismissed: OfferDismissed | None = Field(description="The other party dismissed it.")
+
+
+class OfferDismiss(Schema):
+    """What a party wants no change order for, and why."""
+
+    offer: OfferKey
+    reason: Reason
+
+
 class ChangeOrderAdd(Schema):
     """What a party proposes, and why."""
 
@@ -140,6 +182,9 @@ class ChangeOrderAdd(Schema):
         default=False, description="Work begins before both have agreed, at the risk of the party that proposes."
     )
     changes: Annotated[list[Change], Field(min_length=1, max_length=200)]
+    offers: Annotated[list[OfferKey], Field(max_length=200)] = Field(
+        default=[], description="The offers that it takes up; one that is settled already is left out."
+    )
 
 
 class ChangedMilestone(Schema):
@@ -212,6 +257,9 @@ class ChangeOrdersRead(Schema):
     may_propose: bool
     extra_round_bp: int
     orders: list[ChangeOrderRead]
+    offers: list[ChangeOfferRead] = Field(
+        description="What changed since both signed, the newest first; for the two parties only."
+    )
     milestones: list[OrderMilestone] = Field(description="Open milestones, whose dates can move.")
     cues: list[OrderCue] = Field(description="Cues under the contract that are not settled.")
     cues_to_add: list[ContractedCue] = Field(description="Cues of the list that no running contract covers.")

@@ -3307,6 +3307,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/contracts/{contract_id}/change-offers/dismiss": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Dismiss Change Offer
+         * @description Dismiss an offered change order for the caller's party; the record keeps the reason.
+         */
+        post: operations["dismiss_change_offer"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/contracts/{contract_id}/change-orders/{change_order_number}/accept": {
         parameters: {
             query?: never;
@@ -7130,6 +7150,33 @@ export interface components {
             left: number;
         };
         /**
+         * ChangeOfferRead
+         * @description Something that changed since both signed, and that no change order says yet.
+         */
+        ChangeOfferRead: {
+            /**
+             * Offer
+             * @description Names it for good, in a proposal or when it is dismissed.
+             */
+            offer: string;
+            kind: components["schemas"]["OfferKind"];
+            /** Text */
+            text: string;
+            /**
+             * Who
+             * @description Whose act it was; empty where that is not known.
+             */
+            who: string;
+            /**
+             * At
+             * Format: date-time
+             */
+            at: string;
+            change: components["schemas"]["OfferedChange"];
+            /** @description The other party dismissed it. */
+            dismissed: components["schemas"]["OfferDismissed"] | null;
+        };
+        /**
          * ChangeOrderAdd
          * @description What a party proposes, and why.
          */
@@ -7144,6 +7191,12 @@ export interface components {
             begins_at_once: boolean;
             /** Changes */
             changes: (components["schemas"]["AddCue"] | components["schemas"]["CutCue"] | components["schemas"]["RepriceCue"] | components["schemas"]["AddRound"] | components["schemas"]["MoveDate"] | components["schemas"]["AddWork"])[];
+            /**
+             * Offers
+             * @description The offers that it takes up; one that is settled already is left out.
+             * @default []
+             */
+            offers: string[];
         };
         /**
          * ChangeOrderMay
@@ -7228,6 +7281,11 @@ export interface components {
             extra_round_bp: number;
             /** Orders */
             orders: components["schemas"]["ChangeOrderRead"][];
+            /**
+             * Offers
+             * @description What changed since both signed, the newest first; for the two parties only.
+             */
+            offers: components["schemas"]["ChangeOfferRead"][];
             /**
              * Milestones
              * @description Open milestones, whose dates can move.
@@ -11615,6 +11673,60 @@ export interface components {
              * @description Last day; null: it ends only when both agree to the statement.
              */
             ends_on: string | null;
+        };
+        /**
+         * OfferDismiss
+         * @description What a party wants no change order for, and why.
+         */
+        OfferDismiss: {
+            /** Offer */
+            offer: string;
+            /** Reason */
+            reason: string;
+        };
+        /**
+         * OfferDismissed
+         * @description That the other party wants no change order for it.
+         */
+        OfferDismissed: {
+            party: components["schemas"]["Party"];
+            /** By */
+            by: string;
+            /**
+             * At
+             * Format: date-time
+             */
+            at: string;
+            /** Reason */
+            reason: string;
+        };
+        /**
+         * OfferKind
+         * @description What changed since a contract was signed, so that a change order is offered.
+         * @enum {string}
+         */
+        OfferKind: "round" | "described" | "needed" | "spec" | "answered" | "added" | "cut";
+        /**
+         * OfferedChange
+         * @description What the form begins with where a change order is offered; what is null is for the party to say.
+         */
+        OfferedChange: {
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "add_cue" | "reprice_cue" | "add_round" | "move_date" | "add_work";
+            /** Cue Id */
+            cue_id?: string | null;
+            /** Milestone Id */
+            milestone_id?: string | null;
+            /**
+             * Text
+             * @default
+             */
+            text: string;
+            /** Due On */
+            due_on?: string | null;
         };
         /**
          * OpenGameFile
@@ -25675,6 +25787,68 @@ export interface operations {
                 };
             };
             /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `not-in-force` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    dismiss_change_offer: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["OfferDismiss"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ChangeOrdersRead"];
+                };
+            };
+            /** @description `not-your-contract` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found`, `change-offer-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;

@@ -12,9 +12,10 @@ import { clock, day } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 import { State, type StateKind } from '@/ui/State'
 
-import { type ChangeOrder, type ChangeOrders, changeOrdersQuery, useChangeOrder } from './api'
+import { type ChangeOffer, type ChangeOrder, type ChangeOrders, changeOrdersQuery, useChangeOrder } from './api'
 import classes from './Contracts.module.css'
 import { DifferenceView } from './DifferenceView'
+import { OffersCard } from './OffersCard'
 import { ProposeChange } from './ProposeChange'
 import { Refusal } from './Refusal'
 import { SignForm } from './SignForm'
@@ -26,6 +27,7 @@ import { sentence } from './words'
 export function ChangeOrdersPage() {
   const { projectId, contractId } = useParams({ from: '/shell/projects/$projectId/contracts/$contractId/changes' })
   const { data: all, error } = useQuery(changeOrdersQuery(contractId))
+  const [picked, setPicked] = useState<ChangeOffer | null>(null)
   useTitle('Change orders')
   if (!all) {
     return (
@@ -48,6 +50,7 @@ export function ChangeOrdersPage() {
       </div>
       <div className={`columns ${classes.columns}`}>
         <div className="stack">
+          <OffersCard all={all} onPropose={setPicked} />
           {all.orders.length === 0 && (
             <EmptyState head="No change order yet">
               {all.may_propose
@@ -59,7 +62,9 @@ export function ChangeOrdersPage() {
             <Order key={order.number} order={order} all={all} />
           ))}
         </div>
-        <div className="stack">{all.may_propose && <ProposeChange all={all} />}</div>
+        <div className="stack">
+          {all.may_propose && <ProposeChange all={all} picked={picked} onBegun={() => setPicked(null)} />}
+        </div>
       </div>
     </div>
   )

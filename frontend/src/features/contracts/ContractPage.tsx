@@ -15,6 +15,7 @@ import { State } from '@/ui/State'
 
 import { type Contract, useDeed, useKeepAsTemplate, versionsQuery } from './api'
 import classes from './Contracts.module.css'
+import { OffersNote } from './OffersNote'
 import { RedlinesNote } from './RedlinesNote'
 import { Refusal } from './Refusal'
 import { SignatureTime } from './SignatureTime'
@@ -61,6 +62,7 @@ export function ContractPage() {
         </blockquote>
       )}
       <RedlinesNote contract={contract} to={`/projects/${projectId}/contracts/${contract.id}/redlines`} />
+      <OffersNote contract={contract} to={`/projects/${projectId}/contracts/${contract.id}/changes`} />
       <div className={`columns ${classes.columns}`}>
         <Card aria-label="Text" className={classes.sheet}>
           <Text blocks={contract.version.blocks} />

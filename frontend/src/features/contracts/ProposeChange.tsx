@@ -1,13 +1,13 @@
 import { Checkbox, NativeSelect, TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
-import { type FormEvent, useState } from 'react'
+import { type FormEvent, useEffect, useRef, useState } from 'react'
 
 import { DraftNote, useDraft } from '@/app/drafts'
 import { minorOf } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 
-import { type Change, type ChangeOrders, changePreviewQuery, useChangeOrder } from './api'
+import { type Change, type ChangeOffer, type ChangeOrders, changePreviewQuery, useChangeOrder } from './api'
 import classes from './Contracts.module.css'
 import { DifferenceView } from './DifferenceView'
 import { Refusal } from './Refusal'
@@ -25,12 +25,42 @@ const KINDS: Record<Kind, string> = {
 }
 const isKind = (value: string): value is Kind => value in KINDS
 
+/** A change that was put together, and the offer that it takes up. */
+interface Made {
+  change: Change
+  offer: string | null
+}
+
+interface ProposeChangeProps {
+  all: ChangeOrders
+  /** An offer that a change order is begun from. */
+  picked: ChangeOffer | null
+  onBegun: () => void
+}
+
 /** A new change order, change by change, with what it does while it is written. */
-export function ProposeChange({ all }: { all: ChangeOrders }) {
+export function ProposeChange({ all, picked, onBegun }: ProposeChangeProps) {
   const propose = useChangeOrder(all.contract_id)
-  const [changes, setChanges] = useState<Change[]>([])
+  const [made, setMade] = useState<Made[]>([])
+  const [begun, setBegun] = useState<ChangeOffer | null>(null)
   const [reason, setReason, draft] = useDraft(`change-order:${all.contract_id}`, '')
   const [beginsAtOnce, setBeginsAtOnce] = useState(false)
+  const reasonField = useRef<HTMLInputElement>(null)
+  const changes = made.map(({ change }) => change)
+  useEffect(() => {
+    if (picked === null) return
+    const whole = wholeChange(picked.change)
+    setBegun(whole === null ? picked : null)
+    if (whole !== null) {
+      setMade((before) => [
+        ...before.filter(({ offer }) => offer !== picked.offer),
+        { change: whole, offer: picked.offer },
+      ])
+      reasonField.current?.focus()
+    }
+    setReason((typed) => (typed.includes(picked.text) ? typed : `${typed} ${picked.text}`.trim()))
+    onBegun()
+  }, [picked, onBegun, setReason])
   const { data: preview, error } = useQuery(changePreviewQuery(all.contract_id, changes))
   const problems = preview?.problems ?? []
   const isReady = changes.length > 0 && reason.trim() !== '' && problems.length === 0
@@ -38,10 +68,17 @@ export function ProposeChange({ all }: { all: ChangeOrders }) {
     event.preventDefault()
     if (propose.isPending || !isReady) return
     propose.mutate(
-      { does: 'propose', reason: reason.trim(), beginsAtOnce, changes },
+      {
+        does: 'propose',
+        reason: reason.trim(),
+        beginsAtOnce,
+        changes,
+        offers: made.flatMap(({ offer }) => offer ?? []),
+      },
       {
         onSuccess: () => {
-          setChanges([])
+          setMade([])
+          setBegun(null)
           setBeginsAtOnce(false)
           draft.discard()
         },
@@ -51,7 +88,18 @@ export function ProposeChange({ all }: { all: ChangeOrders }) {
   return (
     <Card aria-labelledby="propose">
       <CardHead id="propose" title="Propose a change order" />
-      <OneChange all={all} onAdd={(change) => setChanges([...changes, change])} />
+      <OneChange
+        key={begun?.offer ?? ''}
+        all={all}
+        start={begun?.change}
+        onAdd={(change) => {
+          setMade([
+            ...made,
+            { change, offer: begun !== null && change.kind === begun.change.kind ? begun.offer : null },
+          ])
+          setBegun(null)
+        }}
+      />
       <form onSubmit={submit} className={classes.form} aria-label="Propose a change order">
         {problems.map((problem) => (
           <Warning key={problem}>{sentence(problem)}</Warning>
@@ -60,11 +108,12 @@ export function ProposeChange({ all }: { all: ChangeOrders }) {
           <DifferenceView difference={preview.difference} currency={all.currency} />
         )}
         {changes.length > 0 && (
-          <Button variant="quiet" onClick={() => setChanges(changes.slice(0, -1))}>
+          <Button variant="quiet" onClick={() => setMade(made.slice(0, -1))}>
             Remove the last change
           </Button>
         )}
         <TextInput
+          ref={reasonField}
           label="Reason"
           value={reason}
           maxLength={2000}
@@ -85,13 +134,24 @@ export function ProposeChange({ all }: { all: ChangeOrders }) {
   )
 }
 
-function OneChange({ all, onAdd }: { all: ChangeOrders; onAdd: (change: Change) => void }) {
-  const [kind, setKind] = useState<Kind>(all.cues_to_add.length > 0 ? 'add_cue' : 'reprice_cue')
-  const [cueId, setCueId] = useState('')
-  const [milestoneId, setMilestoneId] = useState('')
+interface OneChangeProps {
+  all: ChangeOrders
+  /** What the form begins with. */
+  start?: ChangeOffer['change'] | undefined
+  onAdd: (change: Change) => void
+}
+
+function OneChange({ all, start, onAdd }: OneChangeProps) {
+  const [kind, setKind] = useState<Kind>(start?.kind ?? (all.cues_to_add.length > 0 ? 'add_cue' : 'reprice_cue'))
+  const [cueId, setCueId] = useState(start?.cue_id ?? '')
+  const [milestoneId, setMilestoneId] = useState(start?.milestone_id ?? '')
   const [price, setPrice] = useState('')
   const [dueOn, setDueOn] = useState('')
-  const [text, setText] = useState('')
+  const [text, setText] = useState(start?.text ?? '')
+  const priceField = useRef<HTMLInputElement>(null)
+  useEffect(() => {
+    if (start) priceField.current?.focus()
+  }, [start])
   const cues = kind === 'add_cue' ? all.cues_to_add : all.cues.map(({ cue }) => cue)
   const hasCue = kind !== 'move_date' && kind !== 'add_work'
   const hasMilestone = kind === 'add_cue' || kind === 'move_date' || kind === 'add_work'
@@ -143,6 +203,7 @@ function OneChange({ all, onAdd }: { all: ChangeOrders; onAdd: (change: Change) 
       )}
       {hasPrice && (
         <TextInput
+          ref={priceField}
           label={`Price in ${all.currency}`}
           inputMode="decimal"
           value={price}
@@ -162,6 +223,16 @@ function OneChange({ all, onAdd }: { all: ChangeOrders; onAdd: (change: Change) 
       </Button>
     </form>
   )
+}
+
+/** The change that an offer says whole, null where the party has to name a price. */
+function wholeChange({
+  kind,
+  cue_id: cue,
+  milestone_id: milestone,
+  due_on: dueOn,
+}: ChangeOffer['change']): Change | null {
+  return changeOf(kind, { cue: cue ?? '', milestone: milestone ?? '', minor: null, dueOn: dueOn ?? '', text: '' })
 }
 
 interface Given {

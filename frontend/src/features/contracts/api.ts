@@ -21,6 +21,7 @@ export type Entry = Schemas['RecordEntryRead']
 export type ChangeOrders = Schemas['ChangeOrdersRead']
 export type ChangeOrder = Schemas['ChangeOrderRead']
 export type Difference = Schemas['DifferenceRead']
+export type ChangeOffer = Schemas['ChangeOfferRead']
 export type Change = Schemas['ChangeOrderAdd']['changes'][number]
 export type Ending = Schemas['EndingRead']
 export type StatedCue = Schemas['StatedCueRead']
@@ -255,14 +256,20 @@ export function useEnding(contractId: string) {
 
 /** What a party does with a change order; each answers all of them as they are then. */
 export type ChangeDeed =
-  | { does: 'propose'; reason: string; beginsAtOnce: boolean; changes: Change[] }
+  | { does: 'propose'; reason: string; beginsAtOnce: boolean; changes: Change[]; offers: string[] }
+  | { does: 'dismiss'; offer: string; reason: string }
   | ({ does: 'accept'; number: number } & Signature)
   | { does: 'refuse' | 'withdraw'; number: number; reason: string }
 
 function doneToChange(contractId: string, deed: ChangeDeed): Promise<ChangeOrders> {
   if (deed.does === 'propose') {
-    const body = { reason: deed.reason, begins_at_once: deed.beginsAtOnce, changes: deed.changes }
+    const { reason, beginsAtOnce, changes, offers } = deed
+    const body = { reason, begins_at_once: beginsAtOnce, changes, offers }
     return answered(api.POST('/v1/contracts/{contract_id}/change-orders', { ...of(contractId), body }))
+  }
+  if (deed.does === 'dismiss') {
+    const body = { offer: deed.offer, reason: deed.reason }
+    return answered(api.POST('/v1/contracts/{contract_id}/change-offers/dismiss', { ...of(contractId), body }))
   }
   const it = { params: { path: { contract_id: contractId, change_order_number: deed.number } } }
   const path = '/v1/contracts/{contract_id}/change-orders/{change_order_number}'

@@ -71,6 +71,7 @@ const EVENT_WORDS: Record<string, string> = {
   accepted_by: 'Accepted',
   agreed: 'Agreed',
   ended: 'Ended',
+  offer_dismissed: 'No change order wanted',
   change_proposed: 'Change order proposed',
   change_accepted: 'Change order signed',
   change_refused: 'Change order refused',
