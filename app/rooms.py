@@ -36,6 +36,7 @@ from app.operations.endpoints import router as operations
 from app.projects.approval_endpoints import router as approval
 from app.projects.endpoints import router as projects
 from app.projects.spec_endpoints import router as specs
+from app.references.endpoints import router as references
 from app.renders.endpoints import router as renders
 from app.reviews.endpoints import router as reviews
 from app.sound_lists.coverage_endpoints import router as coverage
@@ -55,6 +56,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     sound_lists,
     coverage,
     kits,
+    references,
     hiring,
     bids,
     awards,
@@ -82,6 +84,7 @@ ROUTERS: tuple[APIRouter, ...] = (
 )
 JOB_MODULES = (
     "app.projects.jobs",
+    "app.references.jobs",
     "app.deliveries.jobs",
     "app.conformance.jobs",
     "app.renders.take_jobs",
@@ -105,6 +108,7 @@ PARSERS = (
     "audio_checks.spec.delivery_spec",
 )  # of what strangers send
 SUBSCRIBERS: dict[str, tuple[str, ...]] = {
+    "reference.added": ("references.draw_preview",),
     "archive.received": ("deliveries.unpack_archive",),
     "take.received": ("renders.prepare_take",),
     "takes.checked": ("notifications.notify_checks",),

@@ -71,6 +71,8 @@ def condition(table: sa.Table) -> str | None:
         return f"studio_id = {STUDIOS}"
     if table.name == "hiring_bids":  # rates are seen by the two parties only
         return f"studio_id = {STUDIOS} or designer_id = {ME}"
+    if table.name == "references_openings":  # the team reads who opened what; each person their own
+        return f"studio_id = {STUDIOS} or person_id = {ME}"
     if "studio_id" not in columns:
         raise ValueError(f"{table.name} has no studio_id; give it one, or say here who may see its rows")
     if project_id not in columns:

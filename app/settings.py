@@ -93,6 +93,9 @@ class Settings(BaseSettings):
     disk_reserve: int = Field(
         1 << 30, ge=0, description="Bytes of the disk that uploads leave free, for the database and for what is made."
     )
+    reference_max_bytes: int = Field(
+        2 << 30, ge=1, description="Bytes that one file of a reference may have: a picture, a clip, a document."
+    )
     upload_min_rate: int = Field(
         1 << 10, ge=0, description="Bytes a second that an upload sends at least, on average over each window."
     )

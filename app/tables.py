@@ -14,6 +14,7 @@ from app.kit.db import Base
 from app.money import models as _money
 from app.notifications import models as _notifications
 from app.projects import models as _projects
+from app.references import models as _references
 from app.renders import models as _renders
 from app.reviews import models as _reviews
 from app.sound_lists import models as _sound_lists

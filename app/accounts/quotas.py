@@ -22,6 +22,7 @@ class QuotaKind(StrEnum):
     PEOPLE = "people"
     TOKENS = "tokens"
     OPEN_UPLOADS = "open_uploads"
+    REFERENCE_BYTES = "reference_bytes"
 
 
 DEFAULTS: Mapping[QuotaKind, int] = {
@@ -31,6 +32,7 @@ DEFAULTS: Mapping[QuotaKind, int] = {
     QuotaKind.PEOPLE: 2_000,
     QuotaKind.TOKENS: 1_000,
     QuotaKind.OPEN_UPLOADS: 10_000,
+    QuotaKind.REFERENCE_BYTES: 200_000_000_000,
 }
 NOUNS: Mapping[QuotaKind, str] = {
     QuotaKind.MASTER_BYTES: "bytes of masters",
@@ -39,6 +41,7 @@ NOUNS: Mapping[QuotaKind, str] = {
     QuotaKind.PEOPLE: "people",
     QuotaKind.TOKENS: "tokens",
     QuotaKind.OPEN_UPLOADS: "unfinished uploads",
+    QuotaKind.REFERENCE_BYTES: "bytes of references",
 }
 
 
@@ -66,7 +69,8 @@ def ensure_room(
     with bypass_row_policies(session):  # a designer sees their own work only, and the limit counts all work
         has = used(session, studio_id)
     if has + added > maximum:
-        refusal = StorageQuotaReached if kind is QuotaKind.MASTER_BYTES else QuotaReached
+        is_storage = kind in (QuotaKind.MASTER_BYTES, QuotaKind.REFERENCE_BYTES)
+        refusal = StorageQuotaReached if is_storage else QuotaReached
         raise refusal(
             f"the studio has {has:,} {NOUNS[kind]} and may have {maximum:,}; this would add {added:,}",
             fix="remove some, or ask the operator for a higher limit (soundlist quota)",

@@ -1,4 +1,4 @@
-"""Uploads into a delivery: tus 1.0 for unreliable connections, one PUT for scripts, parts for a bucket.
+"""Uploads of takes and references: tus 1.0 for unreliable connections, one PUT for scripts, parts for a bucket.
 
 These endpoints stream a body, so they are `async`, use the database in a thread, and keep no
 Idempotency-Key: an upload has an id of its own.
@@ -26,17 +26,16 @@ from app.deliveries.errors import (
     UnknownTusVersion,
     WrongContentType,
 )
-from app.deliveries.rules import MAX_ARCHIVE_BYTES, max_bytes, stored_name
+from app.deliveries.rules import MAX_ARCHIVE_BYTES, stored_name
 from app.deliveries.schemas import PartsAsk, PartsRead, UploadRead
+from app.deliveries.upload_destinations import Destination, destination_in, ensure_may_continue, ensure_may_send
 from app.deliveries.upload_headers import (
     checksum_of,
     named_values,
     number_of_bytes,
     sha256_in_hex,
     sha256_of_digest,
-    uuid_in,
 )
-from app.deliveries.upload_quotas import ensure_upload_fits
 from app.kit.errors import Refused
 from app.kit.http import CurrentRuntime, UploadSlot, problems
 from app.kit.runtime import Runtime
@@ -60,7 +59,7 @@ from app.kit.uploads import (
     UploadTooLong,
     UploadUnfinished,
 )
-from app.projects.errors import DesignerNeeded
+from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
 
 TUS_VERSION = "1.0.0"
 EXTENSIONS = "creation,creation-with-upload,checksum,termination,expiration"
@@ -125,7 +124,7 @@ def describe_uploads(runtime: CurrentRuntime, actor: Actor = allows(Audience.ANY
     openapi_extra=BINARY_BODY,
     responses=problems(
         BadUploadHeader, ChecksumMismatch, DeliveryClosed, DeliveryNotFound, DesignerNeeded, InHouseDesignerNeeded,
-        StoreFull, UnknownTusVersion, UploadStalled, UploadTooLong, WrongContentType,
+        ProjectNotFound, StoreFull, TeamNeeded, UnknownTusVersion, UploadStalled, UploadTooLong, WrongContentType,
     ),
 )  # fmt: skip
 async def begin_upload(
@@ -138,12 +137,13 @@ async def begin_upload(
     upload_metadata: Annotated[
         str | None,
         Header(
-            description="In Base64: `delivery_id`, `file_name`, `sha256` if known, `take_id` of what a dry stem is for."
+            description="In Base64: `file_name`, `sha256` if known; `delivery_id`, and `take_id` of what a dry stem is "
+            "for; or `project_id` of a reference."
         ),
     ] = None,
     upload_checksum: Annotated[str | None, Header()] = None,
 ) -> Response:
-    """Make room for a file in a delivery; bytes may come along."""
+    """Make room for a file in a delivery, or for a reference; bytes may come along."""
     _ensure_tus(tus_resumable)
     length = number_of_bytes("Upload-Length", upload_length)
     metadata = named_values(upload_metadata)
@@ -153,9 +153,8 @@ async def begin_upload(
     checksum = checksum_of(upload_checksum)
     uploads = _uploads(runtime)
     begin = partial(
-        _permitted, runtime, lazy_authentication, uuid_in("delivery_id", metadata.get("delivery_id", "")),
-        metadata.get("file_name", ""), length, sha256_in_hex(metadata.get("sha256")),
-        uuid_in("take_id", metadata["take_id"]) if "take_id" in metadata else None,
+        _permitted, runtime, lazy_authentication, destination_in(metadata), metadata.get("file_name", ""), length,
+        sha256_in_hex(metadata.get("sha256")),
     )  # fmt: skip
     if not has_body:
         return await asyncio.to_thread(lambda: _standing(uploads, begin(), 201))
@@ -282,7 +281,7 @@ async def put_upload(
     expected = sha256_in_hex(x_content_sha256) or sha256_of_digest(repr_digest)
     uploads = _uploads(runtime)
     upload = await asyncio.to_thread(
-        _permitted, runtime, lazy_authentication, delivery_id, file_name, length, expected, take_id
+        _permitted, runtime, lazy_authentication, Destination(delivery_id, take_id), file_name, length, expected
     )
     slot.release()
     try:
@@ -317,35 +316,33 @@ def _uploads(runtime: Runtime) -> Uploads:
 def _permitted(
     runtime: Runtime,
     lazy_authentication: LazyAuthentication,
-    delivery_id: UUID,
+    destination: Destination,
     file_name: str,
     length: int,
     expected_sha256: str | None,
-    beside_take_id: UUID | None,
 ) -> Upload:
-    """Make room for a file, once it is certain that the caller may deliver it there."""
+    """Make room for a file, once it is certain that the caller may send it there."""
     actor: Actor = lazy_authentication()
     if not file_name:
         raise BadUploadHeader("the upload has no file_name")
     with runtime.database.reading(actor.reach) as session:
-        studio_id = service.ensure_may_upload(session, actor, delivery_id, beside_take_id=beside_take_id).studio_id
-        ensure_upload_fits(session, studio_id, length)
+        studio_id = ensure_may_send(session, actor, destination, length)
     return _uploads(runtime).create(
         studio_id=studio_id,
         owner_id=service.uploader(actor),
-        scope=str(delivery_id),
+        scope=destination.scope,
         file_name=stored_name(file_name),
         length=length,
-        max_length=max_bytes(file_name),
+        max_length=destination.most_bytes(file_name, runtime.settings.reference_max_bytes),
         expected_sha256=expected_sha256,
     )
 
 
 def _own(runtime: Runtime, actor: Actor, upload_id: UUID) -> Upload:
-    """Return the caller's upload while they still may deliver there; a delivery closed meanwhile takes it."""
+    """Return the caller's upload while they still may send to where it goes."""
     upload = _uploads(runtime).find(upload_id, owner_id=service.uploader(actor))
     with runtime.database.reading(actor.reach) as session:
-        service.own_delivery(session, actor, UUID(upload.scope))
+        ensure_may_continue(session, actor, upload.scope)
     return upload
 
 

@@ -15,6 +15,7 @@ from app.conformance.models import Fix
 from app.deliveries.models import Archive, DryStem, Take
 from app.kit.db import Base
 from app.operations.schemas import KeptFiles, KeptKind, StorageRead
+from app.references.models import ReferenceVersion
 from app.renders.models import MasterExport, Picture, Reel, Render
 
 Sums = Select[UUID, str, int, int | None]
@@ -38,6 +39,14 @@ KEPT = (
     Source(KeptKind.REELS, Reel.studio_id, Reel.sha256, Reel.file_bytes),
     Source(KeptKind.EXPORTS, MasterExport.studio_id, MasterExport.sha256, MasterExport.file_bytes),
     Source(KeptKind.PLACEHOLDER_FILES, PlaceholderFile.studio_id, PlaceholderFile.sha256, PlaceholderFile.file_bytes),
+    Source(KeptKind.REFERENCES, ReferenceVersion.studio_id, ReferenceVersion.sha256, ReferenceVersion.file_bytes),
+    *(
+        Source(KeptKind.REFERENCES, ReferenceVersion.studio_id, sha256, size_bytes)
+        for sha256, size_bytes in (
+            (ReferenceVersion.thumb_sha256, ReferenceVersion.thumb_bytes),
+            (ReferenceVersion.view_sha256, ReferenceVersion.view_bytes),
+        )
+    ),
     Source(KeptKind.DOCUMENTS, ContractVersion.studio_id, ContractVersion.pdf_sha256, ContractVersion.pdf_bytes),
     Source(KeptKind.DOCUMENTS, Seal.studio_id, Seal.file_sha256, Seal.file_bytes),
     Source(KeptKind.DOCUMENTS, PackedFile.studio_id, PackedFile.sha256, PackedFile.size_bytes),

@@ -15,6 +15,7 @@ from app.kit.db import bypass_row_policies
 from app.operations import queries
 from app.operations.schemas import QuotaRead, StudioQuotas
 from app.projects.queries import projects_count
+from app.references.queries import kept_reference_bytes
 from app.sound_lists.queries import cues_count
 
 USED: Mapping[QuotaKind, Callable[[Session, UUID], int]] = {
@@ -24,6 +25,7 @@ USED: Mapping[QuotaKind, Callable[[Session, UUID], int]] = {
     QuotaKind.PEOPLE: people_in,
     QuotaKind.TOKENS: tokens_of,
     QuotaKind.OPEN_UPLOADS: open_uploads,
+    QuotaKind.REFERENCE_BYTES: kept_reference_bytes,
 }
 
 

@@ -76,6 +76,7 @@ class KeptKind(StrEnum):
     REELS = "reels"
     EXPORTS = "exports"  # masters with what is known of them, made to be handed out
     PLACEHOLDER_FILES = "placeholder_files"
+    REFERENCES = "references"  # every version, and the previews of pictures
     DOCUMENTS = "documents"  # contracts, and the keys that go with packs
 
 

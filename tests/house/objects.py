@@ -52,6 +52,7 @@ from app.renders.models import Batch, MasterExport, Picture, Reel, Render, Rende
 from app.renders.rules import RenderState
 from app.reviews.models import ChangeRequest, Comment
 from app.sound_lists.models import Cue, Question, Stem
+from tests.house.reference_objects import add_reference
 from tests.support.server import RunningServer, World
 
 TOMORROW = timedelta(days=1)
@@ -217,6 +218,10 @@ class House(World):
         session.add_all([picture, render, draft, comment, note, build, batch, pack, reel, export, mail, run, sets])
         self._posting_secret = new_secret()
         hiring = self._add_posting(session)
+        references = add_reference(
+            session, {"studio_id": self.studio_id, "project_id": self.project_id}, cue_id=cue.id, sha256=self.sha256,
+            file_bytes=len(FILE), added_by=self.producer_id, opened_by=self.designer_id,
+        )  # fmt: skip
         self._add_links(session)
         money = self._add_money(session, cue)
         template = self._add_text(session, money["contract_id"])
@@ -259,6 +264,7 @@ class House(World):
             "job_id": str(new_id()),
             **money,
             **hiring,
+            **references,
         }
         queue_of(session).enqueue(
             session,

@@ -181,6 +181,8 @@ QUERIES: dict[str, dict[str, str]] = {
 }
 ADJUSTED: dict[str, dict[str, Any]] = {
     "add_archive": {"file_name": "sounds.zip"},
+    "add_reference": {"url": "https://example.test/clip"},
+    "add_reference_version": {"url": "https://example.test/clip"},
     "add_take": {"file_name": "shield_hit.wav"},
     "check_spec_draft": {"tables": {"format": 1}},
     "import_sound_list": {"format": "paste", "text": "name\nRadar ping", "dry_run": True},

@@ -13,6 +13,7 @@ from app.conformance import fixing
 from app.kit import typesetting
 from app.kit.errors import Invalid
 from app.kit.parsing import Parsers
+from app.references.drawing import draw_previews
 from app.renders import drawing, reel_sound, timbre
 from app.sound_lists.sheets import parse_bytes, parse_text
 from audio_checks import (
@@ -33,7 +34,7 @@ from audio_checks.audit.fingerprinted import decode
 DOORS: tuple[Callable[..., Any], ...] = (
     check_file, decode, drawing.draw, drawing.prepare, export_master, fingerprint_files, fixing.fix, parse_bytes,
     parse_spec, parse_text, parse_toml, reel_sound.make_reel, compare_reverb_of_takes, timbre.measure,
-    typesetting.compile_pdf, unpack,
+    draw_previews, typesetting.compile_pdf, unpack,
 )  # fmt: skip
 PLAIN = {int, float, str, bytes, bool, type(None), None}
 UNDECLARED: tuple[Any, ...] = (Any, object, dict, list, tuple, set)
@@ -77,6 +78,7 @@ def test_every_function_of_a_child_declares_its_answer(function: Callable[..., A
         (drawing.draw, DRAWN | {"thumb": DRAWN["thumb"] | {"rms": [None]}}),
         (drawing.draw, DRAWN | {"script": "<b>"}),
         (drawing.prepare, {"pc": {"rendered": {"sha256": "0"}, "drawing": DRAWN}}),
+        (draw_previews, {"width": 1, "height": 1, "problem": ["<b>"]}),
         (drawing.prepare, {"pc": "made"}),
         (export_master, "out.wav"),
         (fingerprint_files, ["heard"]),

@@ -25,6 +25,7 @@ ROOMS = (
     "kit",
     "notifications",
     "projects",
+    "references",
     "renders",
     "reviews",
     "sound_lists",

@@ -29,6 +29,8 @@ OF_THE_PROJECT = (ONE_DESIGNERS - CONTRACTS) | {
         "build_id",
         "engagement_id",
         "token_id",
+        "reference_id",
+        "reference_version_id",
     ),
 }
 

@@ -1593,6 +1593,178 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/references": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List References
+         * @description Return the references of a project, the one added last first.
+         */
+        get: operations["list_references"];
+        put?: never;
+        /**
+         * Add Reference
+         * @description Put a finished upload or a link on the board.
+         */
+        post: operations["add_reference"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/references/{reference_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Remove Reference
+         * @description Take a reference off the board; the record of who opened it stays.
+         */
+        delete: operations["remove_reference"];
+        options?: never;
+        head?: never;
+        /**
+         * Change Reference
+         * @description Change caption, terms, range or pin; both pins null pin it to the whole project.
+         */
+        patch: operations["change_reference"];
+        trace?: never;
+    };
+    "/v1/references/{reference_id}/versions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Reference Versions
+         * @description Return every version of a reference, newest first.
+         */
+        get: operations["list_reference_versions"];
+        put?: never;
+        /**
+         * Add Reference Version
+         * @description Replace the file or link of a reference; older versions stay.
+         */
+        post: operations["add_reference_version"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/reference-openings": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Reference Openings
+         * @description Return who opened which version when, newest first.
+         */
+        get: operations["list_reference_openings"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/reference-versions/{reference_version_id}/openings": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Record Reference Opening
+         * @description Record that the caller opens a version: its file and its large preview are sent to who did.
+         */
+        post: operations["record_reference_opening"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/reference-versions/{reference_version_id}/file": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Reference File
+         * @description Send the file as it came, parts of it by Range; what is neither sound, clip nor text is to be kept, not shown.
+         */
+        get: operations["get_reference_file"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/reference-versions/{reference_version_id}/view": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Reference View
+         * @description Show a picture, drawn again at no more than 1,600 pixels a side.
+         */
+        get: operations["get_reference_view"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/reference-versions/{reference_version_id}/thumb": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Reference Thumb
+         * @description Show a picture on the board, at no more than 480 pixels a side.
+         */
+        get: operations["get_reference_thumb"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/postings": {
         parameters: {
             query?: never;
@@ -3422,7 +3594,7 @@ export interface paths {
         put: operations["put_upload"];
         /**
          * Begin Upload
-         * @description Make room for a file in a delivery; bytes may come along.
+         * @description Make room for a file in a delivery, or for a reference; bytes may come along.
          */
         post: operations["begin_upload"];
         delete?: never;
@@ -10459,7 +10631,7 @@ export interface components {
          * @description The kind of a stored file.
          * @enum {string}
          */
-        KeptKind: "masters" | "dry_stems" | "archives" | "game_files" | "drawings" | "fixes" | "reels" | "exports" | "placeholder_files" | "documents";
+        KeptKind: "masters" | "dry_stems" | "archives" | "game_files" | "drawings" | "fixes" | "reels" | "exports" | "placeholder_files" | "references" | "documents";
         /**
          * KitRead
          * @description A kind of game to start a list from.
@@ -12064,6 +12236,20 @@ export interface components {
             /** Next */
             next?: string | null;
         };
+        /** Page[ReferenceOpeningRead] */
+        Page_ReferenceOpeningRead_: {
+            /** Items */
+            items: components["schemas"]["ReferenceOpeningRead"][];
+            /** Next */
+            next?: string | null;
+        };
+        /** Page[ReferenceRead] */
+        Page_ReferenceRead_: {
+            /** Items */
+            items: components["schemas"]["ReferenceRead"][];
+            /** Next */
+            next?: string | null;
+        };
         /** Page[RevisionRead] */
         Page_RevisionRead_: {
             /** Items */
@@ -12346,6 +12532,21 @@ export interface components {
             };
             /** Note */
             note: string;
+        };
+        /**
+         * PinnedCue
+         * @description The cue that a reference is pinned to.
+         */
+        PinnedCue: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Number */
+            number: number;
+            /** Name */
+            name: string;
         };
         /**
          * PlaceholderCountdown
@@ -12982,6 +13183,12 @@ export interface components {
             cue_prefix: string;
         };
         /**
+         * PreviewState
+         * @description The states of the preview of a version.
+         * @enum {string}
+         */
+        PreviewState: "none" | "pending" | "made" | "refused";
+        /**
          * Problem
          * @description Problem details (RFC 9457); `code` never changes for one condition.
          */
@@ -13231,7 +13438,7 @@ export interface components {
          * @description The limited resources.
          * @enum {string}
          */
-        QuotaKind: "master_bytes" | "cues" | "projects" | "people" | "tokens" | "open_uploads";
+        QuotaKind: "master_bytes" | "cues" | "projects" | "people" | "tokens" | "open_uploads" | "reference_bytes";
         /**
          * QuotaRead
          * @description One limit of a studio, and what it has of that.
@@ -13616,6 +13823,200 @@ export interface components {
              * @description Where it begins; null until the reel is made.
              */
             start_s: number | null;
+        };
+        /**
+         * ReferenceAdd
+         * @description A reference to add: pinned to a cue, or to a category, or else to the whole project.
+         */
+        ReferenceAdd: {
+            /**
+             * Upload Id
+             * @description Of an upload into this project, `project_id` in its metadata.
+             */
+            upload_id?: string | null;
+            /**
+             * Url
+             * @description An https address. The server never fetches it.
+             */
+            url?: string | null;
+            /** Cue Id */
+            cue_id?: string | null;
+            /** Category */
+            category?: string | null;
+            /**
+             * Caption
+             * @default
+             */
+            caption: string;
+            /**
+             * Terms
+             * @description Under which it may be used, as in: licensed original, may not be shipped.
+             * @default
+             */
+            terms: string;
+            /**
+             * Start S
+             * @description Where the meant part of a sound or clip begins.
+             */
+            start_s?: number | null;
+            /** End S */
+            end_s?: number | null;
+        };
+        /**
+         * ReferenceChange
+         * @description What changes of a reference; fields that are left out stay.
+         */
+        ReferenceChange: {
+            /** Cue Id */
+            cue_id?: string | null;
+            /** Category */
+            category?: string | null;
+            /**
+             * Caption
+             * @default
+             */
+            caption: string;
+            /**
+             * Terms
+             * @default
+             */
+            terms: string;
+            /** Start S */
+            start_s?: number | null;
+            /** End S */
+            end_s?: number | null;
+        };
+        /**
+         * ReferenceContent
+         * @description What a version holds: a finished upload, or a link.
+         */
+        ReferenceContent: {
+            /**
+             * Upload Id
+             * @description Of an upload into this project, `project_id` in its metadata.
+             */
+            upload_id?: string | null;
+            /**
+             * Url
+             * @description An https address. The server never fetches it.
+             */
+            url?: string | null;
+        };
+        /**
+         * ReferenceKind
+         * @description The kinds of a reference: all but the last two are known by their bytes.
+         * @enum {string}
+         */
+        ReferenceKind: "picture" | "pdf" | "text" | "video" | "audio" | "file" | "link";
+        /**
+         * ReferenceOpeningRead
+         * @description One time that a person opened a version.
+         */
+        ReferenceOpeningRead: {
+            /**
+             * Reference Id
+             * Format: uuid
+             */
+            reference_id: string;
+            /** Caption */
+            caption: string;
+            /** File Name */
+            file_name: string;
+            /** Version */
+            version: number;
+            person: components["schemas"]["PersonBrief"];
+            /**
+             * Opened At
+             * Format: date-time
+             */
+            opened_at: string;
+            /**
+             * Is Removed
+             * @description Whether the reference is off the board since.
+             */
+            is_removed: boolean;
+        };
+        /**
+         * ReferenceRead
+         * @description A reference with its newest version.
+         */
+        ReferenceRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            cue: components["schemas"]["PinnedCue"] | null;
+            /** Category */
+            category: string | null;
+            /** Caption */
+            caption: string;
+            /** Terms */
+            terms: string;
+            /** Start S */
+            start_s: number | null;
+            /** End S */
+            end_s: number | null;
+            /**
+             * Added At
+             * Format: date-time
+             */
+            added_at: string;
+            version: components["schemas"]["ReferenceVersionRead"];
+            /** May Change */
+            may_change: boolean;
+        };
+        /**
+         * ReferenceVersionRead
+         * @description One file or link of a reference.
+         */
+        ReferenceVersionRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Number */
+            number: number;
+            /** @description By the bytes of the file, whatever its name says. */
+            kind: components["schemas"]["ReferenceKind"];
+            /** Media Type */
+            media_type: string;
+            /**
+             * File Name
+             * @description Of a link: its host.
+             */
+            file_name: string;
+            /** Url */
+            url: string | null;
+            /** File Bytes */
+            file_bytes: number | null;
+            /**
+             * Excerpt
+             * @description The beginning of a text.
+             */
+            excerpt: string;
+            preview: components["schemas"]["PreviewState"];
+            /**
+             * Problem
+             * @description Why no preview could be drawn.
+             */
+            problem: string;
+            /** Width Px */
+            width_px: number | null;
+            /** Height Px */
+            height_px: number | null;
+            /**
+             * Added At
+             * Format: date-time
+             */
+            added_at: string;
+            added_by: components["schemas"]["PersonBrief"];
         };
         /**
          * ReleaseClause
@@ -20685,6 +21086,590 @@ export interface operations {
             };
         };
     };
+    list_references: {
+        parameters: {
+            query?: {
+                /** @description Only those of this cue and of its category. */
+                cue_id?: string | null;
+                cursor?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_ReferenceRead_"];
+                };
+            };
+            /** @description `project-not-found`, `cue-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-cursor` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    add_reference: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ReferenceAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReferenceRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found`, `cue-not-found`, `upload-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `upload-unfinished` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `reference-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `blob-missing` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    remove_reference: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                reference_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `reference-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    change_reference: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                reference_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ReferenceChange"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReferenceRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `reference-not-found`, `cue-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `reference-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_reference_versions: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                reference_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReferenceVersionRead"][];
+                };
+            };
+            /** @description `reference-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    add_reference_version: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                reference_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ReferenceContent"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReferenceRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `reference-not-found`, `upload-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `upload-unfinished` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `reference-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `blob-missing` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_reference_openings: {
+        parameters: {
+            query?: {
+                /** @description Only those of this reference. */
+                reference?: string | null;
+                cursor?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_ReferenceOpeningRead_"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-cursor` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    record_reference_opening: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                reference_version_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `reference-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_reference_file: {
+        parameters: {
+            query?: {
+                download?: boolean;
+            };
+            header?: never;
+            path: {
+                reference_version_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": unknown;
+                };
+            };
+            /** @description `reference-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `reference-unopened` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `blob-missing` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_reference_view: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                reference_version_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/webp": unknown;
+                };
+            };
+            /** @description `reference-not-found`, `no-preview` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `reference-unopened` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `blob-missing` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_reference_thumb: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                reference_version_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/webp": unknown;
+                };
+            };
+            /** @description `reference-not-found`, `no-preview` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `blob-missing` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     list_postings: {
         parameters: {
             query?: never;
@@ -26248,7 +27233,7 @@ export interface operations {
                 "Tus-Resumable"?: string | null;
                 /** @description How many bytes the whole file has. */
                 "upload-length"?: string | null;
-                /** @description In Base64: `delivery_id`, `file_name`, `sha256` if known, `take_id` of what a dry stem is for. */
+                /** @description In Base64: `file_name`, `sha256` if known; `delivery_id`, and `take_id` of what a dry stem is for; or `project_id` of a reference. */
                 "upload-metadata"?: string | null;
                 "upload-checksum"?: string | null;
             };
@@ -26277,7 +27262,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `designer-needed`, `in-house-designer-needed` */
+            /** @description `designer-needed`, `in-house-designer-needed`, `team-needed` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -26286,7 +27271,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `delivery-not-found` */
+            /** @description `delivery-not-found`, `project-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;

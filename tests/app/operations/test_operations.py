@@ -16,6 +16,8 @@ from app.conformance.models import Fix
 from app.conformance.rules import FixState
 from app.kit import queue
 from app.kit.runtime import Runtime
+from app.references.models import Reference, ReferenceVersion
+from app.references.rules import PreviewState, ReferenceKind
 from app.renders.models import MasterExport, Picture, Reel, Render
 from app.renders.rules import RenderState
 from tests.app.kit.test_queue import until
@@ -317,6 +319,14 @@ def test_every_kind_of_file_is_counted(world: World, kept: Callable[[], dict[str
                          file_name="reel.wav", **file(40)))  # fmt: skip
         session.add(PlaceholderFile(**tenant, cue_id=cue_id, variation=1, target="game", key="k", **file(30)))
         session.add(MasterExport(**tenant, take_id=take_id, key="k", provenance={}, file_name="m.wav", **file(20)))
+        reference = Reference(**tenant, caption="", terms="", newest_number=1, added_by=world.producer_id)
+        session.add(reference)
+        session.flush()
+        shown = file(15)
+        session.add(ReferenceVersion(**tenant, reference_id=reference.id, number=1, kind=ReferenceKind.PICTURE,
+                                     media_type="image/png", file_name="a.png", excerpt="", preview=PreviewState.MADE,
+                                     thumb_sha256="t" * 64, thumb_bytes=2, view_sha256="v" * 64, view_bytes=3,
+                                     added_by=world.producer_id, **shown))  # fmt: skip
         pack = SealedPack(**tenant, target="game", number=1, sealed_by=world.producer_id)
         session.add(pack)
         session.flush()
@@ -332,6 +342,7 @@ def test_every_kind_of_file_is_counted(world: World, kept: Callable[[], dict[str
         "reels": (1, 40),
         "exports": (1, 20),
         "placeholder_files": (1, 30),
+        "references": (3, 20),
         "documents": (1, 10),
     }
 

@@ -12,6 +12,7 @@ from app.accounts.rules import Role
 from app.cli import accounts, cli
 from app.deliveries import upload_quotas
 from tests.support.deliver import TUS, add_cues, deliver, metadata, open_delivery, upload
+from tests.support.references import begin_upload
 from tests.support.server import World
 
 SOUND = b"no sound, but bytes"
@@ -39,6 +40,10 @@ def begin(world: World) -> Any:
     return world.designer.post("/v1/uploads", headers=headers)
 
 
+def send_reference(world: World) -> Any:
+    return begin_upload(world, "a.png", SOUND)
+
+
 def add_cue(world: World) -> Any:
     return world.producer.post(f"/v1/projects/{world.project_id}/cues", json={"cues": [{"name": "Door"}]})
 
@@ -61,6 +66,7 @@ def token(world: World) -> Any:
 ACTS: list[tuple[QuotaKind, Callable[[World], Any], int, int]] = [
     (QuotaKind.MASTER_BYTES, send, len(SOUND) - 1, 507),
     (QuotaKind.OPEN_UPLOADS, begin, 0, 409),
+    (QuotaKind.REFERENCE_BYTES, send_reference, len(SOUND) - 1, 507),
     (QuotaKind.CUES, add_cue, 0, 409),
     (QuotaKind.PROJECTS, create_project, 1, 409),
     (QuotaKind.PEOPLE, invite, 3, 409),
@@ -102,6 +108,7 @@ def test_the_producer_sees_use_and_limit(world: World) -> None:
         "people": (3, DEFAULTS[QuotaKind.PEOPLE]),
         "tokens": (0, DEFAULTS[QuotaKind.TOKENS]),
         "open_uploads": (0, DEFAULTS[QuotaKind.OPEN_UPLOADS]),
+        "reference_bytes": (0, DEFAULTS[QuotaKind.REFERENCE_BYTES]),
     }
     assert (world.reviewer.get(url).status_code, world.stranger.get(url).status_code) == (403, 404)
 

@@ -23,6 +23,7 @@ const WORDS: Record<Quota['kind'], { name: string; atLimit: string }> = {
     name: 'Unfinished uploads',
     atLimit: 'New uploads are refused until others finish or expire.',
   },
+  reference_bytes: { name: 'Storage for references', atLimit: 'New references are refused. Links can still be added.' },
 }
 
 /** What the studio uses of the limits of this server, and what happens at each. */
@@ -47,7 +48,7 @@ export function QuotasCard({ studioId }: { studioId: string }) {
 
 function QuotaRow({ quota: { kind, used, limit } }: { quota: Quota }) {
   const { name, atLimit } = WORDS[kind]
-  const inWords = kind === 'master_bytes' ? `${bytes(used)} of ${bytes(limit)}` : countOf(used, limit)
+  const inWords = kind.endsWith('_bytes') ? `${bytes(used)} of ${bytes(limit)}` : countOf(used, limit)
   const isFull = used >= limit
   const isNear = !isFull && used >= limit * NEAR
   const tone: Tone | undefined = isFull ? 'bad' : isNear ? 'warn' : undefined

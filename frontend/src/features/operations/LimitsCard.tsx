@@ -20,6 +20,7 @@ const NAMES: Record<Quota['kind'], string> = {
   people: 'Members',
   tokens: 'Tokens',
   open_uploads: 'Unfinished uploads',
+  reference_bytes: 'Storage for references',
 }
 const isNear = ({ quotas: [first] }: Limits) => first !== undefined && share(first) >= NEAR
 
@@ -62,7 +63,7 @@ export function LimitsCard({ scope }: { scope: Scope }) {
 
 function Limit({ quota }: { quota: Quota }) {
   const { kind, used, limit } = quota
-  const inWords = kind === 'master_bytes' ? `${bytes(used)} of ${bytes(limit)}` : countOf(used, limit)
+  const inWords = kind.endsWith('_bytes') ? `${bytes(used)} of ${bytes(limit)}` : countOf(used, limit)
   const tone = used >= limit ? 'bad' : share(quota) >= NEAR ? 'warn' : undefined
   return (
     <div>

@@ -19,6 +19,7 @@ const NAMES: Record<Storage['kept'][number]['kind'], string> = {
   reels: 'reel',
   exports: 'exported master',
   placeholder_files: 'placeholder',
+  references: 'reference file',
   documents: 'document',
 }
 const keptWords = ({ kept }: Storage) =>

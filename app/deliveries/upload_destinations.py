@@ -1,0 +1,66 @@
+"""Where an upload goes: into a delivery, or among the references of a project; who may send it, and how large."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.deliveries import service
+from app.deliveries.errors import BadUploadHeader
+from app.deliveries.rules import max_bytes
+from app.deliveries.upload_headers import uuid_in
+from app.deliveries.upload_quotas import ensure_upload_fits
+from app.references import service as references
+
+
+@dataclass(frozen=True)
+class Destination:
+    """Where a file goes, by the metadata of its upload."""
+
+    delivery_id: UUID | None = None
+    beside_take_id: UUID | None = None  # of the take that a dry stem is for
+    project_id: UUID | None = None
+
+    @property
+    def scope(self) -> str:
+        """The scope that the upload keeps."""
+        return references.upload_scope(self.project_id) if self.project_id else str(self.delivery_id)
+
+    def most_bytes(self, file_name: str, reference_max_bytes: int) -> int:
+        """Return how many bytes a file may have there."""
+        return reference_max_bytes if self.project_id else max_bytes(file_name)
+
+
+def destination_in(metadata: Mapping[str, str]) -> Destination:
+    """Read where an upload goes; raise BadUploadHeader where that is two places, or none."""
+    if "project_id" in metadata:
+        if "delivery_id" in metadata:
+            raise BadUploadHeader("Upload-Metadata names a delivery and a project; a file goes to one of them")
+        return Destination(project_id=uuid_in("project_id", metadata["project_id"]))
+    take_id = uuid_in("take_id", metadata["take_id"]) if "take_id" in metadata else None
+    return Destination(uuid_in("delivery_id", metadata.get("delivery_id", "")), take_id)
+
+
+def ensure_may_send(session: Session, actor: Actor, destination: Destination, length: int) -> UUID:
+    """Return the studio of a destination; raise unless the caller may send a file there, and it has room."""
+    if destination.project_id is not None:
+        studio_id = references.ensure_may_upload(session, actor, destination.project_id, length)
+        ensure_upload_fits(session, studio_id, 0)
+        return studio_id
+    if destination.delivery_id is None:
+        raise LookupError("a destination without a place")
+    delivery = service.ensure_may_upload(
+        session, actor, destination.delivery_id, beside_take_id=destination.beside_take_id
+    )
+    ensure_upload_fits(session, delivery.studio_id, length)
+    return delivery.studio_id
+
+
+def ensure_may_continue(session: Session, actor: Actor, scope: str) -> None:
+    """Raise unless the caller may still send to where an upload goes; a delivery closed meanwhile takes it."""
+    if scope.startswith(references.SCOPE):
+        references.ensure_may_continue(session, actor, scope)
+    else:
+        service.own_delivery(session, actor, UUID(scope))

@@ -1,0 +1,112 @@
+"""References, read from the database; callers have checked access."""
+
+from collections.abc import Collection, Sequence
+from datetime import datetime
+from typing import NamedTuple
+from uuid import UUID
+
+from sqlalchemy import Select, func, or_, select
+from sqlalchemy.orm import Session, contains_eager, joinedload
+
+from app.references.models import Reference, ReferenceOpening, ReferenceVersion
+from app.sound_lists.models import Cue
+
+
+class PinnedTo(NamedTuple):
+    """A cue with its category: both may have references."""
+
+    cue_id: UUID
+    category: str
+
+
+def newest_versions(
+    session: Session, project_id: UUID, *, pinned_to: PinnedTo | None, before: UUID | None, limit: int
+) -> Sequence[ReferenceVersion]:
+    """Return the newest version of each reference on the board, the reference added last first."""
+    found = _newest().where(Reference.project_id == project_id)
+    if pinned_to is not None:
+        # A cue without a category has an empty one, which no reference is pinned to.
+        found = found.where(or_(Reference.cue_id == pinned_to.cue_id, Reference.category == pinned_to.category))
+    if before is not None:
+        found = found.where(Reference.id < before)
+    return session.scalars(found.order_by(Reference.id.desc()).limit(limit)).all()
+
+
+def newest_version(session: Session, reference_id: UUID) -> ReferenceVersion | None:
+    """Return a reference on the board with its newest version."""
+    return session.scalar(_newest().where(Reference.id == reference_id))
+
+
+def version_by_id(session: Session, version_id: UUID) -> ReferenceVersion | None:
+    """Return any version of a reference on the board."""
+    return session.scalar(_on_board().where(ReferenceVersion.id == version_id))
+
+
+def versions_of(session: Session, reference_id: UUID) -> Sequence[ReferenceVersion]:
+    """Return the versions of a reference on the board, newest first."""
+    of_it = _on_board().where(Reference.id == reference_id)
+    return session.scalars(of_it.order_by(ReferenceVersion.number.desc())).all()
+
+
+def reference_locked(session: Session, reference_id: UUID) -> Reference | None:
+    """Return a reference on the board, locked until the transaction ends."""
+    on_board = select(Reference).where(Reference.id == reference_id, Reference.removed_at.is_(None))
+    return session.scalar(on_board.with_for_update().execution_options(populate_existing=True))
+
+
+def _on_board() -> Select[ReferenceVersion]:
+    joined = select(ReferenceVersion).join(Reference, Reference.id == ReferenceVersion.reference_id)
+    loaded = joined.options(contains_eager(ReferenceVersion.reference), joinedload(ReferenceVersion.author))
+    return loaded.where(Reference.removed_at.is_(None))
+
+
+def _newest() -> Select[ReferenceVersion]:
+    return _on_board().where(ReferenceVersion.number == Reference.newest_number)
+
+
+def cues_pinned(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, Cue]:
+    """Return cues by id."""
+    return {cue.id: cue for cue in session.scalars(select(Cue).where(Cue.id.in_(cue_ids)))} if cue_ids else {}
+
+
+def has_category(session: Session, project_id: UUID, category: str) -> bool:
+    """Whether a list has a cue of a category."""
+    of_it = select(Cue.id).where(Cue.project_id == project_id, Cue.category == category)
+    return session.scalar(of_it.limit(1)) is not None
+
+
+def last_opened_at(session: Session, version_id: UUID, person_id: UUID) -> datetime | None:
+    """Return when a person last opened a version."""
+    return session.scalar(
+        select(func.max(ReferenceOpening.opened_at)).where(
+            ReferenceOpening.version_id == version_id, ReferenceOpening.person_id == person_id
+        )
+    )
+
+
+def openings(
+    session: Session, project_id: UUID, *, reference_id: UUID | None, before: UUID | None, limit: int
+) -> Sequence[ReferenceOpening]:
+    """Return who opened what, newest first; references that were removed since are included."""
+    found = (
+        select(ReferenceOpening)
+        .join(ReferenceOpening.version)
+        .where(ReferenceOpening.project_id == project_id)
+        .options(
+            contains_eager(ReferenceOpening.version).joinedload(ReferenceVersion.reference),
+            joinedload(ReferenceOpening.person),
+        )
+    )
+    if reference_id is not None:
+        found = found.where(ReferenceVersion.reference_id == reference_id)
+    if before is not None:
+        found = found.where(ReferenceOpening.id < before)
+    return session.scalars(found.order_by(ReferenceOpening.id.desc()).limit(limit)).all()
+
+
+def kept_reference_bytes(session: Session, studio_id: UUID) -> int:
+    """Return how many bytes the files of a studio's references have, those with the same bytes once."""
+    size = func.max(ReferenceVersion.file_bytes).label("size")
+    each = select(size).where(ReferenceVersion.studio_id == studio_id, ReferenceVersion.sha256.is_not(None))
+    kept = each.group_by(ReferenceVersion.sha256).subquery()
+    return int(session.scalar(select(func.sum(kept.c.size))) or 0)
