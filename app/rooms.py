@@ -32,6 +32,7 @@ from app.kit.events import Handler
 from app.money.endpoints import router as money
 from app.money.ledger import charge_deposits
 from app.notifications.endpoints import router as notifications
+from app.notifications.preference_endpoints import router as mail_preferences
 from app.operations.endpoints import router as operations
 from app.projects.approval_endpoints import router as approval
 from app.projects.endpoints import router as projects
@@ -80,6 +81,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     dashboards,
     events,
     notifications,
+    mail_preferences,
     operations,
 )
 JOB_MODULES = (

@@ -31,7 +31,10 @@ NEVER_ALTERED = frozenset(  # what was said and owed stands
 )
 SERVERS_OWN = frozenset({"kit_heartbeats", "accounts_rate_limits", "accounts_sign_ups"})
 PERSONAL = frozenset(
-    {"accounts_sign_ins", "accounts_password_resets", "accounts_email_verifications", "accounts_operators"}
+    {
+        *("accounts_sign_ins", "accounts_password_resets", "accounts_email_verifications", "accounts_operators"),
+        "notifications_mail_preferences",
+    }
 )
 READ_ONLY = frozenset({"accounts_operators", "accounts_quotas"})  # set on the command line only
 

@@ -14,14 +14,20 @@ class BadSmtpUrl(ValueError):
     """SOUNDLIST_SMTP_URL is not an address of an SMTP server."""
 
 
-def plain_mail(*, sender: str, recipient: str, subject: str, text: str) -> EmailMessage:
-    """Return a message; the message class refuses a line break in a header."""
+def plain_mail(*, sender: str, recipient: str, subject: str, text: str, stop_url: str | None = None) -> EmailMessage:
+    """Return a message; the message class refuses a line break in a header.
+
+    A POST to `stop_url` stops mails like this: mail programs offer that as one click (RFC 8058).
+    """
     message = EmailMessage()
     message["From"] = sender
     message["To"] = recipient
     message["Subject"] = " ".join(subject.split())
     message["Message-ID"] = make_msgid(domain="soundlist")
     message["Auto-Submitted"] = "auto-generated"
+    if stop_url:
+        message["List-Unsubscribe"] = f"<{stop_url}>"
+        message["List-Unsubscribe-Post"] = "List-Unsubscribe=One-Click"
     message.set_content(text)
     return message
 

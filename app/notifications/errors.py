@@ -1,6 +1,6 @@
 """Errors of this room, each named after the fact."""
 
-from app.kit.errors import Conflict, NotFound
+from app.kit.errors import Conflict, Invalid, NotFound
 
 
 class MailNotFound(NotFound):
@@ -9,3 +9,15 @@ class MailNotFound(NotFound):
 
 class MailBusy(Conflict):
     """Another worker is handing this mail to the server."""
+
+
+class MailLinkNotFound(NotFound):
+    """The link at the end of a mail is altered, cut short, or of another server."""
+
+
+class ContractMailNeeded(Invalid):
+    """Mails about contracts and payments are not turned off."""
+
+
+class QuietHoursUnclear(Invalid):
+    """Quiet hours need a begin and an end that differ."""

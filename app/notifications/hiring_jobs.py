@@ -32,7 +32,7 @@ def _mail(
     runtime: Runtime, session: Session, payload: Payload, posting: Posting, recipient: str, subject: str, line: str
 ) -> None:
     """Mail a candidate, who may not see the project and so is led to the posting alone."""
-    service.write_mail(
+    service.write_news(
         session,
         event_id=payload["event_id"],
         studio_id=posting.studio_id,

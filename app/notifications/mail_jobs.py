@@ -7,9 +7,10 @@ import aiosmtplib
 from app.kit import clock, mail
 from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
-from app.notifications import links, queries, service
+from app.notifications import links, preferences, queries, service
 from app.notifications.errors import MailBusy
 from app.notifications.models import Mail
+from app.notifications.preference_rules import ALWAYS_MAILED
 from app.notifications.rules import text_of
 
 
@@ -54,17 +55,22 @@ def _send(runtime: Runtime, mail_id: UUID) -> None:
         claimed = service.claim(session, mail_id)
         if claimed is None:
             return
+        if preferences.drop_unwanted(session, claimed):
+            return
         link = links.make(session, claimed, base_url=runtime.settings.base_url, is_sent_by_mail_only=True)
         if claimed.secret_of is not None:
             claimed.link = None  # the link that the outbox showed is revoked
             if link is None:
                 session.delete(claimed)  # it was used, revoked or grew old before a server took it
                 return
+        token = preferences.token_for(session, runtime.settings.secret_key.get_secret_value(), claimed)
+    base_url = runtime.settings.base_url
     message = mail.plain_mail(
         sender=runtime.settings.mail_from,
         recipient=claimed.recipient,
         subject=claimed.subject,
-        text=text_of(claimed.lines, link),
+        text=text_of(claimed.lines, link, f"{base_url}/mails/{token}" if token else None),
+        stop_url=f"{base_url}/v1/mail-choices/{token}/stop" if token and claimed.news not in ALWAYS_MAILED else None,
     )
     try:
         mail.send(runtime.settings.smtp_url, message)

@@ -1,6 +1,7 @@
 """The tables of this room."""
 
-from datetime import datetime
+from datetime import datetime, time
+from typing import Any
 from uuid import UUID
 
 from sqlalchemy import ForeignKey, Index, text
@@ -32,11 +33,26 @@ class Mail(Base):
     subject: Mapped[str]
     lines: Mapped[list[str]]
     event_ids: Mapped[list[str]]  # each event is mailed once, however often its job runs
+    news: Mapped[str | None]  # its kind; empty: a digest of several; None: sent whatever its reader wishes
     link: Mapped[str | None]  # cleared once the mail is sent
     secret_of: Mapped[str | None]  # the event whose secret link it contains; made when sent or, without SMTP, shown
     secret_of_id: Mapped[UUID | None]
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    send_after: Mapped[datetime] = mapped_column(default=clock.now)
     sealed_at: Mapped[datetime | None]  # from here on nothing is added
     claimed_until: Mapped[datetime | None]  # until then one worker hands it to the server, and no other does
     sent_at: Mapped[datetime | None]
     failure: Mapped[str | None]
+
+
+class MailPreferences(Base):
+    """What a person wants to be mailed, and when."""
+
+    __tablename__ = "notifications_mail_preferences"
+
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), primary_key=True)
+    cadences: Mapped[dict[str, Any]]  # by kind of news; what is missing is mailed at once
+    time_zone: Mapped[str]  # an IANA name: Europe/Berlin
+    daily_at: Mapped[time]  # in that time zone, as the two below
+    quiet_from: Mapped[time | None]
+    quiet_until: Mapped[time | None]

@@ -23,7 +23,7 @@ class Notifier:
     def notify(self, recipient: str, topic: str, subject: str, *lines: str, page: str | None = None) -> None:
         """Add lines to the recipient's mail on the topic; without a page the link leads to the desk."""
         base_url = self.runtime.settings.base_url
-        service.write_mail(
+        service.write_news(
             self.session,
             event_id=self.event_id,
             studio_id=self.project.studio_id,

@@ -11,7 +11,7 @@ from app.accounts.models import Membership, Person
 from app.accounts.rules import Role
 from app.agreements.models import Contract, Milestone
 from app.deliveries.models import Take
-from app.notifications.models import Mail
+from app.notifications.models import Mail, MailPreferences
 from app.projects.approval import approval_rights
 from app.projects.models import Engagement, Liaison, Project
 from app.projects.visibility import engaged_with_nda_accepted
@@ -64,13 +64,13 @@ def outbox(session: Session, studio_id: UUID) -> Sequence[Mail]:
 
 
 def overdue_ids(session: Session, at: datetime, digest_delay_s: float) -> Sequence[UUID]:
-    """Return the mails that no job will send any more, oldest first: sealed, or past their digest's time."""
-    begun_before = at - timedelta(seconds=2 * digest_delay_s)
+    """Return the mails that no job will send any more, oldest first: sealed, or past the time of their job."""
+    due_before = at - timedelta(seconds=digest_delay_s)
     return session.scalars(
         select(Mail.id)
         .where(
             Mail.sent_at.is_(None),
-            or_(Mail.sealed_at.is_not(None), Mail.created_at < begun_before),
+            or_(Mail.sealed_at.is_not(None), Mail.send_after < due_before),
             or_(Mail.claimed_until.is_(None), Mail.claimed_until < at),
         )
         .order_by(Mail.id)
@@ -86,6 +86,16 @@ def changes_of(session: Session, feedback_id: UUID) -> Sequence[tuple[ChangeRequ
         .where(ChangeRequest.feedback_id == feedback_id)
         .order_by(Cue.number, Take.variation)
     ).all()
+
+
+def preferences_of(session: Session, person_id: UUID) -> MailPreferences | None:
+    """Return what a person has saved of their mails."""
+    return session.get(MailPreferences, person_id)
+
+
+def person_id_at(session: Session, address: str) -> UUID | None:
+    """Return whose address it is."""
+    return session.scalar(select(Person.id).where(Person.email == address))
 
 
 def address_of(session: Session, person_id: UUID) -> str:

@@ -11,12 +11,13 @@ def counted(count: int, one: str, many: str) -> str:
     return f"{count} {one if count == 1 else many}"
 
 
-def text_of(lines: Sequence[str], link: str | None) -> str:
-    """Return the whole text of a mail."""
+def text_of(lines: Sequence[str], link: str | None, preferences_link: str | None = None) -> str:
+    """Return the whole text of a mail; the last link is for who wants fewer of them."""
     parts = ["\n\n".join(lines)]
     if link:
         parts.append(link)
-    parts.append(f"-- \n{FOOTER}")
+    footer = f"{FOOTER}\nFewer mails like this: {preferences_link}" if preferences_link else FOOTER
+    parts.append(f"-- \n{footer}")
     return "\n\n".join(parts) + "\n"
 
 

@@ -1,9 +1,12 @@
-"""Answers of this room."""
+"""What this room takes and answers."""
 
-from datetime import datetime
+from datetime import datetime, time
 from uuid import UUID
 
+from pydantic import Field
+
 from app.kit.http import Schema
+from app.notifications.preference_rules import Cadence, News
 
 
 class MailRead(Schema):
@@ -24,3 +27,32 @@ class OutboxRead(Schema):
 
     can_send: bool
     mails: list[MailRead]
+
+
+class MailPreferencesSave(Schema):
+    """What the caller wants to be mailed, and when; times are those of the time zone."""
+
+    cadences: dict[News, Cadence] = Field(description="By kind of news; what is missing is mailed at once.")
+    time_zone: str = Field(max_length=64, examples=["Europe/Berlin"])
+    daily_at: time = Field(description="When the mail of the day is sent.")
+    quiet_from: time | None = Field(None, description="From then on nothing is sent, until quiet_until.")
+    quiet_until: time | None = None
+
+
+class MailPreferencesRead(MailPreferencesSave):
+    """What the caller is mailed, and when: every kind of news by name."""
+
+
+class MailChoiceRead(Schema):
+    """What the link of a mail changes: how often its reader is mailed some news."""
+
+    email: str
+    news: list[News]
+    cadence: Cadence | None = Field(description="None where these kinds are mailed differently.")
+    can_stop: bool
+
+
+class MailChoiceSave(Schema):
+    """How often the news of the link is mailed from now on."""
+
+    cadence: Cadence

@@ -1,7 +1,7 @@
 """Writes emails with the facts of their events, and sends them."""
 
 from collections.abc import Sequence
-from datetime import timedelta
+from datetime import datetime, timedelta
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -11,12 +11,15 @@ from app.accounts.service import ensure_producer_of
 from app.kit import clock
 from app.kit.db import insert_if_absent, new_id
 from app.kit.events import publish
-from app.notifications import queries
+from app.notifications import preferences, queries
 from app.notifications.errors import MailBusy, MailNotFound
 from app.notifications.models import Mail
+from app.notifications.preference_rules import Cadence, news_of
 
 # Longer than the server is given to take a mail; a worker that died sending leaves it to the next after that.
 CLAIMED_FOR = timedelta(seconds=60)
+SENT_BY_JOB = timedelta(minutes=10)  # later than that a worker sends what is due, every five minutes
+DIGEST_SUBJECTS = {Cadence.HOURLY: "Soundlist: news of the hour", Cadence.DAILY: "Soundlist: news of the day"}
 UNSEALED = Mail.sealed_at.is_(None)  # the condition of their unique index
 
 
@@ -32,11 +35,15 @@ def write_mail(
     link: str | None = None,
     secret_of: str | None = None,
     secret_of_id: UUID | None = None,
-    delay_s: float = 0,
+    news: str | None = None,
+    send_after: datetime | None = None,
 ) -> None:
-    """Add news to the recipient's open mail on the topic, or begin one and have it sent after the delay."""
+    """Add to the recipient's open mail on the topic, or begin one and have it sent at once, or after a moment."""
+    now = clock.now()
+    send_after = send_after or now
+    mail_id = new_id()
     facts = {
-        "id": new_id(),
+        "id": mail_id,
         "studio_id": studio_id,
         "topic": topic,
         "recipient": recipient,
@@ -46,15 +53,64 @@ def write_mail(
         "link": link,
         "secret_of": secret_of,
         "secret_of_id": secret_of_id,
+        "news": news,
+        "created_at": now,
+        "send_after": send_after,
     }
     # What another job has just begun is joined; a mail that is sealed between the two is followed by another.
     while (mail := queries.open_mail(session, topic, recipient)) is None:
         if insert_if_absent(session, Mail, facts, unique=("topic", "recipient"), where=UNSEALED):
-            publish(session, "mail.written", studio_id=studio_id, delay_s=delay_s, mail_id=facts["id"])
+            if send_after - now <= SENT_BY_JOB:
+                delay_s = (send_after - now).total_seconds()
+                publish(session, "mail.written", studio_id=studio_id, delay_s=delay_s, mail_id=mail_id)
             return
     if event_id not in mail.event_ids:
         mail.lines = [*mail.lines, *lines]
         mail.event_ids = [*mail.event_ids, event_id]
+
+
+def write_news(
+    session: Session,
+    *,
+    event_id: str,
+    studio_id: UUID,
+    topic: str,
+    recipient: str,
+    subject: str,
+    lines: Sequence[str],
+    link: str,
+    delay_s: float,
+) -> None:
+    """Write news as its reader wishes it: at once, in the mail of the hour or the day, or not at all."""
+    news = news_of(topic)
+    cadence, send_after = preferences.timing(session, recipient, news, timedelta(seconds=delay_s))
+    if cadence is Cadence.NEVER:
+        return
+    if cadence is Cadence.AT_ONCE:
+        write_mail(
+            session,
+            event_id=event_id,
+            studio_id=studio_id,
+            topic=topic,
+            recipient=recipient,
+            subject=subject,
+            lines=lines,
+            link=link,
+            news=news,
+            send_after=send_after,
+        )
+        return
+    write_mail(
+        session,
+        event_id=f"{event_id}:{topic}",  # an event may be several pieces of news
+        studio_id=studio_id,
+        topic=f"digest:{cadence}:{studio_id}",
+        recipient=recipient,
+        subject=DIGEST_SUBJECTS[cadence],
+        lines=["\n\n".join((subject, *lines, link))],
+        news=preferences.EVERYTHING,
+        send_after=send_after,
+    )
 
 
 def outbox(session: Session, actor: Actor, studio_id: UUID) -> list[Mail]:

@@ -44,6 +44,8 @@ from app.kit.uploads import Upload, Uploads
 from app.money.models import CalendarLink, ExtraRound, Invoice, InvoiceLine, LedgerLine, Payment, WorkedDay
 from app.money.rules import LineKind
 from app.notifications.models import Mail
+from app.notifications.preference_rules import News
+from app.notifications.preferences import link_token
 from app.projects.models import Deputy, Engagement, Project, ProjectInvitation
 from app.projects.queries import any_engagement_of, current_spec
 from app.projects.rules import EngagementKind
@@ -456,6 +458,8 @@ class House(World):
         self.links = {"invitations": new_secret(), "studio-invitations": new_secret(), "password-resets": new_secret()}
         self.links["posting-links"] = self._posting_secret
         self.links |= {kind: new_secret() for kind in ("calendars", "sign-ups", "email-verifications")}
+        secret_key = self.server.runtime.settings.secret_key.get_secret_value()
+        self.links["mail-choices"] = link_token(secret_key, self.designer_id, News.TALK)
         expires_at = clock.now() + TOMORROW
         session.add(
             CalendarLink(

@@ -19,6 +19,8 @@ export const queryKeys = {
   signUp: family('sign-up'),
   signUpLink: family<[secret: string]>('sign-up-link'),
   signIns: family('sign-ins'),
+  mailPreferences: family('mail-preferences'),
+  mailChoice: family<[secret: string]>('mail-choice'),
   studioPeople: family<[studioId: string]>('studio-people'),
   studioInvitations: family<[studioId: string]>('studio-invitations'),
   studioInvitation: family<[secret: string]>('studio-invitation'),

@@ -296,7 +296,7 @@ def test_two_jobs_that_notify_at_the_same_moment_write_one_mail(world: World):
             recipient="maker@example.test",
             subject="sounds approved",
             lines=[event_id],
-            delay_s=3600,
+            send_after=clock.now() + timedelta(hours=1),
         )
 
     def second() -> None:

@@ -10,6 +10,7 @@ import { Row, Rows } from '@/ui/Rows'
 import { sessionQuery, useChangePassword, useOpenStudio, useRename } from './api'
 import classes from './Account.module.css'
 import { Field, Form } from '@/app/Form'
+import { MailCard } from './MailCard'
 import { ROLE_WORDS } from './parts'
 import { AddressCard, SignInsCard } from './SecurityCards'
 
@@ -41,6 +42,7 @@ export function AccountPage() {
         {session?.demo !== true && <AddressCard me={me} />}
         <PasswordCard demo={session?.demo === true} />
         {session?.demo !== true && <SignInsCard />}
+        <MailCard />
         <Card aria-labelledby="belong">
           <CardHead id="belong" title="Your studios and projects" />
           <Rows>

@@ -98,6 +98,45 @@ export function useEndOtherSignIns() {
   })
 }
 
+export type MailPreferences = Schemas['MailPreferencesRead']
+export type News = Schemas['News']
+export type Cadence = Schemas['Cadence']
+
+export const mailPreferencesQuery = queryOptions({
+  queryKey: queryKeys.mailPreferences(),
+  queryFn: () => answered(api.GET('/v1/me/mail-preferences')),
+})
+
+export function useSaveMailPreferences() {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: MailPreferences) => answered(api.PUT('/v1/me/mail-preferences', { body })),
+    onSuccess: (saved) => client.setQueryData(queryKeys.mailPreferences(), saved),
+  })
+}
+
+/** What the link at the end of a mail changes. */
+export const mailChoiceQuery = (secret: string) =>
+  queryOptions({
+    queryKey: queryKeys.mailChoice(secret),
+    queryFn: () => answered(api.GET('/v1/mail-choices/{secret}', { params: { path: { secret } } })),
+    retry: false,
+  })
+
+export function useChooseMail(secret: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: async (cadence: Cadence) => {
+      await client.ensureQueryData(sessionQuery) // the first write of a page needs its token too
+      return answered(api.PUT('/v1/mail-choices/{secret}', { params: { path: { secret } }, body: { cadence } }))
+    },
+    onSuccess: (saved) => {
+      client.setQueryData(queryKeys.mailChoice(secret), saved)
+      return invalidate(client, queryKeys.mailPreferences())
+    },
+  })
+}
+
 export const useNewPassword = (secret: string) =>
   useEntrance((password: string) =>
     answered(api.POST('/v1/password-resets/{secret}', { params: { path: { secret } }, body: { password } })),

@@ -32,6 +32,11 @@ export const accountGuestRoutes = [
   }),
   createRoute({
     getParentRoute: () => guestRoute,
+    path: '/mails/$secret',
+    component: lazyRouteComponent(() => import('./MailChoicePage'), 'MailChoicePage'),
+  }),
+  createRoute({
+    getParentRoute: () => guestRoute,
     path: '/join/$secret',
     component: lazyRouteComponent(() => import('./JoinPage'), 'JoinPage'),
   }),

@@ -1,0 +1,88 @@
+"""When a person is mailed which news, stated without a database."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from datetime import UTC, datetime, time, timedelta
+from enum import StrEnum
+from zoneinfo import ZoneInfo
+
+
+class News(StrEnum):
+    """What mails are about; a person says for each how often it is mailed."""
+
+    SOUNDS = "sounds"  # to review, returned, approved, changes requested
+    TALK = "talk"  # questions, answers, replies
+    LIST = "list"  # the sound list changed, somebody joined, a build was refused
+    CONTRACTS = "contracts"  # signatures, change orders, invoices
+    HIRING = "hiring"  # postings and bids
+
+
+class Cadence(StrEnum):
+    """How often news is mailed."""
+
+    AT_ONCE = "at_once"
+    HOURLY = "hourly"
+    DAILY = "daily"
+    NEVER = "never"
+
+
+ALWAYS_MAILED = frozenset({News.CONTRACTS})  # at the rarest daily: money and signatures have days to keep
+NEWS_OF_TOPIC: Mapping[str, News] = {  # by the first word of a mail's topic
+    **dict.fromkeys(("to-review", "returned", "approved", "changes", "reminders", "silence"), News.SOUNDS),
+    **dict.fromkeys(("questions", "answers", "replies"), News.TALK),
+    **dict.fromkeys(("list", "cut", "builds", "joined"), News.LIST),
+    **dict.fromkeys(("contract", "deposit", "invoices", "head"), News.CONTRACTS),
+    **dict.fromkeys(("bids", "posting-questions", "posting"), News.HIRING),
+}
+
+
+@dataclass(frozen=True)
+class Preferences:
+    """A person's wishes; these are the ones of who has said nothing."""
+
+    cadences: Mapping[News, Cadence] = field(default_factory=dict)
+    time_zone: str = "UTC"  # an IANA name
+    daily_at: time = time(8)
+    quiet_from: time | None = None
+    quiet_until: time | None = None
+
+    def cadence(self, news: News) -> Cadence:
+        """Return how often the person wants news of a kind."""
+        return self.cadences.get(news, Cadence.AT_ONCE)
+
+
+def news_of(topic: str) -> News:
+    """Return what kind of news a mail's topic is."""
+    return NEWS_OF_TOPIC[topic.partition(":")[0]]
+
+
+def send_after(wishes: Preferences, cadence: Cadence, now: datetime, delay: timedelta) -> datetime:
+    """Return the moment from which a mail begun now is to be sent: by its cadence, and outside quiet hours."""
+    zone = ZoneInfo(wishes.time_zone)
+    if cadence is Cadence.DAILY:
+        return _next(wishes.daily_at, now, zone)
+    if cadence is Cadence.HOURLY:
+        local = now.astimezone(zone)
+        wanted = now + (timedelta(hours=1) - timedelta(minutes=local.minute, seconds=local.second))
+    else:
+        wanted = now + delay
+    if _is_quiet(wishes, wanted.astimezone(zone).time()) and wishes.quiet_until is not None:
+        return _next(wishes.quiet_until, wanted, zone)
+    return wanted
+
+
+def _is_quiet(wishes: Preferences, at: time) -> bool:
+    first, end = wishes.quiet_from, wishes.quiet_until
+    if first is None or end is None:
+        return False
+    return first <= at < end if first <= end else at >= first or at < end
+
+
+def _next(at: time, now: datetime, zone: ZoneInfo) -> datetime:
+    """Return the next moment at which clocks of a zone show a time; a time that a change of clocks skips is later."""
+    local = now.astimezone(zone)
+    for days in (0, 1):
+        moment = datetime.combine(local.date() + timedelta(days=days), at, zone).astimezone(UTC)
+        if moment > now:
+            break
+    return moment
