@@ -58,6 +58,7 @@ if TYPE_CHECKING:
     from audio_checks.run.rehearsal import rehearse_check, write_rehearsal_sound
     from audio_checks.run.runner import check_file, check_files, is_placeholder, measure_file
     from audio_checks.run.sets import offset_from_set_lu, set_findings
+    from audio_checks.spec.codings import CODINGS, LOSSY_ENCODINGS, Coding
     from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec, Target, load_spec, new_spec, parse_spec
     from audio_checks.spec.sound_list import (
         SoundList,
@@ -74,8 +75,10 @@ if TYPE_CHECKING:
     from audio_checks.system.text_files import read_toml
 
 __all__ = [
+    "CODINGS",
     "FINGERPRINT_VERSION",
     "FIXER_VERSION",
+    "LOSSY_ENCODINGS",
     "RENDERER_VERSION",
     "TARGET_PRESETS",
     "TOOL_VERSION",
@@ -85,6 +88,7 @@ __all__ = [
     "BandLevels",
     "Check",
     "CheckLimit",
+    "Coding",
     "CueFacts",
     "DeliverySpec",
     "DryStem",
@@ -231,6 +235,7 @@ _HOMES = {
         "stems_of",
         "write_sound_list",
     ),
+    "audio_checks.spec.codings": ("CODINGS", "LOSSY_ENCODINGS", "Coding"),
     "audio_checks.spec.delivery_spec": ("CueFacts", "DeliverySpec", "Target", "load_spec", "new_spec", "parse_spec"),
     "audio_checks.spec.target_presets": ("TARGET_PRESETS", "TargetPreset"),
     "audio_checks.system.text_files": ("read_toml",),

@@ -19,6 +19,7 @@ from app.money.errors import DownloadUnpaid
 from app.projects.errors import ProducerNeeded, ProjectNotFound, TeamNeeded
 from app.projects.service import project_access
 from app.renders.errors import NothingRendered, RenderNotFound, TargetUnknown
+from app.renders.rules import MEDIA_TYPES, media_type_of
 
 router = Router(prefix="/v1", tags=["builds"], route_class=Route)
 ZIPAPP = "application/zip"
@@ -76,7 +77,7 @@ def get_client_program(
     "/projects/{project_id}/game-files/{render_id}",
     response_class=Response,
     responses={
-        200: {"content": {"audio/wav": {}}},
+        200: {"content": {kind: {} for kind in MEDIA_TYPES}},
         **problems(
             ProjectNotFound,
             TeamNeeded,
@@ -98,4 +99,6 @@ def get_game_file(
 ) -> Response:
     """Download an approved game file, or parts of it by Range."""
     render, sha256 = game_files.approved_file(session, actor, project_id, render_id)
-    return blob_response(request, runtime.store, render.studio_id, sha256, media_type="audio/wav", by_link=True)
+    return blob_response(
+        request, runtime.store, render.studio_id, sha256, media_type=media_type_of(render.facts), by_link=True
+    )

@@ -76,7 +76,9 @@ def make_placeholder_files(runtime: Runtime, payload: Payload) -> None:
         blob, is_spoken, refusal = None, False, ""
         with tempfile.TemporaryDirectory(prefix="soundlist-") as folder:
             try:
-                made = make_placeholder(slot.facts, slot.variation, slot.view, Path(folder, "placeholder_file.wav"))
+                made = make_placeholder(
+                    slot.facts, slot.variation, slot.view, Path(folder, f"placeholder{slot.view.ending}")
+                )
                 blob, is_spoken = runtime.store.put_file(project.studio_id, made.path), made.is_spoken
             except RenderRefused as error:
                 refusal = f"{error}; {error.fix}"

@@ -36,7 +36,7 @@ from app.renders.rules import RenderState
 from app.reviews.queries import accepted_takes
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import label
-from audio_checks import Target
+from audio_checks import LOSSY_ENCODINGS, Target
 
 KEY_CSV, KEY_XLSX, KEY_PDF = (f"documentation-key.{ending}" for ending in ("csv", "xlsx", "pdf"))
 SUMS = "SHA256SUMS"
@@ -157,9 +157,9 @@ def pack_of(session: Session, project: Project, target: str | None, actor: Actor
     for cue, variation, take in accepted:
         if cue.category not in categories:
             own = view.for_category(cue.category or None)
-            categories[cue.category] = own.naming.extension or ".wav", own.targets[chosen]
-        extension, made_to = categories[cue.category]
-        path = made_to.path_of(stems[cue.id, variation] + extension, cue.category)
+            categories[cue.category] = own.targets[chosen].ending(own.naming.extension), own.targets[chosen]
+        ending, made_to = categories[cue.category]
+        path = made_to.path_of(stems[cue.id, variation] + ending, cue.category)
         render, before = renders[take.id].get(chosen), last_renders.get(path)
         if before and render and render.state is RenderState.MADE and mark_of(before) == mark_of(render):
             render = before
@@ -277,7 +277,7 @@ def _key_row(pack: Pack, sound: PackedSound, *, masters: bool) -> KeyRow:
         loop="yes" if cue.loop else "no",
         duration_s=facts.get("duration_s"),
         sample_rate_hz=facts.get("sample_rate_hz"),
-        bit_depth=facts.get("bit_depth"),
+        bit_depth=None if facts.get("encoding") in LOSSY_ENCODINGS else facts.get("bit_depth"),
         channels=facts.get("channels"),
         attenuation_db=render.attenuation_db if render else None,
         version=take.number,

@@ -57,7 +57,7 @@ def open_slots(session: Session, pack: Pack) -> Iterator[Slot]:
         facts = replace(cue_facts(cue), number=label(pack.project.cue_prefix, cue.number))
         for stem in sorted(cue.stems, key=lambda one: one.variation):
             if (cue.id, stem.variation) not in there and view.target is not None:
-                path = view.target.path_of(stem.stem + (view.naming.extension or ".wav"), cue.category)
+                path = view.target.path_of(stem.stem + view.ending, cue.category)
                 yield Slot(cue, stem.variation, path, facts, view, _key(facts, stem.variation, view))
 
 

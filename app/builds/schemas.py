@@ -313,6 +313,7 @@ class TargetMemory(Schema):
     sample_rate_hz: int
     bit_depth: int
     encoding: str
+    quality: float | None = Field(description="Of what a lossy codec keeps, 0 to 1.")
     channels: Literal["master", 1, 2]
     dither: str
     folder: str

@@ -41,6 +41,7 @@ def _target_read(session: Session, spec: DeliverySpec, pack: Pack) -> TargetMemo
         sample_rate_hz=target.sample_rate_hz,
         bit_depth=target.bit_depth,
         encoding=target.encoding,
+        quality=target.quality,
         channels=target.channels,
         dither=target.dither,
         folder=target.folder,

@@ -38,7 +38,7 @@ THUMB_FULL_SCALE = 127
 PEAKS_FULL_SCALE = 10_000  # a step is 80 dB below, less than a pixel
 PLAYABLE_RATE_HZ = 48_000
 MASTER = ""  # no target's name is empty
-PEAKS, SPECTRUM, PREVIEW, GAME_FILE = "peaks.json", "spectrum.png", "preview.wav", "render.wav"
+PEAKS, SPECTRUM, PREVIEW = "peaks.json", "spectrum.png", "preview.wav"
 
 
 class Facts(TypedDict):
@@ -107,6 +107,11 @@ def prepare(
     return found
 
 
+def game_file(target: Target) -> str:
+    """Return what a target's file is called in its folder; a codec's is read by its ending."""
+    return f"render{target.ending()}"
+
+
 def places(folder: str, targets: Iterable[str]) -> dict[str, Path]:
     """Return the path of each target's file in a folder, and of the master's drawing."""
     return {target: Path(folder, str(number)) for number, target in enumerate(targets)} | {MASTER: Path(folder)}
@@ -127,7 +132,7 @@ def draw(path: str, folder: str, *, loop: bool) -> Drawn:
 
 
 def _drawn(path: str, folder: Path, *, loop: bool, known: _Known) -> Drawn:
-    with AudioFile(path) as file:
+    with AudioFile(path, coded=True) as file:
         facts = file.facts
     small, large = wave_shapes(path, (THUMB_POINTS, PEAKS_POINTS))
     bands = known.bands or average_spectrum(path)
@@ -187,7 +192,7 @@ def _is_playable(path: str) -> bool:
 
 def _rendered(path: str, folder: Path, recipe: dict[str, Any], known: _Known) -> Made:
     """Make a game file and draw it; return what was made, and its drawing."""
-    out = folder / GAME_FILE
+    out = folder / game_file(recipe["target"])
     with AudioFile(path) as file:
         master_rate_hz = file.facts.sample_rate_hz
     rendered = render_master(path, out_path=out, **recipe, durable=False)  # the store syncs its copy

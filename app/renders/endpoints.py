@@ -31,6 +31,7 @@ from app.renders.errors import (
     TakesBeingDrawn,
     TargetUnknown,
 )
+from app.renders.rules import MEDIA_TYPES, media_type_of
 from app.renders.schemas import (
     BatchAdd,
     BatchRead,
@@ -102,7 +103,7 @@ def get_spectrum(
     "/renders/{render_id}/file",
     response_class=Response,
     responses={
-        200: {"content": {"audio/wav": {}}},
+        200: {"content": {kind: {} for kind in MEDIA_TYPES}},
         **problems(RenderNotFound, NothingRendered, DownloadUnpaid, BlobMissing),
     },
 )
@@ -112,7 +113,13 @@ def get_render_file(
     """Download a game file under the name that the game expects."""
     render, sha256, file_name = service.render_file(session, actor, render_id)
     return blob_response(
-        request, runtime.store, render.studio_id, sha256, media_type="audio/wav", file_name=file_name, by_link=True
+        request,
+        runtime.store,
+        render.studio_id,
+        sha256,
+        media_type=media_type_of(render.facts),
+        file_name=file_name,
+        by_link=True,
     )
 
 

@@ -58,7 +58,7 @@ def make_missing(
             render.refusal = _refusal(order, target, outcome)
             renders.append((render, None))
             continue
-        files[target] = blob = runtime.store.put_file(studio_id, place / drawing.GAME_FILE)
+        files[target] = blob = runtime.store.put_file(studio_id, place / drawing.game_file(recipe.target))
         made = cast(drawing.Made, outcome)
         _describe(render, blob, made["rendered"].to_dict())
         spectra[target] = spectrum = runtime.store.put_file(studio_id, place / drawing.SPECTRUM)

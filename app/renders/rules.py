@@ -1,10 +1,11 @@
 """States and keys of renders, stated without a database."""
 
+from collections.abc import Mapping
 from enum import StrEnum
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from app.deliveries.rules import TakeState
-from audio_checks import DeliverySpec, Target, render_key
+from audio_checks import CODINGS, DeliverySpec, Target, render_key
 
 RENDERED_STATES = frozenset({TakeState.CONFORMING, TakeState.APPROVED, TakeState.SET_ASIDE})  # may still ship
 
@@ -36,6 +37,21 @@ class ItemState(StrEnum):
     KEPT = "kept"  # the file that is there is the one that was wanted
     REFUSED = "refused"
     LEFT = "left"  # its take may not ship any more, or is checked again first
+
+
+MEDIA_TYPES = ("audio/wav", "audio/ogg", "audio/flac")  # of game files
+
+
+def ending_of(facts: Mapping[str, Any]) -> str:
+    """Return what the name of a game file ends in, by the facts of its render."""
+    coding = CODINGS.get(facts.get("encoding", ""))
+    return coding.ending if coding else ".wav"
+
+
+def media_type_of(facts: Mapping[str, Any]) -> str:
+    """Return the media type of a game file, by the facts of its render."""
+    coding = CODINGS.get(facts.get("encoding", ""))
+    return f"audio/{coding.container}" if coding else "audio/wav"
 
 
 class Recipe(NamedTuple):

@@ -20,7 +20,7 @@ from app.projects.queries import current_spec
 from app.renders import queries
 from app.renders.errors import LossUnknown, NotDrawn, NothingRendered, RenderNotFound, SoundNotFound
 from app.renders.models import Picture, Render, RenderSet, Timbre
-from app.renders.rules import RENDERED_STATES, Recipe
+from app.renders.rules import RENDERED_STATES, Recipe, ending_of
 from app.renders.schemas import LossRead, MasterSoundRead, RenderSoundRead, SoundBrief, TakeSoundsRead
 from app.renders.shown_renders import ShownPicture
 from app.renders.thumbs import Thumb
@@ -136,7 +136,7 @@ def render_file(session: Session, actor: Actor, render_id: UUID) -> tuple[Render
         raise NothingRendered(f"the render for {render.target} was refused: {render.refusal}")
     ensure_open(session, actor, take.cue_id, take.designer_id)
     stem = stem_of(session, take) or "render"
-    return render, render.sha256, f"{stem}.wav"
+    return render, render.sha256, f"{stem}{ending_of(render.facts)}"
 
 
 def render_loss(session: Session, actor: Actor, render_id: UUID) -> LossRead:

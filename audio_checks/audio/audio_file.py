@@ -180,9 +180,8 @@ class AudioFile:
         """The file's metadata. Streams the file once."""
         self._hashed()
         metadata = self._gathering.read()
-        if self._sound.flac is None:
-            return metadata
-        return replace(metadata, fields=metadata.fields | self._sound.flac.comment_fields)
+        said = self._sound.flac or self._sound.coded
+        return metadata if said is None else replace(metadata, fields=metadata.fields | said.comment_fields)
 
     @cached_property
     def measurements(self) -> Measurements:
@@ -291,7 +290,8 @@ class AudioFile:
         self._gathering = gathering
         self._measured |= families
         whole, pcm = hashes.result()
-        self._hashes = (whole if self._sound.flac is None else self._sound.original_sha256(), pcm)
+        is_wav = self._sound.flac is None and self._sound.coded is None
+        self._hashes = (whole if is_wav else self._sound.original_sha256(), pcm)
         self._effective_bits = effective_bits(used, layout.container_bits) if layout.encoding == "pcm" else None
 
     def _sound_bytes(self, room: memoryview, frames: int, hashes: Hashes) -> Iterator[memoryview]:

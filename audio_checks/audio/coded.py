@@ -10,7 +10,7 @@ import os
 import tempfile
 from collections.abc import Iterator
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 
 import numpy as np
@@ -28,6 +28,7 @@ MOST_DECODED_BYTES = 2 << 30  # of samples; a few bytes can announce hours
 MOST_CHANNELS = 8
 DECODE_S = 120.0
 BLOCK_FRAMES = 65_536
+MOST_COMMENT_CHARACTERS = 65_536
 EXPORT_AGAIN = "encode it again from its WAV"
 
 
@@ -41,11 +42,19 @@ class Coded:
         "ogg" or "mp3"; "vorbis", "opus" or "mp3".
     bit_rate_kbps : float
         Of the whole file over its length: bytes of tags count, as they do in a build.
+    comments : dict of str
+        What the file says of itself in the tags that libsndfile reads, by their names in capitals.
     """
 
     container: str
     encoding: str
     bit_rate_kbps: float
+    comments: dict[str, str] = field(default_factory=dict, hash=False)
+
+    @property
+    def comment_fields(self) -> dict[str, str]:
+        """The comments by the names that specs and reports use, as in `Vorbis.TITLE`."""
+        return {f"Vorbis.{name}": text for name, text in self.comments.items()}
 
 
 def opened_as_wav(path: str | os.PathLike[str]) -> tuple[Passing, Coded]:
@@ -83,8 +92,8 @@ def _sandbox() -> Sandbox:
     )
 
 
-def decode(path: str, out: str) -> tuple[str, str, float]:
-    """Write a coded sound as WAV; return its container, its encoding and its bit rate. Runs in a sandbox's child.
+def decode(path: str, out: str) -> tuple[str, str, float, dict[str, str]]:
+    """Write a coded sound as WAV; return its container, encoding, bit rate and comments. Runs in a sandbox's child.
 
     Raises
     ------
@@ -114,10 +123,17 @@ def decode(path: str, out: str) -> tuple[str, str, float]:
                     channels=channels,
                     frames=frames,
                 )
-            return container, encoding, round(os.path.getsize(path) * 8 / 1_000 * rate / frames, 1)
+            bit_rate_kbps = round(os.path.getsize(path) * 8 / 1_000 * rate / frames, 1)
+            return container, encoding, bit_rate_kbps, comments_in(sound)
     except soundfile.SoundFileError as error:
         reason = "".join(one if one.isprintable() else "?" for one in str(error))[:200]
         raise _damaged(f"it does not decode ({reason})") from None
+
+
+def comments_in(sound: object) -> dict[str, str]:
+    """Return the tags that libsndfile finds in an open sound, by their names in capitals, each cut to what is read."""
+    found: dict[str, str] = sound.copy_metadata()  # type: ignore[attr-defined]
+    return {name.upper(): text[:MOST_COMMENT_CHARACTERS] for name, text in found.items() if text}
 
 
 def _blocks(sound: object, frames: int) -> Iterator[NDArray[np.float32]]:

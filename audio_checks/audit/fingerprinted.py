@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import tempfile
 from collections.abc import Iterator
@@ -11,6 +12,7 @@ from functools import cache
 
 from audio_checks import wav
 from audio_checks.audio.audio_file import AudioFile
+from audio_checks.audio.coded import comments_in
 from audio_checks.audio.sandbox import Sandbox, is_inside
 from audio_checks.audit.fingerprint import FINGERPRINTED_S, fingerprint
 from audio_checks.audit.plays import ApprovedPlay
@@ -33,7 +35,7 @@ class FingerprintedFile:
     path : str
         Relative to the folder that was read, with slashes.
     pcm_sha256 : str or None
-        Of the samples; None where a codec kept them, since decoders differ in the last bit.
+        Of the samples; of what a codec keeps that of the whole file, since decoders differ in the last bit.
     bit_depth : int or None
         None where a codec kept the samples.
     codec : str or None
@@ -91,19 +93,22 @@ def fingerprint_file(path: str, shown: str) -> FingerprintedFile:
         except Unreadable as refusal:
             if not refusal.code.startswith(CODED):
                 raise
-            with _decoded(path, refusal) as (unpacked, codec, frames):
+            with _decoded(path, refusal) as (unpacked, codec, frames, comments):
                 found = _fingerprinted(unpacked, shown)
-        return _by_codec(found, codec, frames)
+        return _by_codec(found, path, codec, frames, comments)
     except Unreadable as error:
         return FingerprintedFile(shown, trouble=f"{error} ({error.rule})")
     except SandboxFailed as error:
         return FingerprintedFile(shown, trouble=f"it could not be decoded: {error}")
 
 
-def _by_codec(found: FingerprintedFile, codec: str, frames: int) -> FingerprintedFile:
+def _by_codec(
+    found: FingerprintedFile, path: str, codec: str, frames: int, comments: dict[str, str]
+) -> FingerprintedFile:
+    fields = {f"Vorbis.{name}": text for name, text in comments.items()}
     return FingerprintedFile(
         found.path,
-        None,
+        _sha256_of(path),
         found.sample_rate_hz,
         None,
         found.channels,
@@ -112,7 +117,13 @@ def _by_codec(found: FingerprintedFile, codec: str, frames: int) -> Fingerprinte
         found.sample_peak_dbfs,
         found.rms_dbfs,
         found.fingerprint,
+        cue_marked(fields) is not None,
     )
+
+
+def _sha256_of(path: str) -> str:
+    with wav.open_regular(path) as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 def _fingerprinted(path: str, shown: str) -> FingerprintedFile:
@@ -139,8 +150,8 @@ def _finite(level: float) -> float | None:
 
 
 @contextmanager
-def _decoded(path: str, refusal: Unreadable) -> Iterator[tuple[str, str, int]]:
-    """Give a WAV file of the first minute of a sound that a codec keeps, the codec's name and the sound's frames."""
+def _decoded(path: str, refusal: Unreadable) -> Iterator[tuple[str, str, int, dict[str, str]]]:
+    """Give a WAV file of the first minute of a sound that a codec keeps, the codec's name, frames and comments."""
     with tempfile.TemporaryDirectory(prefix="audio-checks-") as folder:
         where, unpacked = os.path.abspath(path), os.path.join(folder, "decoded.wav")
         if is_inside():
@@ -162,12 +173,12 @@ def _sandbox() -> Sandbox:
     )
 
 
-def decode(path: str, out: str) -> tuple[str, int] | None:
-    """Write the first minute of a sound as WAV; return its codec and its frames. Runs in a sandbox's child.
+def decode(path: str, out: str) -> tuple[str, int, dict[str, str]] | None:
+    """Write the first minute of a sound as WAV; return its codec, frames and comments. Runs in a sandbox's child.
 
     Returns
     -------
-    (str, int) or None
+    (str, int, dict of str) or None
         None for what soundfile does not read either.
     """
     import soundfile  # slow to import, and no WAV needs it
@@ -192,6 +203,6 @@ def decode(path: str, out: str) -> tuple[str, int] | None:
                 frames=listened,
                 durable=False,
             )
-            return str(sound.subtype), int(frames)
+            return str(sound.subtype), int(frames), comments_in(sound)
     except (soundfile.SoundFileError, ValueError):
         return None

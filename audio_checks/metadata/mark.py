@@ -39,6 +39,11 @@ def comment_chunk(number: str) -> tuple[str, bytes]:
     return "LIST", b"INFO" + entry
 
 
+def marked_comment(number: str) -> tuple[str, str]:
+    """Return the Vorbis comment that marks a placeholder for a cue, its name and its text."""
+    return "COMMENT", _text(number).decode()
+
+
 def broadcast_chunk(number: str) -> tuple[str, bytes]:
     """Return the bext chunk that marks a placeholder for a cue."""
     return "bext", _text(number)[:256].ljust(BEXT_BYTES, b"\0")

@@ -15,9 +15,11 @@ from audio_checks import wav
 from audio_checks.errors import RenderRefused
 from audio_checks.measure.loudness import Loudness
 from audio_checks.metadata.layouts import LAYOUTS
-from audio_checks.metadata.mark import broadcast_chunk, comment_chunk
+from audio_checks.metadata.mark import broadcast_chunk, comment_chunk, marked_comment
 from audio_checks.placeholders.pattern import pattern
 from audio_checks.placeholders.speech import synthesize_speech
+from audio_checks.render.channels import ensure_codable
+from audio_checks.render.coding import Coder
 from audio_checks.render.dither import DITHERED_TO_BITS, quantised
 from audio_checks.render.turns import gain_of
 from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
@@ -111,7 +113,7 @@ def make_placeholders(
         for variation, stem in enumerate(stems, start=1):
             if stem in taken:
                 continue
-            path = Path(folder, f"{stem}{view.naming.extension or '.wav'}")
+            path = Path(folder, f"{stem}{view.ending}")
             try:
                 yield make_placeholder(cue, variation, view, path, voice=voice)
             except RenderRefused as refused:
@@ -185,12 +187,14 @@ class _Form:
     channels: int
     channel_mask: int | None
     dither: Literal["tpdf", "shaped", "none"]
+    coder: Coder | None = None
 
     @classmethod
     def of(cls, view: DeliverySpec) -> "_Form":
         """Return the form of a target, or the plainest that deliveries may have."""
         accept, target = view.accept, view.target
-        if accept.containers is not None and "wav" not in accept.containers:
+        is_wav = target is None or target.coding is None
+        if is_wav and accept.containers is not None and "wav" not in accept.containers:
             raise RenderRefused(
                 f"the spec accepts {', '.join(accept.containers)}, and placeholders are WAV files",
                 "placeholder:container",
@@ -201,7 +205,11 @@ class _Form:
         channels = fitting[0].channels if fitting else min(accept.channels or (1,))
         mask = fitting[0].masks[0] if fitting and channels > 2 and fitting[0].masks else None
         if target is not None:
-            return cls(target.sample_rate_hz, target.bit_depth, target.encoding, channels, mask, target.dither)
+            ensure_codable(channels, target)
+            is_float = target.is_lossy or target.encoding == "float"
+            coder = None if is_wav else Coder(target.encoding, target.quality or 0.0)
+            samples: Literal["pcm", "float"] = "float" if is_float else "pcm"
+            return cls(target.sample_rate_hz, target.bit_depth, samples, channels, mask, target.dither, coder)
         rates, depths = accept.sample_rates_hz or (PREFERRED_HZ,), accept.bit_depths or (PREFERRED_BITS,)
         is_pcm = accept.encodings is None or "pcm" in accept.encodings
         lawful = [depth for depth in depths if depth in ((8, 16, 24) if is_pcm else (32, 64))]
@@ -210,7 +218,19 @@ class _Form:
         return cls(rate, depth, "pcm" if is_pcm else "float", channels, mask, "tpdf")
 
     def write(self, path: Path, samples: NDArray[np.float64], number: str) -> None:
-        """Write the file, with its mark before and after the sound: players and editors show one or the other."""
+        """Write the file and its mark: around the sound of a WAV file, since editors show one end or the other."""
+        if self.coder is None:
+            self._write_wav(path, samples, number)
+            return
+        plain = path.with_name(f"{path.name}.plain")
+        seed = hashlib.sha256(number.encode("utf-8", "replace")).digest()
+        try:
+            self._write_wav(plain, samples, number)
+            self.coder.write(plain, path, seed=seed, comments=[marked_comment(number)])
+        finally:
+            plain.unlink(missing_ok=True)
+
+    def _write_wav(self, path: Path, samples: NDArray[np.float64], number: str) -> None:
         frames = np.repeat(samples[:, np.newaxis], self.channels, axis=1)
         blocks: Iterable[NDArray[np.integer] | NDArray[np.floating]]
         if self.encoding == "float":

@@ -13,6 +13,7 @@ from audio_checks.measure.loudness import Loudness
 from audio_checks.measure.true_peak import TruePeak
 from audio_checks.render.dither import Dither, Requantisation
 from audio_checks.render.recipe import Recipe
+from audio_checks.render.rendered import SeamFigures
 
 
 class Attempt:
@@ -35,7 +36,10 @@ class Attempt:
         self.spectrum = (
             None if bands_of_hz is None else AverageSpectrum(rate, channels, frames, bands_of_hz=bands_of_hz)
         )
+        self.pcm_sha256: str | None = None  # of what a coded file decodes to
+        self.seam: SeamFigures | None = None
         self._lowest = self._highest = 0
+        self._is_decoded = False
         self._accumulators = (
             Levels(rate, channels, frames),
             TruePeak(rate, channels, frames),
@@ -63,6 +67,13 @@ class Attempt:
             self._measure(kept)
             yield written
 
+    def watch_decoded(self, blocks: Iterator[NDArray[np.float64]], wanted: Iterator[NDArray[np.float64]]) -> None:
+        """Measure what a coded file decodes to, and how far that is from what was given to the encoder."""
+        self._is_decoded = True
+        for block, meant in zip(blocks, wanted, strict=True):
+            self.noise.add(block - meant)
+            self._measure(block)
+
     def figures(self) -> dict[str, Any]:
         """Return the levels of what was written, by their names in the report."""
         if self._figures is None:
@@ -81,6 +92,9 @@ class Attempt:
         ):
             if limit is not None and level > limit + recipe.tolerance_db:
                 over.append(level - limit)
+        if self._is_decoded:  # a float decoder goes beyond full scale, and the game's clips there
+            over.append(figures["sample_peak_dbfs"])
+            return max(over)
         full = 1 << (self.bit_depth - 1)
         clips = max(self._highest / (full - 1), -self._lowest / full)
         if clips > 1:

@@ -4,16 +4,29 @@ import os
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import BinaryIO
 
 from audio_checks import wav
+from audio_checks.audio.flac import MASK_COMMENT
 from audio_checks.audio.sound_files import OpenSound
 from audio_checks.errors import RenderRefused
-from audio_checks.metadata import CHUNKS, MOST_CHUNKS, read_metadata
+from audio_checks.metadata import CHUNKS, MOST_CHUNKS, Metadata, read_metadata
 from audio_checks.metadata import MOST_BYTES as MOST_READ_BYTES
 from audio_checks.metadata.bext import LEVELS_AT, updated_levels
-from audio_checks.metadata.mark import comment_chunk, cue_marked
+from audio_checks.metadata.mark import comment_chunk, cue_marked, marked_comment
 from audio_checks.metadata.moving import MOST_BYTES, Chunk, Move, Points, bytes_outside_data, carried, sampler
+from audio_checks.render.ogg_pages import Comments
 
+OF_THE_SOUND = frozenset({"fmt ", "fact", "ds64", "data"})
+# What Vorbis comments call the fields of a WAV file.
+COMMENT_NAMES = {
+    "INFO.INAM": "TITLE",
+    "INFO.IART": "ARTIST",
+    "INFO.ICOP": "COPYRIGHT",
+    "INFO.ICMT": "COMMENT",
+    "bext.Description": "DESCRIPTION",
+    "bext.Originator": "ORGANIZATION",
+}
 DESCRIBES_SOUND = frozenset({"cue ", "smpl", "inst", "acid", "plst"})  # and LIST/adtl, the labels of cue points
 
 
@@ -58,6 +71,33 @@ def carried_chunks(
     return before, after
 
 
+def comments_of(file: BinaryIO, layout: wav.WavLayout, master: OpenSound, *, all_chunks: bool) -> Comments:
+    """Return what a coded game file says of itself in Vorbis comments, from the WAV file of its sound.
+
+    The mark of a placeholder and the first loop (`LOOPSTART` and `LOOPLENGTH`, in frames) always; who and what
+    the master names only where everything goes along.
+    """
+    comments: list[tuple[str, str]] = []
+    number = _placeholder_number(master)
+    if number is not None:
+        comments.append(marked_comment(number))
+    if layout.loops:
+        first, last = layout.loops[0].start, layout.loops[0].end
+        comments += [("LOOPSTART", str(first)), ("LOOPLENGTH", str(last - first + 1))]
+    if layout.channel_mask and layout.channels > 2:
+        comments.append((MASK_COMMENT, f"0x{layout.channel_mask:04X}"))
+    if all_chunks:
+        fields = metadata_of(file, layout).fields
+        said = {COMMENT_NAMES[name]: text for name, text in fields.items() if name in COMMENT_NAMES}
+        comments += [(name, text) for name, text in sorted(said.items()) if name not in dict(comments)]
+    return comments
+
+
+def kept_chunks(file: BinaryIO, layout: wav.WavLayout) -> list[Chunk]:
+    """Return the chunks of a WAV file that a FLAC file of the same sound keeps: all but those of the sound itself."""
+    return [(chunk.id, wav.chunk_payload(file, chunk)) for chunk in layout.chunks if chunk.id not in OF_THE_SOUND]
+
+
 def update_loudness(sound: OpenSound, path: Path, figures: Mapping[str, float | None]) -> None:
     """Write the measured loudness into the bext chunk of a game file, in the fields that its master has set.
 
@@ -75,16 +115,20 @@ def update_loudness(sound: OpenSound, path: Path, figures: Mapping[str, float | 
         os.fsync(file.fileno())
 
 
+def metadata_of(file: BinaryIO, layout: wav.WavLayout) -> Metadata:
+    """Return what a WAV file says of itself."""
+    chunks = [chunk for chunk in layout.chunks if chunk.id in CHUNKS][:MOST_CHUNKS]
+    return read_metadata(
+        (chunk.id, wav.chunk_payload(file, replace(chunk, size=min(chunk.size, MOST_READ_BYTES)))) for chunk in chunks
+    )
+
+
 def _describes_sound(name: str, payload: bytes) -> bool:
     return name in DESCRIBES_SOUND or (name == "LIST" and payload[:4] == b"adtl")
 
 
 def _placeholder_number(sound: OpenSound) -> str | None:
     """Return the cue that a master is a placeholder for; None for a real sound."""
-    chunks = [chunk for chunk in sound.layout.chunks if chunk.id in CHUNKS][:MOST_CHUNKS]
-    metadata = read_metadata(
-        (chunk.id, wav.chunk_payload(sound.file, replace(chunk, size=min(chunk.size, MOST_READ_BYTES))))
-        for chunk in chunks
-    )
+    metadata = metadata_of(sound.file, sound.layout)
     comments = sound.flac.comment_fields if sound.flac is not None else {}
     return cue_marked(metadata.fields | comments)

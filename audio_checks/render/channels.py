@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks.errors import RenderRefused
+from audio_checks.spec.delivery_spec import Target
 
 MONO_TO_STEREO = np.array([[1.0, 1.0]])
 
@@ -37,6 +38,17 @@ def mixing_gains(
         code="render:channels",
         fix='deliver a master with the channels of the target, or set the target\'s channels to "master"',
     )
+
+
+def ensure_codable(channels: int, target: Target) -> None:
+    """Raise RenderRefused (`render:codec-channels`) for more channels than files of the target's encoding hold."""
+    coding = target.coding
+    if coding is not None and channels > coding.most_channels:
+        raise RenderRefused(
+            f"{coding.label} holds {coding.most_channels} channels here, and the file would have {channels}",
+            code="render:codec-channels",
+            fix='give the sound\'s category a target with encoding = "pcm" or "flac", or fewer channels',
+        )
 
 
 def mixed(block: NDArray[np.float64], gains: NDArray[np.float64]) -> NDArray[np.float64]:

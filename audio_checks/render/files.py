@@ -14,6 +14,8 @@ from audio_checks.render.render import render_master
 from audio_checks.render.rendered import Rendered
 from audio_checks.run.runner import Task, is_placeholder
 from audio_checks.run.workload import CORES, size_of
+from audio_checks.spec.codings import CODINGS
+from audio_checks.spec.delivery_spec import Target
 from audio_checks.spec.sound_list import parse_file_name
 
 AUDIBLE_DB = -60.0  # anything lower is inaudible
@@ -74,7 +76,7 @@ class RenderRun:
         """Return where a render goes, or why it may not; what was planned before has taken its place."""
         if task.spec is None or task.spec.target is None:
             raise ValueError("a render needs a target")
-        out = self._place(task.spec.target.name, relative)
+        out = self._place(task.spec.target, relative)
         try:
             self._ensure_free(out, task.path)
         except RenderRefused as refusal:
@@ -82,10 +84,10 @@ class RenderRun:
         self._made[out] = task.path
         return _Order(task, out, self._replaces)
 
-    def _place(self, target: str, relative: str) -> Path:
+    def _place(self, target: Target, relative: str) -> Path:
         """Return where a render goes: the master's place, under the name without the mark of an alternate."""
         name = parse_file_name(relative)
-        return self._folder / target / Path(relative).parent / f"{name.stem}.wav"
+        return self._folder / target.name / Path(relative).parent / f"{name.stem}{target.ending()}"
 
     def _ensure_free(self, out: Path, master: str) -> None:
         if out in self._made:
@@ -189,7 +191,11 @@ def _is_placeholder(path: Path) -> bool:
 def in_words(rendered: Rendered) -> str:
     """Return what was made, and what it cost, in one line."""
     channels = {1: "mono", 2: "stereo"}.get(rendered.channels, f"{rendered.channels} channels")
-    parts = [f"{rendered.sample_rate_hz} Hz, {rendered.bit_depth} bit, {channels}, {rendered.duration_s:.3f} s"]
+    coding = CODINGS.get(rendered.encoding)
+    kept = coding.label if coding and coding.is_lossy else f"{rendered.bit_depth} bit"
+    if coding and not coding.is_lossy:
+        kept = f"{coding.label} of {kept}"
+    parts = [f"{rendered.sample_rate_hz} Hz, {kept}, {channels}, {rendered.duration_s:.3f} s"]
     if rendered.attenuation_db:
         parts.append(f"lowered by {rendered.attenuation_db:.2f} dB to keep its peak limit")
     loss = rendered.loss

@@ -3,6 +3,7 @@
 import hashlib
 import json
 
+from audio_checks.render.coding import CODER_VERSION
 from audio_checks.render.work import RENDERER_VERSION
 from audio_checks.spec.delivery_spec import Target
 
@@ -21,6 +22,8 @@ def render_key(
 ) -> str:
     """Return the key of a render: the same key means the same bytes, and another key another file.
 
+    Of what a lossy codec keeps, the same bytes as far as machine and libsndfile are the same.
+
     A file is never replaced by one of another key. The arguments are those of `render_master`; loop
     points in the master are part of it, so its hash covers them.
 
@@ -30,6 +33,9 @@ def render_key(
         64 hexadecimal digits. A target's name and memory settings do not change the key.
     """
     how = {key: value for key, value in vars(target).items() if key not in NO_PART_OF_A_FILE}
+    coded = [] if target.coding is None else [CODER_VERSION]
+    if not target.is_lossy:
+        del how["quality"]
     limits = [sample_peak_limit_dbfs, true_peak_limit_dbtp, tolerance_db]
-    facts = [master_sha256, RENDERER_VERSION, how, loop, loop_points, limits]
+    facts = [master_sha256, RENDERER_VERSION, how, loop, loop_points, limits, *coded]
     return hashlib.sha256(json.dumps(facts, sort_keys=True).encode()).hexdigest()

@@ -1,4 +1,7 @@
-"""What a browser needs of a sound: a file that all of them play, and its shape."""
+"""What a browser needs of a sound: a file that all of them play, and its shape.
+
+Masters are read, and game files that a codec keeps, under names that end so.
+"""
 
 import os
 from collections.abc import Iterator, Sequence
@@ -69,7 +72,7 @@ def preview(
         When the master breaks a rule of structure.
     """
     out = Path(out_path)
-    with open_sound(path) as sound:
+    with open_sound(path, coded=True) as sound:
         layout = sound.layout
         recipe = Recipe(
             sample_rate_hz=playable_rate_hz(layout.sample_rate_hz),
@@ -113,7 +116,7 @@ def wave_shapes(
     Unreadable
         When the file breaks a rule of structure.
     """
-    with open_sound(path) as sound:
+    with open_sound(path, coded=True) as sound:
         layout = sound.layout
         shapes = [Waveform(layout.sample_rate_hz, layout.channels, layout.frames, count) for count in points]
         for block in wav.blocks(sound.file, layout):
@@ -132,7 +135,7 @@ def average_spectrum(path: str | os.PathLike[str]) -> BandLevels:
     Unreadable
         When the file breaks a rule of structure.
     """
-    with open_sound(path) as sound:
+    with open_sound(path, coded=True) as sound:
         layout = sound.layout
         spectrum = AverageSpectrum(
             layout.sample_rate_hz, layout.channels, layout.frames, bands_of_hz=layout.sample_rate_hz
@@ -156,7 +159,7 @@ def spectrogram(path: str | os.PathLike[str]) -> NDArray[np.float64]:
     Unreadable
         When the file breaks a rule of structure.
     """
-    with open_sound(path) as sound:
+    with open_sound(path, coded=True) as sound:
         layout = sound.layout
         levels = Spectrogram(layout.sample_rate_hz, layout.channels, layout.frames)
         for block in wav.blocks(sound.file, layout):

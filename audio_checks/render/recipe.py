@@ -6,7 +6,10 @@ from typing import Literal
 from numpy import float64
 from numpy.typing import NDArray
 
+from audio_checks.render.coding import Coder
 from audio_checks.render.dither import Dither
+from audio_checks.spec.codings import CODINGS, LOSSY_ENCODINGS
+from audio_checks.spec.parts import Encoding
 
 TOLERANCE_DB = 0.05  # as for checks: what they would let pass is not touched
 MONO_LOSS_LIMIT_DB = 6.0
@@ -18,7 +21,7 @@ class Recipe:
 
     sample_rate_hz: int
     bit_depth: int
-    encoding: Literal["pcm", "float"]
+    encoding: Encoding
     gains: NDArray[float64] | None  # from the master's channels to the file's; None leaves them
     dither: Dither
     refuse_over_peak: bool = False
@@ -34,3 +37,19 @@ class Recipe:
     fade_in_ms: float = 0.0
     fade_out_ms: float = 0.0
     measures_loss: bool = True
+    quality: float | None = None  # of what a lossy codec keeps
+
+    @property
+    def coder(self) -> Coder | None:
+        """What encodes the file; None where it is plain samples in a WAV file."""
+        return Coder(self.encoding, self.quality or 0.0) if self.encoding in CODINGS else None
+
+    @property
+    def is_lossy(self) -> bool:
+        """Whether a codec changes the sound."""
+        return self.encoding in LOSSY_ENCODINGS
+
+    @property
+    def samples(self) -> Literal["pcm", "float"]:
+        """The kind of samples that are written, or given to the encoder."""
+        return "float" if self.encoding == "float" or self.is_lossy else "pcm"

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from audio_checks.audio.sound_files import OpenSound, open_sound
 from audio_checks.errors import RenderRefused
-from audio_checks.render.channels import mixing_gains
+from audio_checks.render.channels import ensure_codable, mixing_gains
 from audio_checks.render.dither import ensure_shapeable
 from audio_checks.render.recipe import MONO_LOSS_LIMIT_DB, TOLERANCE_DB, Recipe
 from audio_checks.render.rendered import Rendered
@@ -16,6 +16,7 @@ from audio_checks.render.work import Work
 from audio_checks.spec.delivery_spec import Target
 
 ATTEMPTS = 12  # the second settles it but for a step of rounding; at 8 bit that step may take a few more
+SETTLES_DB = 0.02  # for each further attempt: a codec's peaks do not fall by just what its input does
 MILLIONTHS = 1_000_000  # of a dB: attenuation is a whole number of them, so that no machine's logarithm shows in bytes
 
 
@@ -32,7 +33,7 @@ def render_master(
     mono_loss_limit_db: float = MONO_LOSS_LIMIT_DB,
     durable: bool = True,
 ) -> Rendered:
-    """Make the game file of a target from a master; the master is only read.
+    """Make the game file of a target from a master, in a WAV file or a codec's; the master is only read.
 
     The file carries the sound and what describes it: loops, cue points and their labels, notes, tempo.
     Everything else goes along only where the target asks for all chunks; the mark of a placeholder always
@@ -41,7 +42,7 @@ def render_master(
     Parameters
     ----------
     path, out_path : path
-        The master, and the WAV file to write.
+        The master, and the file to write; `Target.ending` says what its name should end in.
     target : Target
         Rate, depth, encoding, channels, dither, chunks, shelf, trim, fades, and what to do with peaks
         over the limits.
@@ -67,11 +68,11 @@ def render_master(
     ------
     RenderRefused
         `render:upwards`, `render:channels`, `render:shaped-too-low`, `render:over-peak`,
-        `render:loop-points`, `render:large-chunks`.
+        `render:loop-points`, `render:large-chunks`, `render:codec-channels`.
     Unreadable
         When the master breaks a rule of structure.
     SandboxFailed
-        When a FLAC master could not be unpacked for want of time, memory or disk.
+        When a FLAC master could not be unpacked, or a game file encoded, for want of time, memory or disk.
     """
     with open_sound(path) as sound:
         layout = sound.layout
@@ -96,7 +97,9 @@ def render_master(
             trim_below_dbfs=target.trim_below_dbfs,
             fade_in_ms=target.fade_in_ms,
             fade_out_ms=target.fade_out_ms,
+            quality=target.quality,
         )
+        ensure_codable(layout.channels if recipe.gains is None else recipe.gains.shape[1], target)
         return render(sound, recipe, Path(out_path), durable=durable)
 
 
@@ -107,14 +110,15 @@ def render(sound: OpenSound, recipe: Recipe, out_path: Path, *, durable: bool = 
     scratch = out_path.with_name(f".{out_path.name}.{os.getpid()}.part")
     try:
         lowered_db = 0.0
-        for _ in range(ATTEMPTS):
+        for tries in range(ATTEMPTS):
             attempt = work.write(scratch, lowered_db, durable=durable)
             over_db = attempt.over_db(recipe)
             if over_db <= 0:
                 break
             if recipe.refuse_over_peak:
                 raise _over_peak(over_db)
-            lowered_db = math.ceil((lowered_db + over_db) * MILLIONTHS) / MILLIONTHS
+            settles_db = SETTLES_DB * tries if recipe.is_lossy else 0.0
+            lowered_db = math.ceil((lowered_db + over_db + settles_db) * MILLIONTHS) / MILLIONTHS
         else:
             raise _over_peak(over_db)
         rendered = work.describe(scratch, out_path, attempt, lowered_db)

@@ -3,10 +3,11 @@
 import math
 from dataclasses import dataclass, is_dataclass
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 from audio_checks.render.dither import Dither
 from audio_checks.report.findings import Finding
+from audio_checks.spec.parts import Encoding
 
 APART = frozenset({"path", "loss", "warnings"})  # of a game file's facts: left out, or reported separately
 
@@ -51,8 +52,8 @@ class Loss:
     attenuation_db : float
         By how much the sound was lowered to keep the peak limits.
     requantisation_dbfs : float
-        RMS of the difference between what was wanted and what was written, dither included; −inf where
-        every sample is exact.
+        RMS of the difference between what was wanted and what was written (dither included), or of what the file of
+        a lossy codec decodes to; −inf where every sample is exact.
     trimmed_s : (float, float)
         What was cut at the start and at the end.
     loop_fit_frames : float
@@ -105,8 +106,13 @@ class Rendered:
         By how many frames a loop was lengthened (+) or shortened (−) to become whole.
     seam_before, seam_after : SeamFigures or None
         Of the master and of the file, for loops.
+    bit_depth : int
+        Of the samples; of a lossy codec, whose files have none, that of what it decodes to.
+    measurements, loss
+        Of a lossy codec's file: of what it decodes to.
     master_sha256, sha256, pcm_sha256 : str
-        Digest of the master's bytes, of the file's, and of the file's samples.
+        Digest of the master's bytes, of the file's, and of the file's samples. Decoders differ in the last bits, so
+        that of what a lossy codec keeps holds on one machine.
     loss : Loss or None
         What was lost; None for previews.
     warnings : tuple of Finding
@@ -116,7 +122,7 @@ class Rendered:
     path: Path
     sample_rate_hz: int
     bit_depth: int
-    encoding: Literal["pcm", "float"]
+    encoding: Encoding
     channels: int
     frames: int
     measurements: dict[str, Any]

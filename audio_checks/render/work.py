@@ -11,14 +11,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks import wav
-from audio_checks.audio.sound_files import OpenSound
+from audio_checks.audio.sound_files import OpenSound, open_sound
 from audio_checks.measure.decibels import decibels
 from audio_checks.measure.loudness import channel_weights
 from audio_checks.metadata.bext import coding_history_line
 from audio_checks.metadata.moving import Move
 from audio_checks.render.attempt import Attempt
-from audio_checks.render.carried_chunks import carried_chunks, update_loudness
+from audio_checks.render.carried_chunks import carried_chunks, comments_of, kept_chunks, update_loudness
 from audio_checks.render.channels import mixed
+from audio_checks.render.coding import Coder
 from audio_checks.render.dither import DITHERED_TO_BITS, Dither, quantised
 from audio_checks.render.fades import faded
 from audio_checks.render.loops import FittedLoop, fitted_loop, part, with_turns
@@ -28,6 +29,7 @@ from audio_checks.render.resample import frames_after, loop_fit_frames, resample
 from audio_checks.render.shelf import compensating_gain
 from audio_checks.render.survey import Survey, seam_of
 from audio_checks.render.turns import gain_of
+from audio_checks.spec.codings import CODINGS
 
 RENDERER_VERSION = "4"  # changes when the same master and target give other bytes
 READ_BYTES = 1 << 20
@@ -85,9 +87,13 @@ class Work:
             channel_weights(self._channels, self._mask),
             bands_of_hz=self._layout.sample_rate_hz if recipe.measures_loss else None,
         )
+        coder = recipe.coder
+        plain = path if coder is None else path.with_name(f"{path.name}.plain")
         floats = self._floats(lowered_db)
         blocks: Iterator[NDArray[np.integer]] | Iterator[NDArray[np.floating]]
-        if recipe.encoding == "float":
+        if recipe.is_lossy:
+            blocks = (block.astype(np.float32) for block in floats)  # measured once it is decoded
+        elif recipe.encoding == "float":
             blocks = attempt.watched_floats(floats, np.float32 if bit_depth == 32 else np.float64)
         else:
             whole = quantised(
@@ -106,26 +112,53 @@ class Work:
             all_chunks=recipe.chunks == "all",
             new_loops=None if recipe.loop_points is None else self._new_points,
         )
-        wav.write_wav(
-            path,
-            blocks,
-            sample_rate_hz=recipe.sample_rate_hz,
-            bit_depth=bit_depth,
-            encoding=recipe.encoding,
-            channels=self._channels,
-            frames=self._frames,
-            channel_mask=self._mask if self._channels > 2 else None,
-            chunks=before,
-            chunks_after=after,
-            durable=durable,
-        )
-        if move.changed and recipe.chunks == "all":
-            update_loudness(self._sound, path, attempt.figures())
+        try:
+            wav.write_wav(
+                plain,
+                blocks,
+                sample_rate_hz=recipe.sample_rate_hz,
+                bit_depth=bit_depth,
+                encoding=recipe.samples,
+                channels=self._channels,
+                frames=self._frames,
+                channel_mask=self._mask if self._channels > 2 else None,
+                chunks=before,
+                chunks_after=after,
+                durable=durable and coder is None,
+            )
+            if move.changed and recipe.chunks == "all" and not recipe.is_lossy:
+                update_loudness(self._sound, plain, attempt.figures())
+            if coder is not None:
+                self._encode(coder, plain, path, attempt, durable=durable)
+        finally:
+            if coder is not None:
+                plain.unlink(missing_ok=True)
         return attempt
+
+    def _encode(self, coder: Coder, plain: Path, path: Path, attempt: Attempt, *, durable: bool) -> None:
+        """Write the coded file, and measure what it decodes to."""
+        with wav.open_regular(plain) as wanted:
+            layout = wav.read_layout(wanted)
+            coder.write(
+                plain,
+                path,
+                seed=self._seed,
+                comments=comments_of(wanted, layout, self._sound, all_chunks=self._recipe.chunks == "all"),
+                chunks=kept_chunks(wanted, layout),
+                durable=durable,
+            )
+            with open_sound(path, name=f"game{CODINGS[coder.encoding].ending}", coded=True) as decoded:
+                if decoded.layout.frames != layout.frames:
+                    raise AssertionError("a codec changed how long the sound is")
+                if self._recipe.is_lossy:
+                    attempt.watch_decoded(wav.blocks(decoded.file, decoded.layout), wav.blocks(wanted, layout))
+                attempt.pcm_sha256 = _sound_digest(decoded.file, decoded.layout)
+                if self._loops:
+                    attempt.seam = seam_of(decoded.file, decoded.layout, self._new_points)
 
     def describe(self, scratch: Path, out_path: Path, attempt: Attempt, lowered_db: float) -> Rendered:
         """Return what is known of the file that an attempt wrote, with its loss where the recipe measures it."""
-        sha256, pcm_sha256 = _digests(scratch)
+        sha256, pcm_sha256 = _digests(scratch, attempt.pcm_sha256)
         rendered = Rendered(
             path=out_path,
             sample_rate_hz=self._recipe.sample_rate_hz,
@@ -141,7 +174,7 @@ class Work:
             loop_points=self._new_points,
             loop_fit_frames=self._fit_frames(),
             seam_before=seam_of(self._file, self._layout, self._points) if self._loops else None,
-            seam_after=self._seam_of(scratch) if self._loops else None,
+            seam_after=(attempt.seam or self._seam_of(scratch)) if self._loops else None,
             master_sha256=self._seed.hex(),
             sha256=sha256,
             pcm_sha256=pcm_sha256,
@@ -196,10 +229,10 @@ class Work:
         recipe, layout = self._recipe, self._layout
         bit_depth = recipe.bit_depth
         recalculated = self._recalculated(lowered_db)
-        if not recalculated and recipe.encoding == layout.encoding:
+        if not recalculated and recipe.samples == layout.encoding:
             bit_depth = min(bit_depth, layout.container_bits)
         exact = not recalculated and layout.encoding == "pcm" and bit_depth >= layout.bit_depth
-        dithers = recipe.encoding == "pcm" and bit_depth <= DITHERED_TO_BITS and not exact
+        dithers = recipe.samples == "pcm" and bit_depth <= DITHERED_TO_BITS and not exact
         return bit_depth, recipe.dither if dithers else "none"
 
     def _mixed(self) -> Iterator[NDArray[np.float64]]:
@@ -239,12 +272,12 @@ class Work:
     def _move(self, bit_depth: int, dither: Dither, lowered_db: float) -> Move:
         """Return what becomes of the sound, for what points into it."""
         recipe, layout = self._recipe, self._layout
-        exact = recipe.encoding == layout.encoding and bit_depth >= layout.bit_depth and dither == "none"
+        exact = recipe.samples == layout.encoding and bit_depth >= layout.bit_depth and dither == "none"
         fitted = self._frames * layout.sample_rate_hz / (layout.frames * recipe.sample_rate_hz)
         return Move(
             cut=self._cut[0],
             frames=self._frames,
-            changed=self._recalculated(lowered_db) or not exact,
+            changed=self._recalculated(lowered_db) or not exact or recipe.is_lossy,
             new_depth=None if bit_depth == layout.bit_depth else bit_depth,
             sample_rate_hz=layout.sample_rate_hz,
             to_hz=recipe.sample_rate_hz,
@@ -267,11 +300,14 @@ def _digest(file: BinaryIO) -> bytes:
     return digest.digest()
 
 
-def _digests(path: Path) -> tuple[str, str]:
-    """Return the SHA-256 of a file and of its samples."""
+def _digests(path: Path, pcm_sha256: str | None) -> tuple[str, str]:
+    """Return the SHA-256 of a file and of its samples, which is known already where it had to be decoded."""
     with wav.open_regular(path) as file:
-        layout = wav.read_layout(file)
-        samples = hashlib.sha256()
-        for raw in wav.raw_blocks(file, layout):
-            samples.update(raw)
-        return _digest(file).hex(), samples.hexdigest()
+        return _digest(file).hex(), pcm_sha256 or _sound_digest(file, wav.read_layout(file))
+
+
+def _sound_digest(file: BinaryIO, layout: wav.WavLayout) -> str:
+    samples = hashlib.sha256()
+    for raw in wav.raw_blocks(file, layout):
+        samples.update(raw)
+    return samples.hexdigest()

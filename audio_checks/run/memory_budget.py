@@ -8,6 +8,7 @@ from typing import Any
 
 from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec, Target
 
+PLAYED_BITS = 16  # of the samples that engines make of what a lossy codec keeps
 MOST_LIKELY_CHANNELS = 2  # where neither target nor spec says it
 
 
@@ -135,7 +136,7 @@ def _use(sound: SoundSize, view: DeliverySpec, target: Target) -> MemoryUse:
     if target.channels != "master":
         channels = target.channels
     frames = math.ceil(sound.duration_s * target.sample_rate_hz - 1e-6)  # 0.1 s of 44,100 Hz is 4,410 frames
-    pcm = frames * channels * target.bit_depth // 8
+    pcm = frames * channels * (PLAYED_BITS if target.is_lossy else target.bit_depth) // 8
     coded = math.ceil(pcm / target.codec_ratio)
     resident = min(target.stream_buffer_bytes, coded) if target.streamed else coded
     count = sound.files

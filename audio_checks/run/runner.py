@@ -98,7 +98,9 @@ def check_file(
     """
     if spec is not None:
         spec = view_of(spec, path, target=target, category=category, cue=cue)
-    return _judge(Task(os.fspath(path), spec, cue, dry=dry), name=name, checks=checks, all_figures=all_figures)
+    coded = spec is not None and spec.target is not None and spec.target.is_lossy
+    task = Task(os.fspath(path), spec, cue, dry=dry, coded=coded)
+    return _judge(task, name=name, checks=checks, all_figures=all_figures)
 
 
 def check_files(
@@ -175,7 +177,7 @@ def measure_file(
 
 def is_placeholder(path: PathLike) -> bool:
     """Return whether a file carries the mark of a placeholder; Unreadable when it is no sound at all."""
-    with AudioFile(path) as file:
+    with AudioFile(path, coded=True) as file:
         file.prepare(())
         return cue_marked(file.metadata.fields) is not None
 
@@ -204,7 +206,7 @@ def task_for(
     """Return the task of judging one file: its cue found by name, its limits by category and target.
 
     `views` keeps the views of specs by category, so that many files share them; one target has one.
-    `coded` is as in `Task`.
+    `coded` is as in `Task`, and holds for game files of a lossy codec anyway.
     """
     slot = sound_list.slot_of_file(os.path.basename(os.fspath(path))) if sound_list else None
     cue = slot[0] if slot else None
@@ -217,6 +219,7 @@ def task_for(
         view = views[id(spec), name]
     unlisted = sound_list is not None and slot is None
     stem = None if dry is None else DryStem(os.fspath(dry), os.path.basename(printable_path(dry)))
+    coded = coded or (view is not None and view.target is not None and view.target.is_lossy)
     return Task(os.fspath(path), view, cue, unlisted=unlisted, variation=slot[1] if slot else 1, dry=stem, coded=coded)
 
 

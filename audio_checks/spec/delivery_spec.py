@@ -10,7 +10,7 @@ import json
 import re
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import islice
+from itertools import chain, islice
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +20,7 @@ from audio_checks.spec import keys as spec_keys
 from audio_checks.spec.check_names import Level
 from audio_checks.spec.files import load_tables, merged, namings, placed, read_tables
 from audio_checks.spec.parts import (
+    WAV_ENDING,
     Accept,
     CueFacts,
     Engine,
@@ -95,6 +96,13 @@ class DeliverySpec:
     # Cached views: a run over many files needs the same few.
     _views: dict[str, "DeliverySpec"] = field(default_factory=dict, init=False, repr=False, compare=False)
 
+    @property
+    def ending(self) -> str:
+        """What names of files end in: of deliveries, or of the target's game files."""
+        if self.target is not None:
+            return self.target.ending(self.naming.extension)
+        return self.naming.extension or WAV_ENDING
+
     def asks_for_dry_sound(self, cue: CueFacts | None) -> bool:
         """Return whether reverb is a fault: the game adds it or the check is named; no designed tail is asked."""
         is_asked = "reverb" in self.engine.adds or "baked-reverb" in self.checks
@@ -130,18 +138,20 @@ class DeliverySpec:
     def for_target(self, name: str, category: str | None = None) -> "DeliverySpec":
         """Return the view that judges renders made to a target; SpecError when the spec names no such target.
 
-        Rate, depth, encoding and channels must then equal the target's; everything else stays alike.
+        Rate, depth, encoding and channels must then equal the target's, and names end as its container does;
+        everything else stays alike.
         """
         view = self.for_category(category)
         target = view.targets.get(name)
         if target is None:
             known = ", ".join(view.targets) or "none"
             raise SpecError(f'no target "{name}"; targets of this spec: {known}', where=f"targets.{name}")
+        coding = target.coding
         accept = Accept(
-            containers=("wav",),
-            encodings=(target.encoding,),
+            containers=(coding.container if coding else "wav",),
+            encodings=("pcm",) if target.encoding == "flac" else (target.encoding,),
             sample_rates_hz=(target.sample_rate_hz,),
-            bit_depths=(target.bit_depth,),
+            bit_depths=None if target.is_lossy else (target.bit_depth,),
             channels=view.accept.channels if target.channels == "master" else (target.channels,),
             layouts=view.accept.layouts if target.channels == "master" else None,
             duration_s=view.accept.duration_s,
@@ -258,7 +268,7 @@ def _view(
         kind=tables.get("kind"),
         accept=accept or read_accept(tables.get("accept", {})),
         limits=read_limits(tables.get("limits", {})),
-        naming=read_naming(tables.get("naming", {})),
+        naming=_naming(tables, target),
         required_metadata=tuple(stated(tables.get("metadata", {})).get("required", ())),
         engine=Engine(adds=tuple(tables.get("engine", {}).get("adds", ()))),
         targets={name: read_target(name, keys) for name, keys in tables.get("targets", {}).items()},
@@ -266,6 +276,13 @@ def _view(
         categories=tuple(tables.get("categories", ())),
         warnings=warnings,
     )
+
+
+def _naming(tables: Tables, target: Target | None) -> Naming:
+    naming = read_naming(tables.get("naming", {}))
+    if target is None or target.coding is None or naming.extension is None:
+        return naming
+    return replace(naming, extension=target.coding.ending)
 
 
 def _warnings_of(spec: DeliverySpec, prefix: str) -> list[str]:
@@ -277,7 +294,14 @@ def _warnings_of(spec: DeliverySpec, prefix: str) -> list[str]:
         for rate in rates
         if rate < target.sample_rate_hz
     )
-    found = list(islice(low, MOST_WARNINGS))
+    many = max(spec.accept.channels or (0,))
+    crowded = (
+        f"{prefix}accepts {many} channels, but target {target.name} is {target.coding.label} of "
+        f"{target.coding.most_channels} channels at most: its render of such a master will be refused"
+        for target in spec.targets.values()
+        if target.coding is not None and target.channels == "master" and many > target.coding.most_channels
+    )
+    found = list(islice(chain(low, crowded), MOST_WARNINGS))
     extension = spec.naming.extension
     if extension is not None and not re.fullmatch(r"\.[A-Za-z0-9]+", extension):
         found.append(f'{prefix}naming.extension "{extension}" is not an ending such as ".wav"')

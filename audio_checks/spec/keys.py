@@ -2,6 +2,7 @@
 
 from audio_checks.metadata.layouts import LAYOUTS
 from audio_checks.spec.check_names import DEFAULT_SEVERITY, LIMITS_OF_CHECKS, OVER_FILES
+from audio_checks.spec.codings import CODINGS, LOSSY_ENCODINGS
 from audio_checks.spec.kinds import (
     ANY,
     Flag,
@@ -82,7 +83,8 @@ TARGET = Table(
     {
         "sample_rate_hz": RATES,
         "bit_depth": Whole(8, 64),
-        "encoding": Word(("pcm", "float")),
+        "encoding": Word(("pcm", "float", *CODINGS)),
+        "quality": Number(0.0, 1.0),
         "channels": Whole(1, 2, words=("master",)),
         "dither": Word(("tpdf", "shaped", "none")),
         "over_peak": Word(("attenuate", "refuse")),
@@ -119,7 +121,10 @@ SPEC = Table(
         "name": Text(),
         "extend": Text(),
         **TABLES,
-        "targets": Named(Table(TARGET.keys, needed=("sample_rate_hz", "bit_depth")), most=MOST_TARGETS),
+        "targets": Named(
+            Table(TARGET.keys, needed=("sample_rate_hz",), needed_unless=("bit_depth", "encoding", LOSSY_ENCODINGS)),
+            most=MOST_TARGETS,
+        ),
         "categories": Named(CATEGORY),
         "files": Named(Text(), slugs=False, most=1_000),
     },

@@ -210,11 +210,15 @@ class Pair:
 
 @dataclass(frozen=True)
 class Table:
-    """A table of known keys."""
+    """A table of known keys.
+
+    `needed` are those that its schema requires; `needed_unless` is one more, unless another key has one of some values.
+    """
 
     keys: Mapping[str, Kind]
     may_be_any: bool = False
     needed: tuple[str, ...] = ()
+    needed_unless: tuple[str, str, tuple[str, ...]] | None = None
 
     def read(self, value: object, where: str) -> Any:
         """Return the table with each value read; an unknown key is refused with the nearest known one."""
@@ -235,6 +239,10 @@ class Table:
         }
         if self.needed:
             table["required"] = list(self.needed)
+        if self.needed_unless:
+            key, other, values = self.needed_unless
+            table["if"] = {"properties": {other: {"enum": list(values)}}, "required": [other]}
+            table["else"] = {"required": [key]}
         return {"anyOf": [table, {"const": ANY}]} if self.may_be_any else table
 
 

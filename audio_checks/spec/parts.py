@@ -7,9 +7,12 @@ from typing import Any, Literal
 from audio_checks.errors import SpecError
 from audio_checks.spec import kinds
 from audio_checks.spec.check_names import LIMITS_OF_CHECKS
+from audio_checks.spec.codings import CODINGS, DECODED_BITS, LOSSY_ENCODINGS, QUALITY, Coding
 from audio_checks.spec.name_tokens import Token
 
 CATEGORY_FOLDER = "{category}"
+WAV_ENDING = ".wav"
+Encoding = Literal["pcm", "float", "vorbis", "opus", "flac"]
 Tables = dict[str, Any]
 
 
@@ -62,6 +65,7 @@ class Limits:
 
 
 NO_LIMITS = Limits()
+DEPTHS = {"float": (32, 64), "flac": (16, 24)}  # of a target's files, by encoding
 
 
 @dataclass(frozen=True)
@@ -103,7 +107,9 @@ class Target:
     name : str
         A slug; also the folder that `audio-checks render` writes to.
     sample_rate_hz, bit_depth, encoding, channels : int, int, str, "master" or int
-        The format; "master" keeps the master's channels.
+        The format; "master" keeps the master's channels. What a lossy codec keeps has 32 bits: those it is decoded to.
+    quality : float or None
+        Of what a lossy codec keeps, from 0 to 1; None for any other encoding.
     dither : {"tpdf", "shaped", "none"}
         Noise added where bits are lost.
     over_peak : {"attenuate", "refuse"}
@@ -135,7 +141,7 @@ class Target:
     name: str
     sample_rate_hz: int
     bit_depth: int
-    encoding: Literal["pcm", "float"] = "pcm"
+    encoding: Encoding = "pcm"
     channels: Literal["master", 1, 2] = "master"
     dither: Literal["tpdf", "shaped", "none"] = "tpdf"
     over_peak: Literal["attenuate", "refuse"] = "attenuate"
@@ -150,6 +156,21 @@ class Target:
     streamed: bool = False
     stream_buffer_bytes: int = 65_536
     folder: str = ""
+    quality: float | None = None
+
+    @property
+    def coding(self) -> Coding | None:
+        """How files are kept that are not plain samples in a WAV file."""
+        return CODINGS.get(self.encoding)
+
+    @property
+    def is_lossy(self) -> bool:
+        """Whether a codec changes the sound."""
+        return self.coding is not None and self.coding.is_lossy
+
+    def ending(self, of_wav: str | None = None) -> str:
+        """Return what names of files end in: that of the codec's container, or what a project calls WAV files."""
+        return self.coding.ending if self.coding else of_wav or WAV_ENDING
 
     def path_of(self, file_name: str, category: str | None) -> str:
         """Return the path of a target's file in a pack; a sound without a category skips that folder."""
@@ -211,18 +232,26 @@ def read_naming(table: Tables) -> Naming:
 def read_target(name: str, keys: Tables) -> Target:
     """Return the target of one of the tables `targets`; SpecError where no render can be made to it."""
     where = f"targets.{name}"
-    for needed in ("sample_rate_hz", "bit_depth"):
+    encoding = keys.get("encoding", "pcm")
+    is_lossy = encoding in LOSSY_ENCODINGS
+    for needed in ("sample_rate_hz",) if is_lossy else ("sample_rate_hz", "bit_depth"):
         if needed not in keys:
             raise SpecError("a target must say it", where=f"{where}.{needed}")
-    encoding, depth = keys.get("encoding", "pcm"), keys["bit_depth"]
-    lawful = (32, 64) if encoding == "float" else (8, 16, 24)
-    if depth not in lawful:
-        raise SpecError(
-            f"{depth} bit is no depth for {encoding}; it can be {', '.join(map(str, lawful))}",
-            where=f"{where}.bit_depth",
-        )
-    plain = encoding == "float" or depth == 24
-    said = {"dither": "none" if plain else "tpdf", **stated(keys), "name": name}
+    said = {**stated(keys), "name": name}
+    if is_lossy:  # a depth and a dither that another category's files have say nothing here
+        said |= {"bit_depth": DECODED_BITS, "dither": "none", "quality": said.get("quality", QUALITY)}
+    else:
+        _ensure_no_quality(said, encoding, where)
+        depth = keys["bit_depth"]
+        lawful = DEPTHS.get(encoding, (8, 16, 24))
+        if depth not in lawful:
+            raise SpecError(
+                f"{depth} bit is no depth for {encoding}; it can be {', '.join(map(str, lawful))}",
+                where=f"{where}.bit_depth",
+            )
+        said = {"dither": "none" if encoding == "float" or depth == 24 else "tpdf", **said}
+    if encoding in CODINGS:
+        _ensure_codable(CODINGS[encoding], keys["sample_rate_hz"], where)
     if "mono_gains" in said:
         said["mono_gains"] = tuple(said["mono_gains"])
     target = Target(**said)
@@ -231,6 +260,27 @@ def read_target(name: str, keys: Tables) -> Target:
             "shaped dither needs 44100 Hz or more: below, the noise has nowhere to hide", where=f"{where}.dither"
         )
     return target
+
+
+def _ensure_no_quality(said: Tables, encoding: str, where: str) -> None:
+    if "quality" in said:
+        raise SpecError(
+            f'a quality is for {" and ".join(LOSSY_ENCODINGS)}, and the encoding here is "{encoding}"; '
+            'take it out, or lift it with quality = "any"',
+            where=f"{where}.quality",
+        )
+
+
+def _ensure_codable(coding: Coding, rate_hz: int, where: str) -> None:
+    low, high = coding.lowest_hz, coding.highest_hz
+    if not low <= rate_hz <= high:
+        wanted = f"{low} Hz" if low == high else f"{low} to {high} Hz"
+        nearest = min(max(rate_hz, low), high)
+        other = 'encoding = "vorbis"' if coding.label == "Opus" else "another encoding"
+        raise SpecError(
+            f"{coding.label} is made at {wanted}, found {rate_hz} Hz; set sample_rate_hz = {nearest}, or {other}",
+            where=f"{where}.sample_rate_hz",
+        )
 
 
 def stated(table: Tables) -> Tables:

@@ -60,6 +60,18 @@ sample_rate_hz = 11025
 bit_depth = 32
 encoding = "float"
 over_peak = "refuse"
+[targets.vorbis]
+sample_rate_hz = 8000
+encoding = "vorbis"
+quality = 0.2
+[targets.opus]
+sample_rate_hz = 48000
+encoding = "opus"
+channels = 1
+[targets.flac]
+sample_rate_hz = 22050
+bit_depth = 16
+encoding = "flac"
 """)
 TOLD_EVERY = 100
 TWICE_EVERY = 4  # are also judged by what the checks read alone, as the command line does
@@ -170,7 +182,7 @@ def _render_and_draw(path: Path, folder: Path) -> list[Path]:
     for error in prepare(str(path), str(made), recipes, loop=False, draws_master=True).values():
         if isinstance(error, Exception) and not isinstance(error, audio_checks.RenderRefused):
             raise error
-    return [one for number in range(len(recipes)) for one in (made / str(number)).glob("*.wav")]
+    return [one for number in range(len(recipes)) for one in (made / str(number)).glob("render.*")]
 
 
 def _audit(paths: list[Path]) -> None:

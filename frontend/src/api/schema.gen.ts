@@ -5711,6 +5711,74 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/me/mail-preferences": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read My Mail Preferences
+         * @description Return what the caller is mailed, and when.
+         */
+        get: operations["read_my_mail_preferences"];
+        /**
+         * Save My Mail Preferences
+         * @description Save what the caller is mailed, and when.
+         */
+        put: operations["save_my_mail_preferences"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/mail-choices/{secret}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Mail Choice
+         * @description Return what the link at the end of a mail changes; it changes nothing by being opened.
+         */
+        get: operations["read_mail_choice"];
+        /**
+         * Save Mail Choice
+         * @description Say how often the news of a mail's link is mailed, without signing in.
+         */
+        put: operations["save_mail_choice"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/mail-choices/{secret}/stop": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Stop Mails
+         * @description Stop mails like one, as a mail program's own button asks for it (RFC 8058).
+         */
+        post: operations["stop_mails"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/studios/{studio_id}/operations": {
         parameters: {
             query?: never;
@@ -7102,6 +7170,12 @@ export interface components {
              */
             created_at: string;
         };
+        /**
+         * Cadence
+         * @description How often news is mailed.
+         * @enum {string}
+         */
+        Cadence: "at_once" | "hourly" | "daily" | "never";
         /**
          * CalendarLinkMade
          * @description The address of a calendar; its secret is shown this once.
@@ -11051,6 +11125,89 @@ export interface components {
             render_dbfs: (number | null)[];
         };
         /**
+         * MailChoiceRead
+         * @description What the link of a mail changes: how often its reader is mailed some news.
+         */
+        MailChoiceRead: {
+            /** Email */
+            email: string;
+            /** News */
+            news: components["schemas"]["News"][];
+            /** @description None where these kinds are mailed differently. */
+            cadence: components["schemas"]["Cadence"] | null;
+            /** Can Stop */
+            can_stop: boolean;
+        };
+        /**
+         * MailChoiceSave
+         * @description How often the news of the link is mailed from now on.
+         */
+        MailChoiceSave: {
+            cadence: components["schemas"]["Cadence"];
+        };
+        /**
+         * MailPreferencesRead
+         * @description What the caller is mailed, and when: every kind of news by name.
+         */
+        MailPreferencesRead: {
+            /**
+             * Cadences
+             * @description By kind of news; what is missing is mailed at once.
+             */
+            cadences: {
+                [key: string]: components["schemas"]["Cadence"];
+            };
+            /**
+             * Time Zone
+             * @example Europe/Berlin
+             */
+            time_zone: string;
+            /**
+             * Daily At
+             * Format: time
+             * @description When the mail of the day is sent.
+             */
+            daily_at: string;
+            /**
+             * Quiet From
+             * @description From then on nothing is sent, until quiet_until.
+             */
+            quiet_from?: string | null;
+            /** Quiet Until */
+            quiet_until?: string | null;
+        };
+        /**
+         * MailPreferencesSave
+         * @description What the caller wants to be mailed, and when; times are those of the time zone.
+         */
+        MailPreferencesSave: {
+            /**
+             * Cadences
+             * @description By kind of news; what is missing is mailed at once.
+             */
+            cadences: {
+                [key: string]: components["schemas"]["Cadence"];
+            };
+            /**
+             * Time Zone
+             * @example Europe/Berlin
+             */
+            time_zone: string;
+            /**
+             * Daily At
+             * Format: time
+             * @description When the mail of the day is sent.
+             */
+            daily_at: string;
+            /**
+             * Quiet From
+             * @description From then on nothing is sent, until quiet_until.
+             */
+            quiet_from?: string | null;
+            /** Quiet Until */
+            quiet_until?: string | null;
+        };
+        /**
          * MailRead
          * @description One mail of the studio's outbox.
          */
@@ -11733,6 +11890,12 @@ export interface components {
             /** Preview Url */
             preview_url: string | null;
         };
+        /**
+         * News
+         * @description What mails are about; a person says for each how often it is mailed.
+         * @enum {string}
+         */
+        News: "sounds" | "talk" | "list" | "contracts" | "hiring";
         /**
          * NextStep
          * @description Something that the caller is the one to do, and what it is about.
@@ -15748,6 +15911,11 @@ export interface components {
             /** Encoding */
             encoding: string;
             /**
+             * Quality
+             * @description Of what a lossy codec keeps, 0 to 1.
+             */
+            quality: number | null;
+            /**
              * Channels
              * @enum {unknown}
              */
@@ -15778,6 +15946,11 @@ export interface components {
             bit_depth: number;
             /** Encoding */
             encoding: string;
+            /**
+             * Quality
+             * @description Of what a lossy codec keeps, 0 to 1.
+             */
+            quality: number | null;
             /**
              * Channels
              * @enum {unknown}
@@ -29795,6 +29968,8 @@ export interface operations {
                 };
                 content: {
                     "audio/wav": unknown;
+                    "audio/ogg": unknown;
+                    "audio/flac": unknown;
                 };
             };
             /** @description `download-unpaid` */
@@ -32932,6 +33107,8 @@ export interface operations {
                 };
                 content: {
                     "audio/wav": unknown;
+                    "audio/ogg": unknown;
+                    "audio/flac": unknown;
                 };
             };
             /** @description `team-needed`, `download-unpaid` */
@@ -33753,6 +33930,181 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_my_mail_preferences: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MailPreferencesRead"];
+                };
+            };
+        };
+    };
+    save_my_mail_preferences: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["MailPreferencesSave"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MailPreferencesRead"];
+                };
+            };
+            /** @description `time-zone-unknown`, `quiet-hours-unclear`, `contract-mail-needed` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_mail_choice: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                secret: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MailChoiceRead"];
+                };
+            };
+            /** @description `mail-link-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    save_mail_choice: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                secret: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["MailChoiceSave"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MailChoiceRead"];
+                };
+            };
+            /** @description `mail-link-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-mail-needed` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    stop_mails: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                secret: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `mail-link-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-mail-needed` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };

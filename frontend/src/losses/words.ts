@@ -25,7 +25,7 @@ export function linesOf({ before, after, ...loss }: Loss): LossLine[] {
     { what: 'Energy above the new highest frequency', file: decibels(loss.above_nyquist_db) },
     { what: 'Lowered to stay under the peak limit', file: decibels(loss.attenuation_db, 2) },
     {
-      what: 'Rounding and dither noise',
+      what: 'Rounding, dither or codec noise',
       file: loss.requantisation_dbfs === null ? 'none' : `${figure(loss.requantisation_dbfs, 1)} dBFS`,
     },
   ]

@@ -89,6 +89,15 @@ test.each([
   expect(format.dueDay(on, NOW)).toBe(text)
 })
 
+test('how samples are kept: by their depth, or by codec and quality', () => {
+  expect(format.sampleFormat(16, 'pcm')).toBe('16 bit')
+  expect(format.sampleFormat(32, 'float')).toBe('32 bit float')
+  expect(format.sampleFormat(24, 'flac')).toBe('FLAC of 24 bit')
+  expect(format.sampleFormat(32, 'vorbis', 0.4)).toBe('Ogg Vorbis, quality 0.4')
+  expect(format.sampleFormat(32, 'opus')).toBe('Opus')
+  expect(format.sampleFormat(undefined, undefined)).toBe('')
+})
+
 test('counts and words', () => {
   expect(format.countOf(4, 4)).toBe('4 of 4')
   expect(format.plural(1, 'cue')).toBe('1 cue')

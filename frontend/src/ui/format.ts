@@ -74,6 +74,20 @@ export function channels(count: number): string {
   return count === 1 ? 'mono' : count === 2 ? 'stereo' : `${count} channels`
 }
 
+/** What codecs are called. */
+const CODECS: Record<string, string> = { vorbis: 'Ogg Vorbis', opus: 'Opus', flac: 'FLAC', mp3: 'MP3' }
+
+/** How samples are kept: "16 bit", "32 bit float", "FLAC of 16 bit", "Ogg Vorbis, quality 0.5". */
+export function sampleFormat(bits: number | undefined, encoding: unknown, quality?: number | null): string {
+  const codec = typeof encoding === 'string' ? CODECS[encoding] : undefined
+  if (codec && encoding !== 'flac') {
+    return typeof quality === 'number' ? `${codec}, quality ${quality}` : codec
+  }
+  const depth = bits ? `${bits} bit` : ''
+  if (codec) return depth ? `${codec} of ${depth}` : codec
+  return depth && encoding === 'float' ? `${depth} float` : depth
+}
+
 /** "17.3 MB", in thousands as disks are sold; whole bytes below one thousand. */
 export function bytes(count: number): string {
   const units = ['kB', 'MB', 'GB', 'TB']

@@ -51,6 +51,7 @@ def test_the_spec_comes_as_text_as_tables_and_resolved(world: World) -> None:
         "sample_rate_hz": 22_050,
         "bit_depth": 16,
         "encoding": "pcm",
+        "quality": None,
         "channels": 1,
         "dither": "tpdf",
         "over_peak": "attenuate",

@@ -35,6 +35,17 @@ def test_what_changes_the_sound_changes_the_key(change):
     assert key(replace(PC, **change)) != key()
 
 
+def test_a_codec_and_its_quality_change_the_key():
+    vorbis = Target("pc", 44_100, 32, encoding="vorbis", dither="none", quality=0.5)
+    keys = {key(), key(vorbis), key(replace(vorbis, quality=0.4)), key(replace(vorbis, encoding="opus"))}
+    assert len(keys | {key(replace(PC, encoding="flac"))}) == 5
+
+
+def test_keys_of_plain_files_stay_what_they_were():
+    """Another key would render every file of every project again."""
+    assert key() == "16e585c8bc7ce8dfa4476c29e5e533c2b711d0180f494eb55969dfdef4deb169"
+
+
 @pytest.mark.parametrize(
     "more",
     [

@@ -1,4 +1,4 @@
-import { bytes, channels, figure, plural, rate } from '@/ui/format'
+import { bytes, channels, figure, sampleFormat, plural, rate } from '@/ui/format'
 
 import type { Batch, BatchSizes, Changes, Handoff, Memory, Target } from './api'
 
@@ -8,8 +8,8 @@ export function sentence(text: string): string {
 }
 
 /** "48 kHz, 16 bit, mono". */
-export function formatOf({ sample_rate_hz, bit_depth, encoding, channels: count }: Target): string {
-  const depth = encoding === 'float' ? `${bit_depth} bit float` : `${bit_depth} bit`
+export function formatOf({ sample_rate_hz, bit_depth, encoding, quality, channels: count }: Target): string {
+  const depth = sampleFormat(bit_depth, encoding, quality)
   return [rate(sample_rate_hz), depth, count === 'master' ? 'same as master' : channels(count)].join(', ')
 }
 

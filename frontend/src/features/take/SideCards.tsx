@@ -5,7 +5,7 @@ import { historyQuery } from '@/judging/api'
 import { byWhom, happened, sentence, spot, historyText } from '@/judging/words'
 import { LossPanel } from '@/losses'
 import { Card, CardHead } from '@/ui/Card'
-import { age, bytes, channels, clock, day, figure, rate } from '@/ui/format'
+import { age, bytes, channels, clock, day, figure, sampleFormat, rate } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { State } from '@/ui/State'
 
@@ -116,7 +116,7 @@ function madeOf({ state, refusal, facts, attenuation_db: down, file_bytes: size 
   if (state === 'refused') return sentence(refusal ?? 'Refused.')
   if (state === 'waiting') return 'Game files are rendered once the version passes the check.'
   const { sample_rate_hz: hz, bit_depth: bits, channels: count } = facts as Record<string, number | undefined>
-  const parts = [hz && rate(hz), bits && `${bits} bit`, count && channels(count), size && bytes(size)]
+  const parts = [hz && rate(hz), sampleFormat(bits, facts.encoding), count && channels(count), size && bytes(size)]
   const lowered = down !== null && down > 0.005 ? `lowered by ${figure(down, 2)} dB to stay under the peak limit` : ''
   return [...parts, lowered].filter(Boolean).join(', ')
 }

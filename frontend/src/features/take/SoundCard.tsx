@@ -5,7 +5,7 @@ import { HotkeyButton } from '@/app/keys'
 import { type FindingMark, LevelStrip, type Player, type PlayerState, SpectrumStrip, Waveform } from '@/audio'
 import { usePeaks } from '@/judging/peaks'
 import { Card, CardHead } from '@/ui/Card'
-import { length, rate } from '@/ui/format'
+import { sampleFormat, length, rate } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { Segmented } from '@/ui/Segmented'
 
@@ -152,11 +152,16 @@ export function SoundCard({ take, sounds, marks, limitDbfs, player, playing, onM
 
 function factsOf(sounds: Sounds | undefined, file: GameFile | undefined): string {
   const sound = file ?? sounds?.master
-  const { sample_rate_hz: hz, bit_depth: bits } = (sound?.facts ?? {}) as {
+  const {
+    sample_rate_hz: hz,
+    bit_depth: bits,
+    encoding,
+  } = (sound?.facts ?? {}) as {
     sample_rate_hz?: number
     bit_depth?: number
+    encoding?: string
   }
-  return [hz && rate(hz), bits && `${bits} bit`, sound?.duration_s && length(sound.duration_s)]
+  return [hz && rate(hz), sampleFormat(bits, encoding), sound?.duration_s && length(sound.duration_s)]
     .filter(Boolean)
     .join(', ')
 }

@@ -7,19 +7,32 @@ import { EmptyState } from '@/ui/EmptyState'
 import { rate } from '@/ui/format'
 
 import { sentence } from '../words'
-import { Against, Choice, useWriting } from './fields'
+import { Against, Choice, NumberField, useWriting } from './fields'
 import { targetInWords } from './say'
 import classes from './SpecForm.module.css'
 import { put, rename, type Tables, tableIn } from './tables'
 import { isAt } from './trouble'
 
 const RATES = [22050, 24000, 32000, 44100, 48000, 96000]
-const DEPTHS: Record<string, { label: string; bit_depth: number; encoding: 'pcm' | 'float' }> = {
+interface Format {
+  label: string
+  encoding: string
+  /** None where a lossy codec keeps the sound: it has a quality instead. */
+  bit_depth?: number
+  /** The only rate there is. */
+  sample_rate_hz?: number
+}
+const FORMATS: Record<string, Format> = {
   pcm8: { label: '8 bit', bit_depth: 8, encoding: 'pcm' },
   pcm16: { label: '16 bit', bit_depth: 16, encoding: 'pcm' },
   pcm24: { label: '24 bit', bit_depth: 24, encoding: 'pcm' },
   float32: { label: '32 bit float', bit_depth: 32, encoding: 'float' },
+  flac16: { label: 'FLAC of 16 bit', bit_depth: 16, encoding: 'flac' },
+  flac24: { label: 'FLAC of 24 bit', bit_depth: 24, encoding: 'flac' },
+  vorbis: { label: 'Ogg Vorbis', encoding: 'vorbis' },
+  opus: { label: 'Opus', encoding: 'opus', sample_rate_hz: 48000 },
 }
+const USUAL_QUALITY = 0.5
 const CHANNELS = [
   { value: 'master', label: 'same as master' },
   { value: '1', label: 'mono' },
@@ -107,11 +120,16 @@ function Target({ name, taken, onRename, onRemove }: TargetProps) {
   const [typed, setTyped] = useState(name)
   const hz = typeof target.sample_rate_hz === 'number' ? target.sample_rate_hz : 48000
   const bits = typeof target.bit_depth === 'number' ? target.bit_depth : 16
-  const encoding = target.encoding === 'float' ? 'float' : 'pcm'
-  const depthKey = Object.keys(DEPTHS).find(
-    (key) => DEPTHS[key]?.bit_depth === bits && DEPTHS[key].encoding === encoding,
-  )
-  const depths = Object.entries(DEPTHS).map(([value, { label }]) => ({ value, label }))
+  const encoding = typeof target.encoding === 'string' ? target.encoding : 'pcm'
+  const formatKey = Object.keys(FORMATS).find((key) => {
+    const format = FORMATS[key]
+    return format?.encoding === encoding && (format.bit_depth === undefined || format.bit_depth === bits)
+  })
+  const format = formatKey === undefined ? undefined : FORMATS[formatKey]
+  const isLossy = format !== undefined && format.bit_depth === undefined
+  const quality = typeof target.quality === 'number' ? target.quality : USUAL_QUALITY
+  const formats = Object.entries(FORMATS).map(([value, { label }]) => ({ value, label }))
+  const rates = format?.sample_rate_hz === undefined ? RATES : [format.sample_rate_hz]
   const count = typeof target.channels === 'number' ? target.channels : 'master'
   const said = (key: string, usual: string) => (typeof target[key] === 'string' ? target[key] : usual)
   const clash = typed !== name && taken.includes(typed)
@@ -119,7 +137,25 @@ function Target({ name, taken, onRename, onRemove }: TargetProps) {
     if (typed.trim() === '' || clash) setTyped(name)
     else if (typed !== name) onRename(typed.trim())
   }
-  const facts = targetInWords({ sample_rate_hz: hz, bit_depth: bits, encoding, channels: count })
+  const facts = targetInWords({
+    sample_rate_hz: hz,
+    bit_depth: bits,
+    encoding,
+    quality: isLossy ? quality : null,
+    channels: count,
+  })
+  const keepAs = (chosen: Format) => {
+    const lossy = chosen.bit_depth === undefined
+    const next = {
+      ...target,
+      encoding: chosen.encoding,
+      bit_depth: chosen.bit_depth,
+      sample_rate_hz: chosen.sample_rate_hz ?? hz,
+      quality: lossy ? target.quality : undefined,
+      dither: lossy ? undefined : target.dither,
+    }
+    set(place, Object.fromEntries(Object.entries(next).filter(([, value]) => value !== undefined)))
+  }
   return (
     <fieldset className={classes.target} data-wrong={isAt(trouble, place) || undefined}>
       <legend className="visually-hidden">{`Target ${name}: ${facts}`}</legend>
@@ -141,16 +177,16 @@ function Target({ name, taken, onRename, onRemove }: TargetProps) {
       <Choice
         label="Sample rate"
         value={String(hz)}
-        options={[...new Set([...RATES, hz])].map((one) => ({ value: String(one), label: rate(one) }))}
+        options={[...new Set([...rates, hz])].map((one) => ({ value: String(one), label: rate(one) }))}
         onChange={(value) => set([...place, 'sample_rate_hz'], Number(value))}
       />
       <Choice
-        label="Bit depth"
-        value={depthKey ?? 'other'}
-        options={depthKey ? depths : [...depths, { value: 'other', label: `${bits} bit ${encoding}` }]}
+        label="Format"
+        value={formatKey ?? 'other'}
+        options={formatKey ? formats : [...formats, { value: 'other', label: `${bits} bit ${encoding}` }]}
         onChange={(value) => {
-          const chosen = DEPTHS[value]
-          if (chosen) set(place, { ...target, bit_depth: chosen.bit_depth, encoding: chosen.encoding })
+          const chosen = FORMATS[value]
+          if (chosen) keepAs(chosen)
         }}
       />
       <Choice
@@ -159,12 +195,16 @@ function Target({ name, taken, onRename, onRemove }: TargetProps) {
         options={CHANNELS}
         onChange={(value) => set([...place, 'channels'], value === 'master' ? 'master' : Number(value))}
       />
-      <Choice
-        label="Dither"
-        value={said('dither', 'tpdf')}
-        options={DITHERS}
-        onChange={(value) => set([...place, 'dither'], value)}
-      />
+      {isLossy ? (
+        <NumberField place={[...place, 'quality']} label="Quality" unit="0 to 1" usual={USUAL_QUALITY} />
+      ) : (
+        <Choice
+          label="Dither"
+          value={said('dither', 'tpdf')}
+          options={DITHERS}
+          onChange={(value) => set([...place, 'dither'], value)}
+        />
+      )}
       <Choice
         label="When it would clip"
         value={said('over_peak', 'attenuate')}

@@ -1,4 +1,4 @@
-import { channels, figure, rate } from '@/ui/format'
+import { channels, figure, sampleFormat, rate } from '@/ui/format'
 
 import type { Check, Spec } from '../api'
 import { listed } from '../words'
@@ -96,13 +96,14 @@ export interface TargetFacts {
   sample_rate_hz: number
   bit_depth: number
   encoding: string
+  quality?: number | null
   channels: string | number
 }
 
 /** "48 kHz, 16 bit, as master". */
-export function targetInWords({ sample_rate_hz, bit_depth, encoding, channels: count }: TargetFacts): string {
+export function targetInWords({ sample_rate_hz, bit_depth, encoding, quality, channels: count }: TargetFacts): string {
   const made = typeof count === 'number' ? channels(count) : 'same as master'
-  return [rate(sample_rate_hz), `${bit_depth} bit${encoding === 'float' ? ' float' : ''}`, made].join(', ')
+  return [rate(sample_rate_hz), sampleFormat(bit_depth, encoding, quality), made].join(', ')
 }
 
 /** What is made from each master, and what holds for all of it. */
@@ -115,7 +116,7 @@ export function targetLines({ resolved: { targets } }: Spec): Line[] {
     ...each,
     ...together(
       'Dither',
-      all.map(({ dither }) => DITHERS[dither] ?? dither),
+      all.filter(({ quality }) => quality === null).map(({ dither }) => DITHERS[dither] ?? dither),
     ),
     ...together(
       'If a peak exceeds the limit',
@@ -184,10 +185,15 @@ export function differences(tables: Tables, category: string, checks: readonly C
     ...('pattern' in naming ? [naming.pattern === 'any' ? 'any name' : `named ${String(naming.pattern)}`] : []),
     ...(Array.isArray(adds) ? [adds.length === 0 ? 'no engine effects' : `engine adds ${listed(words(adds))}`] : []),
     ...Object.entries(tableIn(own.targets)).map(([name, value]) => {
-      const { sample_rate_hz: hz, bit_depth: bits, channels: count } = tableIn(value)
+      const { sample_rate_hz: hz, bit_depth: bits, encoding, quality, channels: count } = tableIn(value)
       const facts = [
         typeof hz === 'number' ? rate(hz) : '',
-        typeof bits === 'number' ? `${bits} bit` : '',
+        sampleFormat(
+          typeof bits === 'number' ? bits : undefined,
+          encoding,
+          typeof quality === 'number' ? quality : undefined,
+        ),
+        encoding === undefined && typeof quality === 'number' ? `quality ${quality}` : '',
         typeof count === 'number' ? channels(count) : count === 'master' ? 'same as master' : '',
       ]
       return `${name} ${facts.filter(Boolean).join(' ') || 'different settings'}`

@@ -166,6 +166,25 @@ describe('by form', () => {
     await waitFor(() => expect(screen.queryByRole('group', { name: /^Target target/ })).toBeNull())
   })
 
+  test('a codec asks for a quality in place of a depth, and Opus for its only rate', async () => {
+    const { asked } = await openSpec()
+    const target = within(screen.getByRole('group', { name: /^Target game/ }))
+    await userEvent.click(target.getByRole('combobox', { name: 'Format' }))
+    await userEvent.click(await screen.findByRole('option', { name: 'Opus' }))
+    expect(target.queryByRole('combobox', { name: 'Dither' })).toBeNull()
+    expect(target.getByRole('combobox', { name: 'Sample rate' })).toHaveValue('48 kHz')
+    await userEvent.type(target.getByLabelText('Quality'), '0.3')
+    const tried = () => (wrote(asked, TRY).at(-1)?.body as { tables: { targets: Record<string, unknown> } }).tables
+    await waitFor(() => expect(tried().targets.game).toMatchObject({ encoding: 'opus', quality: 0.3 }))
+    expect(tried().targets.game).not.toHaveProperty('bit_depth')
+    expect(screen.getByRole('group', { name: 'Target game: 48 kHz, Opus, quality 0.3, same as master' })).toBeVisible()
+    await userEvent.click(target.getByRole('combobox', { name: 'Format' }))
+    await userEvent.click(await screen.findByRole('option', { name: 'FLAC of 16 bit' }))
+    await waitFor(() => expect(tried().targets.game).toMatchObject({ encoding: 'flac', bit_depth: 16 }))
+    expect(tried().targets.game).not.toHaveProperty('quality')
+    expect(target.getByRole('combobox', { name: 'Dither' })).toBeVisible()
+  })
+
   test('a category is added from the list and says only what differs', async () => {
     const { asked } = await openSpec()
     await userEvent.click(await screen.findByRole('button', { name: 'impact' }))
