@@ -12,7 +12,7 @@ from app.deliveries.service import take_for
 from app.kit import clock
 from app.reviews import queries
 from app.reviews.errors import NoteNotFound
-from app.reviews.models import ChangeRequest, Comment, NoteAnswer
+from app.reviews.models import ChangeRequest, Comment, NoteAnswer, Verdict
 from app.reviews.schemas import CarriedNote, NoteAnswerRead
 
 
@@ -24,7 +24,26 @@ def carried_notes(session: Session, cue_id: UUID) -> list[CarriedNote]:
         *(_note(one, one.take, answers.get(one.id)) for one in asked),
         *(_note(one, take, answers.get(one.id)) for one, take in said if one.resolved_at is None or one.id in answers),
     ]
+    if notes:
+        approvals = {take.variation: (take, verdict) for take, verdict in queries.approvals_of(session, cue_id)}
+        notes = [_with_approval(note, *approvals.get(note.variation, (None, None))) for note in notes]
     return sorted(notes, key=lambda note: note.created_at)
+
+
+def _with_approval(note: CarriedNote, approved: Take | None, verdict: Verdict | None) -> CarriedNote:
+    """Return a note as done in the version that was approved, unless it was answered of that version, or is later."""
+    if approved is None or verdict is None or verdict.author is None:
+        return note
+    answered_in = note.answer.number if note.answer else 0
+    if (note.answer and note.answer.is_done) or max(note.number, answered_in) >= (approved.number or 0):
+        return note
+    by_approval = NoteAnswerRead(
+        is_done=True,
+        number=approved.number or 0,
+        given_by=PersonBrief.model_validate(verdict.author),
+        created_at=verdict.created_at,
+    )
+    return note.model_copy(update={"answer": by_approval})
 
 
 def _note(note: ChangeRequest | Comment, take: Take, answer: NoteAnswer | None) -> CarriedNote:

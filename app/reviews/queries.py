@@ -148,6 +148,24 @@ def action_verdicts(session: Session, action_id: UUID) -> Sequence[Verdict]:
     ).all()
 
 
+def approvals_of(session: Session, cue_id: UUID) -> Sequence[tuple[Take, Verdict]]:
+    """Return a cue's approved takes with the verdict of a person that approved each, and who gave it."""
+    back = aliased(Verdict)
+    return session.execute(
+        select(Take, Verdict)
+        .join(Verdict, Verdict.take_id == Take.id)
+        .where(
+            Take.cue_id == cue_id,
+            Take.state == TakeState.APPROVED,
+            Verdict.kind == VerdictKind.APPROVE,
+            Verdict.given_by.is_not(None),
+            ~exists().where(back.withdraws_id == Verdict.id),
+        )
+        .options(joinedload(Verdict.author))
+        .order_by(Verdict.id)
+    ).all()
+
+
 def verdicts_on(session: Session, *where: ColumnElement[bool]) -> Sequence[Verdict]:
     """Return verdicts with who gave them and for whom, oldest first, those taken back included."""
     with_people = (joinedload(Verdict.author), joinedload(Verdict.represented))

@@ -104,6 +104,43 @@ def test_what_is_still_open_moves_on_again_and_what_is_done_does_not(stage: Stag
     assert open_notes(stage) == 1
 
 
+def test_an_approval_answers_what_is_left_and_its_undo_takes_that_back(stage: Stage) -> None:
+    cue_id = stage.cue()
+    returned(stage, cue_id)
+    second = stage.take(cue_id)
+    before = notes_of(stage, cue_id)
+    tail, clank = before
+    stage.approve(second)
+    for note in notes_of(stage, cue_id):
+        assert (note["answer"]["is_done"], note["answer"]["number"]) == (True, 2)
+        assert note["answer"]["given_by"]["id"] == str(stage.world.approver_id)
+    assert stage.undo(second).status_code == 200
+    assert notes_of(stage, cue_id) == before
+    body_of(answer(stage.world.reviewer, second, clank, is_done=False))
+    stage.approve(second)
+    done = {note["id"]: note["answer"]["is_done"] for note in notes_of(stage, cue_id)}
+    assert done == {tail["id"]: True, clank["id"]: False}, "what was said to be open of this version stays so"
+
+
+def test_an_approval_says_nothing_of_notes_on_other_variations(stage: Stage) -> None:
+    cue_id = stage.cue(variations=2)
+    returned(stage, cue_id)
+    other = stage.take(cue_id, 2)
+    stage.take(cue_id)
+    stage.approve(other)
+    assert [note["answer"] for note in notes_of(stage, cue_id)] == [None, None]
+
+
+def test_an_earlier_version_that_is_approved_in_the_end_answers_no_note_on_a_later_one(stage: Stage) -> None:
+    cue_id = stage.cue()
+    first = stage.take(cue_id)
+    second = stage.take(cue_id)
+    stage.draft(second, "a duller clank")
+    stage.send()
+    stage.approve(first)
+    assert [(note["number"], note["answer"]) for note in notes_of(stage, cue_id)] == [(2, None)]
+
+
 def test_saying_the_same_twice_says_it_once(stage: Stage) -> None:
     cue_id = stage.cue()
     returned(stage, cue_id)

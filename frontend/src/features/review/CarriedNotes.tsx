@@ -66,6 +66,7 @@ export function CarriedNotes({ carried, hand, cueId, projectId, onSpot }: Carrie
           />
         ))}
       </ul>
+      {next && <p className={`small dim ${classes.carriedHead}`}>Approving marks what is left as done.</p>}
       {answer.error instanceof ApiProblem && <ProblemNote detail={answer.error.detail} fix={answer.error.fix} />}
     </section>
   )
