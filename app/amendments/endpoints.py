@@ -19,7 +19,6 @@ from app.amendments import change_orders, ending, schemas
 from app.amendments.errors import (
     AlreadyEnded,
     BadChangeOrder,
-    ChangeOfferNotFound,
     ChangeOrderClosed,
     ChangeOrderNotFound,
     ChangeOrderStale,
@@ -28,6 +27,7 @@ from app.amendments.errors import (
     NoticeTooShort,
     NotInForce,
     NotOwnChangeOrder,
+    OfferSettled,
     OwnChangeOrder,
 )
 from app.kit.http import DbSession, Route, Router, problems
@@ -128,7 +128,7 @@ def preview_change_order(
 
 @router.post(
     "/contracts/{contract_id}/change-offers/dismiss",
-    responses=problems(ContractNotFound, NotYourContract, NotInForce, ChangeOfferNotFound),
+    responses=problems(ContractNotFound, NotYourContract, NotInForce, OfferSettled),
 )
 def dismiss_change_offer(
     contract_id: UUID, body: schemas.OfferDismiss, session: DbSession, actor: Actor = allows(Audience.PROJECT)

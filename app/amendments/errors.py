@@ -47,5 +47,5 @@ class NotOwnChangeOrder(Conflict):
     """Who did not propose a change order refuses it; the other party withdraws it."""
 
 
-class ChangeOfferNotFound(NotFound):
-    """Nothing of that kind is offered to the caller's party: it was never there, or is settled."""
+class OfferSettled(Conflict):
+    """Nothing of that kind is offered to the caller's party: a change order has it, or it was dismissed."""

@@ -18,7 +18,7 @@ from app.agreements.queries import events_of_kinds
 from app.agreements.rules import Party, WorkState
 from app.amendments import offer_queries, queries, schemas
 from app.amendments.change_order_review import Reviewer
-from app.amendments.errors import ChangeOfferNotFound
+from app.amendments.errors import OfferSettled
 from app.amendments.models import ChangeOrder
 from app.amendments.offer_rules import (
     DUE,
@@ -108,7 +108,10 @@ def dismiss(session: Session, actor: Actor, reviewer: Reviewer, party: Party, ke
     """Note for good that a party wants no change order for something; callers hold the contract's lock."""
     known = {one.offer: one for one in offers(session, reviewer, party)}
     if key not in known:
-        raise ChangeOfferNotFound("nothing of that kind is offered: a change order has it, or your party dismissed it")
+        raise OfferSettled(
+            "this is offered no more: a change order has it, or your party dismissed it",
+            fix="propose a change order yourself where one is needed",
+        )
     facts = {"offer": key, "what": known[key].text, "reason": reason, "party": party.value}
     record.append(session, reviewer.contract.id, DISMISSED, facts, by=actor.person)
 

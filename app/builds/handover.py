@@ -1,6 +1,6 @@
 """The handover pack of a contract that has ended: what the next designer begins with."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import PurePosixPath
 from uuid import UUID
 
@@ -84,7 +84,7 @@ def _files(session: Session, project: Project, folder: str, takes: Sequence[Take
     closed = closed_downloads(session, None, {(take.cue_id, take.designer_id) for take in takes if take.cue_id})
     return {
         take.id: HandedFile(
-            path=f"{folder}/{stems[take.cue_id, take.variation]}{PurePosixPath(take.file_name).suffix.lower()}",
+            path=f"{folder}/{_stem(stems, take)}{PurePosixPath(take.file_name).suffix.lower()}",
             sha256=take.master_sha256,
             version=take.number,
             sources=words_of(stated[take.id]) if take.id in stated else "",
@@ -93,6 +93,12 @@ def _files(session: Session, project: Project, folder: str, takes: Sequence[Take
         for take in takes
         if take.cue_id is not None and take.variation is not None
     }
+
+
+def _stem(stems: Mapping[tuple[UUID, int], str], take: Take) -> str:
+    """Return the name that the list owns; of a cue that was cut from the list, the delivered one, made unique."""
+    owned = stems.get((take.cue_id, take.variation)) if take.cue_id else None
+    return owned or f"{PurePosixPath(take.file_name).stem}_cut_{take.id.hex[-8:]}"
 
 
 def _cues(
@@ -121,7 +127,11 @@ def _cues(
                 is_palette=cue.palette,
                 state=_state(one),
                 files=[files[take.id] for take in takes],
-                owed=[stems[cue.id, each] for each in range(1, cue.variations + 1) if each not in done],
+                owed=[  # a cue that was cut from the list owns no names, and is owed no more
+                    stems[cue.id, each]
+                    for each in range(1, cue.variations + 1)
+                    if each not in done and (cue.id, each) in stems
+                ],
                 remarks=[_remark(each) for each in remarks if each.cue_id == cue.id],
                 questions=[each.text for each in asked if each.cue_id == cue.id],
             )

@@ -27006,7 +27006,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `contract-not-found`, `change-offer-not-found` */
+            /** @description `contract-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -27015,7 +27015,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `not-in-force` */
+            /** @description `not-in-force`, `offer-settled` */
             409: {
                 headers: {
                     [name: string]: unknown;

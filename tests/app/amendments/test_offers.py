@@ -272,7 +272,7 @@ def test_a_dismissal_is_of_one_party_and_stays_in_the_record(order: Order) -> No
     (offer,) = offers(order)
     body_of(dismiss(order, offer["offer"]))
     assert (offers(order), order.entries()[-1]) == ([], "offer_dismissed")
-    assert refused(dismiss(order, offer["offer"])) == (404, "change-offer-not-found")
+    assert refused(dismiss(order, offer["offer"])) == (409, "offer-settled")
     (shown,) = offers(order, designer)
     assert shown["dismissed"]["party"] == "studio"
     assert (shown["dismissed"]["by"], shown["dismissed"]["reason"]) == ("Producer", "The price covers it")

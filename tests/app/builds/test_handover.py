@@ -82,6 +82,23 @@ def test_it_has_what_the_next_designer_needs_and_nothing_of_money(world: World) 
         assert secret not in text.replace(sha256, "") + table.replace(sha256, "")
 
 
+def test_cues_that_were_cut_from_the_list_own_no_names(world: World) -> None:
+    half = Half(world)
+    for cue_id in half.cues[:2]:  # one accepted, one in work
+        cut = world.producer.post(f"/v1/cues/{cue_id}/cut", json={"reason": "They left the game"})
+        assert cut.status_code == 200, cut.text
+    half.end()
+    answer = half.pack()
+    assert answer.status_code == 200, answer.text
+    with zipfile.ZipFile(io.BytesIO(answer.content)) as archive:
+        table = archive.read("cues.csv").decode("utf-8-sig")
+        masters = [name for name in archive.namelist() if name.startswith("masters/")]
+    owed = [row["file"] for row in csv.DictReader(io.StringIO(table)) if not row["sha256"]]
+    assert "shield" not in owed, "nobody waits for it"
+    assert "warp" in owed
+    assert masters == [f"masters/laser_cut_{half.takes[0].hex[-8:]}.wav"]
+
+
 def test_it_comes_once_the_contract_has_ended_and_to_producers_only(world: World) -> None:
     half = Half(world)
     assert refused(half.pack()) == (409, "contract-not-ended")

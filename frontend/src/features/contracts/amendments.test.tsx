@@ -307,7 +307,7 @@ test('an offer that says all is looked at at once; what was typed stays, and a r
 test('an offer is dismissed with a reason', async () => {
   const { asked, answers } = serve(given({ 'GET /v1/contracts/c1/change-orders': OFFERED }))
   const path = 'POST /v1/contracts/c1/change-offers/dismiss'
-  answers[path] = refusal(404, 'change-offer-not-found', 'nothing of that kind is offered')
+  answers[path] = refusal(409, 'offer-settled', 'this is offered no more')
   openApp('/projects/p1/contracts/c1/changes')
   const offer = await offerOf('changed after work')
   await userEvent.click(within(offer).getByRole('button', { name: 'Dismiss' }))
@@ -315,7 +315,7 @@ test('an offer is dismissed with a reason', async () => {
   expect(send).toBeDisabled()
   await userEvent.type(within(offer).getByLabelText('Why no change order is needed'), 'It is no more work')
   await userEvent.click(send)
-  expect(await screen.findByText('Nothing of that kind is offered.')).toBeVisible()
+  expect(await screen.findByText('This is offered no more.')).toBeVisible()
   answers[path] = { ...OFFERED, offers: [] }
   await userEvent.click(send)
   expect(await screen.findByText('Dismissed. The record keeps the reason.')).toBeVisible()
