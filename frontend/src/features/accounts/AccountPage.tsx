@@ -42,7 +42,6 @@ export function AccountPage() {
         {session?.demo !== true && <AddressCard me={me} />}
         <PasswordCard demo={session?.demo === true} />
         {session?.demo !== true && <SignInsCard />}
-        <MailCard />
         <Card aria-labelledby="belong">
           <CardHead id="belong" title="Your studios and projects" />
           <Rows>
@@ -69,6 +68,7 @@ export function AccountPage() {
             )}
           </Rows>
         </Card>
+        <MailCard />
         {session?.demo !== true && <StudioCard />}
       </div>
     </div>
