@@ -107,6 +107,7 @@ PARSERS = (
     "app.sound_lists.sheets",
     "app.agreements.template_files",
     "app.agreements.seal_files",
+    "app.agreements.word_file",
     "audio_checks.spec.delivery_spec",
 )  # of what strangers send
 SUBSCRIBERS: dict[str, tuple[str, ...]] = {

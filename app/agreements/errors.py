@@ -131,6 +131,14 @@ class BadRedlines(Invalid):
     """Proposed changes, or an answer to one, cannot stand so; `errors` names the places."""
 
 
+class BadWordFile(Invalid):
+    """A file is no Word document, is damaged, or has more in it than is read."""
+
+
+class OtherContractsFile(Invalid):
+    """A Word document was made from another contract, or has no clause of this one."""
+
+
 class RedlineNotFound(NotFound):
     """The contract has no redline of that number that waits for the next version."""
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Annotated
 from uuid import UUID
 
-from fastapi import Path, Query
+from fastapi import Depends, Path, Query, Request
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
@@ -13,8 +13,10 @@ from app.agreements import redlines
 from app.agreements.access import party_of, visible_contract
 from app.agreements.errors import (
     BadRedlines,
+    BadWordFile,
     ContractNotFound,
     NotYourContract,
+    OtherContractsFile,
     RedlineNotFound,
     TextChanged,
     WrongState,
@@ -22,9 +24,11 @@ from app.agreements.errors import (
 from app.agreements.redline_rules import Change, RedlineKind, Wording
 from app.agreements.rules import ContractState, Party
 from app.agreements.schemas import DraftProblem
+from app.agreements.word_file import WordText, parse_word_file
 from app.kit.bodies import LARGE_BODY_BYTES
 from app.kit.fair_share import FairShare, TooManyAtOnce
 from app.kit.http import DbSession, Route, Router, problems
+from app.kit.parsing_queue import ParsingBusy, parse_request
 from app.projects.errors import ProducerNeeded
 
 router = Router(prefix="/v1", tags=["contracts"], route_class=Route)
@@ -119,6 +123,59 @@ def preview_redlines(
         return schemas.RedlinesPreview(
             clauses=[schemas.MarkedClauseRead.model_validate(one) for one in marked],
             problems=[DraftProblem.model_validate(each) for each in found],
+        )
+
+
+async def _word_text(contract_id: UUID, body: schemas.WordFile, request: Request) -> WordText:
+    plain = await parse_request(
+        request,
+        parse_word_file,
+        body.content_base64,
+        refusal=BadWordFile,
+        permit=redlines.ensure_may_propose,
+        whose=contract_id,
+    )
+    return WordText.of(plain)
+
+
+@router.post(
+    "/contracts/{contract_id}/redlines/word",
+    responses=problems(
+        ContractNotFound,
+        NotYourContract,
+        WrongState,
+        BadWordFile,
+        OtherContractsFile,
+        TooManyAtOnce,
+        ParsingBusy,
+    ),
+    max_body_size=LARGE_BODY_BYTES,
+)
+def read_word_redlines(
+    contract_id: UUID,
+    session: DbSession,
+    actor: Actor = allows(Audience.DESIGNER),
+    word: WordText = Depends(_word_text),
+) -> schemas.WordChangesRead:
+    """Return what a Word document changes in a contract, clause by clause; nothing is saved or sent."""
+    with MARKED.of(actor.person):
+        read = redlines.changes_of_word_file(session, actor, contract_id, word)
+        return schemas.WordChangesRead(
+            version=read.version,
+            changes=[
+                schemas.ReadChangeRead(
+                    kind=change.kind,
+                    clause_key=change.clause_key,
+                    after_key=change.after_key,
+                    title=change.wording.title,
+                    text=change.wording.text,
+                    terms=change.wording.terms,
+                    comment=change.comment,
+                )
+                for change in read.changes
+            ],
+            note=read.note,
+            findings=[schemas.WordFindingRead.model_validate(one) for one in read.findings],
         )
 
 

@@ -47,6 +47,41 @@ class RedlinesAdd(Schema):
     note: Prose = ""
 
 
+class WordFile(Schema):
+    """A Word document with changes of the text."""
+
+    content_base64: str = Field(description="The bytes of the .docx file, in Base64.")
+
+
+class ReadChangeRead(Schema):
+    """A change that a document makes, as it is proposed by `RedlineAdd`."""
+
+    kind: RedlineKind
+    clause_key: str | None
+    after_key: str | None
+    title: str
+    text: str
+    terms: dict[str, int | str]
+    comment: str
+
+
+class WordFindingRead(Schema):
+    """Something of a document that no change says, and what to do about it."""
+
+    clause_key: str | None
+    message: str
+    fix: str
+
+
+class WordChangesRead(Schema):
+    """The changes that a document makes; nothing of them is saved or sent."""
+
+    version: int = Field(description="The version that the document was made from.")
+    changes: list[ReadChangeRead]
+    note: str = Field(description="Its comments beside clauses that it does not change.")
+    findings: list[WordFindingRead]
+
+
 class RedlineAnswerAdd(WordingFields):
     """The studio's answer; a counter has its own wording, a refusal a comment."""
 

@@ -17,13 +17,14 @@ from app.agreements.errors import (
     BadRedlines,
     ContractVersionNotFound,
     NotYourContract,
+    OtherContractsFile,
     RedlineNotFound,
     RedlinesOpen,
     TextChanged,
 )
 from app.agreements.facts import facts_of
 from app.agreements.models import Contract, ContractVersion
-from app.agreements.redline_marks import MarkedClause, marked_clauses
+from app.agreements.redline_marks import MarkedClause, clauses_as_sent, marked_clauses
 from app.agreements.redline_rules import (
     ANSWERED,
     PROPOSED,
@@ -45,6 +46,8 @@ from app.agreements.redline_rules import (
 )
 from app.agreements.rules import ContractState, Party, ensure_state
 from app.agreements.versions import add_version, newest_of
+from app.agreements.word_file import WordText
+from app.agreements.word_reading import MadeFrom, ReadChanges, changes_in
 from app.kit import clock
 from app.kit.errors import FieldProblem
 from app.kit.events import publish
@@ -107,6 +110,47 @@ def preview(
     broken = {problem["where"] for problem in problems}
     whole = [change for index, change in enumerate(changes) if f"changes.{index}" not in broken]
     return _marked(session, contract, sent, numbered(whole, 1)), problems
+
+
+def ensure_may_propose(session: Session, actor: Actor, contract_id: UUID) -> None:
+    """Raise unless the caller is the designer of a contract that needs their signature."""
+    _sent_version(session, _to_propose(session, actor, contract_id))
+
+
+def changes_of_word_file(session: Session, actor: Actor, contract_id: UUID, word: WordText) -> ReadChanges:
+    """Return what a Word document changes in the version that it was made from; nothing is saved or sent.
+
+    Raises OtherContractsFile for a document of another contract, or of a version that its designer does not see.
+    """
+    contract = _to_propose(session, actor, contract_id)
+    sent = _sent_version(session, contract)
+    if word.origin is not None and word.origin.contract_id != str(contract.id):
+        raise OtherContractsFile(
+            "the file was made from another contract",
+            fix="upload it at the contract that it belongs to, or take this one out as a Word document",
+        )
+    number = word.origin.version if word.origin else sent.number
+    made_from = queries.version_by_number(session, contract.id, number)
+    if made_from is None or made_from.sent_at is None:
+        raise OtherContractsFile(
+            f"the file says that it was made from version {number}, and no such version was sent",
+            fix="take the version that stands out as a Word document, and make the changes in that file",
+        )
+    clauses, terms = text_of(made_from)
+    facts = facts_of(session, contract, terms_in_force(clauses, terms))
+    fill = clause_rules.filler(terms, facts, contract.currency)
+    return changes_in(
+        word, MadeFrom(number, (clauses, terms), made_from.text, fill, contract.currency), _as_in(made_from, sent)
+    )
+
+
+def _as_in(made_from: ContractVersion, sent: ContractVersion) -> set[str]:
+    """Return the keys of the clauses that read the same in both versions."""
+    before = clauses_as_sent(made_from.text, text_of(made_from)[0])
+    now = clauses_as_sent(sent.text, text_of(sent)[0])
+    unchanged = set(map(Clause.of, made_from.clauses)) & set(map(Clause.of, sent.clauses))
+    keys = {clause.key for clause in unchanged if clause.stands}
+    return {key for key in keys if before.get(key, "").strip() == now.get(key, "").strip()}
 
 
 def answer(

@@ -21,6 +21,7 @@ from app.agreements.models import ContractVersion
 from app.agreements.template_endpoints import attachment
 from app.agreements.text import Block, blocks_of
 from app.agreements.word_document import DOCX, Earlier, Heading, word_document
+from app.agreements.word_file import properties_of
 from app.kit.fair_share import FairShare, TooManyAtOnce
 from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
 
@@ -124,7 +125,7 @@ def download_contract_docx(
             other = versions.visible_version(session, actor, contract, against)
             earlier = Earlier(other.text, found.author.name, found.created_at)
             name = f"{name}, changes since version {against}"
-        document = word_document(found.text, headings, earlier)
+        document = word_document(found.text, headings, earlier, properties_of(str(contract.id), version, against))
     return Response(document, media_type=DOCX, headers=attachment(f"{name}.docx"))
 
 

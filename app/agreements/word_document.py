@@ -24,16 +24,21 @@ _MAIN = "http://schemas.openxmlformats.org/wordprocessingml/2006/main"
 _PACKAGE = "http://schemas.openxmlformats.org/package/2006"
 _RELATIONS = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
 _PART = "application/vnd.openxmlformats-officedocument.wordprocessingml"
+_VALUES = "http://schemas.openxmlformats.org/officeDocument/2006"
+_FORMAT = "{D5CDD505-2E9C-101B-9397-08002B2CF9AE}"  # of properties that a document is given
 _CONTENT_TYPES = (
     f'{_DECLARATION}<Types xmlns="{_PACKAGE}/content-types">'
     '<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>'
     f'<Override PartName="/word/document.xml" ContentType="{_PART}.document.main+xml"/>'
     f'<Override PartName="/word/styles.xml" ContentType="{_PART}.styles+xml"/>'
-    f'<Override PartName="/word/numbering.xml" ContentType="{_PART}.numbering+xml"/></Types>'
+    f'<Override PartName="/word/numbering.xml" ContentType="{_PART}.numbering+xml"/>'
+    '<Override PartName="/docProps/custom.xml" '
+    'ContentType="application/vnd.openxmlformats-officedocument.custom-properties+xml"/></Types>'
 )
 _TOP_RELATIONS = (
     f'{_DECLARATION}<Relationships xmlns="{_PACKAGE}/relationships"><Relationship Id="rId1" '
-    f'Type="{_RELATIONS}/officeDocument" Target="word/document.xml"/></Relationships>'
+    f'Type="{_RELATIONS}/officeDocument" Target="word/document.xml"/><Relationship Id="rId2" '
+    f'Type="{_RELATIONS}/custom-properties" Target="docProps/custom.xml"/></Relationships>'
 )
 _DOCUMENT_RELATIONS = (
     f'{_DECLARATION}<Relationships xmlns="{_PACKAGE}/relationships"><Relationship Id="rId1" '
@@ -88,14 +93,20 @@ def bookmark_of(key: str) -> str:
     return name if len(name) <= MAX_BOOKMARK_CHARS else f"clause_{sha256(key.encode()).hexdigest()[:32]}"
 
 
-def word_document(text: str, headings: Sequence[Heading], earlier: Earlier | None = None) -> bytes:
-    """Return a text as a DOCX file, with tracked changes against an earlier one; see `compare` for what is raised."""
+def word_document(
+    text: str, headings: Sequence[Heading], earlier: Earlier | None = None, properties: Sequence[tuple[str, str]] = ()
+) -> bytes:
+    """Return a text as a DOCX file, with tracked changes against an earlier one; see `compare` for what is raised.
+
+    Its properties are names and texts that Word keeps with it.
+    """
     writer = _Writer(headings, earlier)
     body = writer.tracked(compare(earlier.text, text)) if earlier else writer.blocks(blocks_of(text))
     document = f'{_DECLARATION}<w:document xmlns:w="{_MAIN}"><w:body>{"".join(body)}</w:body></w:document>'
     parts = {
         "[Content_Types].xml": _CONTENT_TYPES,
         "_rels/.rels": _TOP_RELATIONS,
+        "docProps/custom.xml": _custom_properties(properties),
         "word/_rels/document.xml.rels": _DOCUMENT_RELATIONS,
         "word/document.xml": document,
         "word/numbering.xml": _NUMBERING,
@@ -108,13 +119,23 @@ def word_document(text: str, headings: Sequence[Heading], earlier: Earlier | Non
     return file.getvalue()
 
 
+def _custom_properties(properties: Sequence[tuple[str, str]]) -> str:
+    named = "".join(
+        f'<property fmtid="{_FORMAT}" pid="{number}" name={quoteattr(clean(name))}>'
+        f"<vt:lpwstr>{escape(clean(text))}</vt:lpwstr></property>"
+        for number, (name, text) in enumerate(properties, start=2)
+    )
+    spaces = f'xmlns="{_VALUES}/custom-properties" xmlns:vt="{_VALUES}/docPropsVTypes"'
+    return f"{_DECLARATION}<Properties {spaces}>{named}</Properties>"
+
+
 class _Writer:
     def __init__(self, headings: Sequence[Heading], earlier: Earlier | None) -> None:
         self._headings = list(headings)
         self._ids = 0
         if earlier:
             day = earlier.at.astimezone(UTC).strftime("%Y-%m-%dT%H:%M:%SZ")
-            self._change = f'w:author={quoteattr(_clean(earlier.author))} w:date="{day}"'
+            self._change = f'w:author={quoteattr(clean(earlier.author))} w:date="{day}"'
 
     def blocks(self, blocks: Sequence[Block]) -> Iterator[str]:
         """Yield the blocks of one version, in bold and italics as it has them."""
@@ -178,9 +199,9 @@ class _Writer:
 def _run(span: Span, tag: str = "t") -> str:
     weight = f"{'<w:b/>' if span.strong else ''}{'<w:i/>' if span.emphatic else ''}"
     properties = f"<w:rPr>{weight}</w:rPr>" if weight else ""
-    return f'<w:r>{properties}<w:{tag} xml:space="preserve">{escape(_clean(span.text))}</w:{tag}></w:r>'
+    return f'<w:r>{properties}<w:{tag} xml:space="preserve">{escape(clean(span.text))}</w:{tag}></w:r>'
 
 
-def _clean(text: str) -> str:
+def clean(text: str) -> str:
     """Return a text with what XML cannot hold replaced."""
     return _NOT_IN_XML.sub("�", text)

@@ -3293,6 +3293,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/contracts/{contract_id}/redlines/word": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Read Word Redlines
+         * @description Return what a Word document changes in a contract, clause by clause; nothing is saved or sent.
+         */
+        post: operations["read_word_redlines"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/contracts/{contract_id}/redlines/{redline_number}/answer": {
         parameters: {
             query?: never;
@@ -13626,6 +13646,27 @@ export interface components {
             max: number | null;
         };
         /**
+         * ReadChangeRead
+         * @description A change that a document makes, as it is proposed by `RedlineAdd`.
+         */
+        ReadChangeRead: {
+            kind: components["schemas"]["RedlineKind"];
+            /** Clause Key */
+            clause_key: string | null;
+            /** After Key */
+            after_key: string | null;
+            /** Title */
+            title: string;
+            /** Text */
+            text: string;
+            /** Terms */
+            terms: {
+                [key: string]: number | string;
+            };
+            /** Comment */
+            comment: string;
+        };
+        /**
          * ReasonGiven
          * @description Why a change order is refused or withdrawn.
          */
@@ -16626,6 +16667,49 @@ export interface components {
              * Format: date-time
              */
             since: string;
+        };
+        /**
+         * WordChangesRead
+         * @description The changes that a document makes; nothing of them is saved or sent.
+         */
+        WordChangesRead: {
+            /**
+             * Version
+             * @description The version that the document was made from.
+             */
+            version: number;
+            /** Changes */
+            changes: components["schemas"]["ReadChangeRead"][];
+            /**
+             * Note
+             * @description Its comments beside clauses that it does not change.
+             */
+            note: string;
+            /** Findings */
+            findings: components["schemas"]["WordFindingRead"][];
+        };
+        /**
+         * WordFile
+         * @description A Word document with changes of the text.
+         */
+        WordFile: {
+            /**
+             * Content Base64
+             * @description The bytes of the .docx file, in Base64.
+             */
+            content_base64: string;
+        };
+        /**
+         * WordFindingRead
+         * @description Something of a document that no change says, and what to do about it.
+         */
+        WordFindingRead: {
+            /** Clause Key */
+            clause_key: string | null;
+            /** Message */
+            message: string;
+            /** Fix */
+            fix: string;
         };
         /**
          * WordingRead
@@ -26397,6 +26481,86 @@ export interface operations {
             };
             /** @description `too-many-at-once` */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_word_redlines: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["WordFile"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WordChangesRead"];
+                };
+            };
+            /** @description `not-your-contract` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `wrong-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-word-file`, `other-contracts-file` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-at-once` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `parsing-busy` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };

@@ -30,6 +30,7 @@ import { Warning } from './Warning'
 import { useSettled } from './useSettled'
 import { sentence } from './words'
 import { WordingFields } from './WordingFields'
+import { WordUpload } from './WordUpload'
 
 const undoId = (key: string) => `undo-${key}`
 const editId = (key: string) => `edit-${key}`
@@ -67,6 +68,38 @@ export function ProposeRedlines({ contract }: { contract: Contract }) {
       },
     )
   }
+  const added = (after: string | null, title: string) =>
+    draft.changes
+      .filter(({ kind, after_key }) => kind === 'insert' && (after_key ?? null) === after)
+      .map((change) => {
+        const place = after === null ? 'New clause before all others' : `New clause after ${title}`
+        return (
+          <section
+            key={change.id}
+            className={styles.clause}
+            aria-label={change.title === '' ? place : `New clause: ${change.title}`}
+          >
+            <h3>{place}</h3>
+            <Editor
+              contract={contract}
+              draft={draft}
+              change={change}
+              problems={problems}
+              opened={opened}
+              onDraft={setDraft}
+            />
+            <div>
+              <Button
+                variant="quiet"
+                icon="cross"
+                onClick={() => drop(change.id, addId(after ?? contract.version.clauses[0]?.key ?? ''))}
+              >
+                Remove this clause
+              </Button>
+            </div>
+          </section>
+        )
+      })
   return (
     <Card aria-labelledby="propose">
       <CardHead id="propose" title="Propose changes" note={`to version ${version}`} />
@@ -77,8 +110,10 @@ export function ProposeRedlines({ contract }: { contract: Contract }) {
           <Warning>{`Version ${version} was sent after you began. Your changes are shown against it.`}</Warning>
         )}
         <Refusal error={shown.error} />
+        <WordUpload contract={contract} draft={draft} onDraft={setDraft} />
       </div>
       <div className={styles.clauses} aria-busy={shown.isFetching}>
+        {added(null, '')}
         {contract.version.clauses.map((clause) => {
           const change = draft.changes.find(({ id }) => id === clause.key)
           return (
@@ -140,30 +175,7 @@ export function ProposeRedlines({ contract }: { contract: Contract }) {
                   />
                 )}
               </section>
-              {draft.changes
-                .filter(({ kind, after_key }) => kind === 'insert' && after_key === clause.key)
-                .map((added) => (
-                  <section
-                    key={added.id}
-                    className={styles.clause}
-                    aria-label={added.title === '' ? `New clause after ${clause.title}` : `New clause: ${added.title}`}
-                  >
-                    <h3>{`New clause after ${clause.title}`}</h3>
-                    <Editor
-                      contract={contract}
-                      draft={draft}
-                      change={added}
-                      problems={problems}
-                      opened={opened}
-                      onDraft={setDraft}
-                    />
-                    <div>
-                      <Button variant="quiet" icon="cross" onClick={() => drop(added.id, addId(clause.key))}>
-                        Remove this clause
-                      </Button>
-                    </div>
-                  </section>
-                ))}
+              {added(clause.key, clause.title)}
             </div>
           )
         })}

@@ -1,6 +1,6 @@
 /** What a designer does with the clauses of a text that was sent: plain functions of plain values. */
-import type { Clause } from './api'
-import { NOTHING, type Proposed } from './redlines'
+import type { Clause, Contract } from './api'
+import { NOTHING, type Proposed, type WordChanges } from './redlines'
 
 /** A change that is being written; its id is the clause's key, or a number for a new clause. */
 export type Written = Proposed & { id: string }
@@ -10,7 +10,18 @@ export interface RedlineDraft {
   note: string
   /** The version that they were begun from. */
   version: number
+  /** The Word document that was read into them at last. */
+  read?: WordRead
 }
+
+/** What was read of a Word document, and what to look at. */
+export interface WordRead {
+  file: string
+  added: number
+  findings: { message: string; fix: string }[]
+}
+
+const MAX_NOTE = 5000
 
 export const begunDraft = (version: number): RedlineDraft => ({ changes: [], note: '', version })
 
@@ -43,6 +54,32 @@ export const withoutChange = (draft: RedlineDraft, id: string): RedlineDraft => 
   ...draft,
   changes: draft.changes.filter((change) => change.id !== id),
 })
+
+/** The draft with the changes of a Word document added. What is written here already stays, and is named. */
+export function withRead(draft: RedlineDraft, contract: Contract, file: string, read: WordChanges): RedlineDraft {
+  const titles = new Map(contract.version.clauses.map(({ key, title }) => [key, title]))
+  const isWritten = (key: string | null) => key !== null && draft.changes.some(({ id }) => id === key)
+  const isAdded = ({ kind, title, text, after_key }: Proposed) =>
+    draft.changes.some(
+      (one) => kind === 'insert' && one.title === title && one.text === text && one.after_key === after_key,
+    )
+  const clashes = read.changes.filter(({ clause_key }) => isWritten(clause_key))
+  const added = read.changes.filter((change) => !isWritten(change.clause_key) && !isAdded(change))
+  const next = added.reduce<RedlineDraft>(
+    (now, change) => withChange(now, { ...change, id: change.clause_key ?? nextNewId(now) }),
+    draft,
+  )
+  const kept = clashes.map(({ clause_key: key }) => ({
+    message: `You have changed “${titles.get(key ?? '') ?? key}” here already. Your change is kept, and the file’s is not.`,
+    fix: 'Undo your change and upload the file again to take the file’s.',
+  }))
+  const note = [draft.note, draft.note.includes(read.note) ? '' : read.note].filter(Boolean).join('\n')
+  return {
+    ...next,
+    note: note.slice(0, MAX_NOTE),
+    read: { file, added: added.length, findings: [...kept, ...read.findings] },
+  }
+}
 
 /** The changes as the server takes them. */
 export const proposedOf = (changes: readonly Written[]): Proposed[] =>

@@ -246,6 +246,63 @@ describe('the designer of a contract that was sent', () => {
     expect(screen.getByRole('button', { name: /^Send 1 change/ })).toBeDisabled()
   })
 
+  test('uploads a Word document, looks at what it changes, and sends it', async () => {
+    const { asked, answers } = serve(all())
+    const change = (kind: string, key: string | null, text: string) => ({
+      kind,
+      clause_key: key,
+      after_key: null,
+      title: kind === 'insert' ? 'Tea' : 'Rounds',
+      text,
+      terms: {},
+      comment: 'A. Lawyer: Two are few.',
+    })
+    answers['POST /v1/contracts/c1/redlines/word'] = {
+      version: 2,
+      changes: [change('replace', 'rounds', 'Four rounds.'), change('insert', null, 'At four.')],
+      note: 'On Parties: A. Lawyer: Who?',
+      findings: [{ clause_key: null, message: 'A footnote is not read: “See 2.”', fix: 'Write it into a clause.' }],
+    }
+    answers['POST /v1/contracts/c1/redlines'] = page(round())
+    openApp(PAGE)
+    const file = new File(['PK'], 'Marked up.docx')
+    await userEvent.upload(await screen.findByLabelText('Word document', { selector: 'input' }), file)
+    expect(await screen.findByText('2 changes added below.', { exact: false })).toBeVisible()
+    expect(wrote(asked, 'POST /v1/contracts/c1/redlines/word')[0]?.body).toEqual({ content_base64: btoa('PK') })
+    expect(screen.getByText('A footnote is not read: “See 2.”', { exact: false })).toBeVisible()
+    expect(screen.getByRole('region', { name: 'New clause: Tea' })).toBeVisible()
+    expect(screen.getByLabelText('Note to the studio (optional)')).toHaveValue('On Parties: A. Lawyer: Who?')
+    expect(wrote(asked, 'POST /v1/contracts/c1/redlines')).toEqual([])
+    expect(await axeFinds()).toEqual([])
+    await userEvent.click(screen.getByRole('button', { name: /^Send 2 changes/ }))
+    await waitFor(() => expect(wrote(asked, 'POST /v1/contracts/c1/redlines')).toHaveLength(1))
+  })
+
+  test('keeps what is typed over what a Word document has, and reads why a file is refused', async () => {
+    const { answers } = serve(all())
+    const rounds = {
+      ...{ kind: 'replace', clause_key: 'rounds', after_key: null, title: 'Rounds' },
+      ...{ text: 'Four.', terms: {}, comment: '' },
+    }
+    answers['POST /v1/contracts/c1/redlines/word'] = { version: 2, changes: [rounds], note: '', findings: [] }
+    openApp(PAGE)
+    await userEvent.click(await screen.findByRole('button', { name: 'Edit Rounds' }))
+    await userEvent.type(screen.getByLabelText('Text'), ' Mine.')
+    const input = screen.getByLabelText('Word document', { selector: 'input' })
+    await userEvent.upload(input, new File(['PK'], 'a.docx'))
+    expect(await screen.findByText(/You have changed “Rounds” here already/)).toBeVisible()
+    expect(screen.getByLabelText('Text')).toHaveValue('It includes {rounds_included} rounds. Mine.')
+    answers['POST /v1/contracts/c1/redlines/word'] = refusal(
+      422,
+      'bad-word-file',
+      'this is a PDF; wanted a Word document',
+    )
+    await userEvent.upload(input, new File(['%PDF'], 'b.docx'))
+    expect(await screen.findByText('This is a PDF; wanted a Word document.')).toBeVisible()
+    await userEvent.click(screen.getByRole('button', { name: 'Close this report' }))
+    expect(screen.queryByText(/here already/)).not.toBeInTheDocument()
+  })
+
   test('sees what became of each change, and can propose again', async () => {
     const countered = given('countered', {
       wording: { title: 'Rounds', text: 'Three.', terms: {} },

@@ -10,6 +10,7 @@ export type Round = Schemas['RedlineRoundRead']
 export type Marked = Schemas['MarkedClauseRead']
 export type Redline = Schemas['RedlineRead']
 export type Wording = Schemas['WordingRead']
+export type WordChanges = Schemas['WordChangesRead']
 export type Proposed = Schemas['RedlineAdd']
 export type Answer = Pick<Schemas['RedlineAnswerAdd'], 'answer'> & Partial<Schemas['RedlineAnswerAdd']>
 
@@ -72,3 +73,15 @@ export const useAnswerRedline = (contractId: string) =>
       }),
     ),
   )
+
+/** Reads a Word document, given in Base64; nothing is saved. */
+export const useReadWord = (contractId: string) =>
+  useMutation({
+    mutationFn: (contentBase64: string) =>
+      answered(
+        api.POST('/v1/contracts/{contract_id}/redlines/word', {
+          ...of(contractId),
+          body: { content_base64: contentBase64 },
+        }),
+      ),
+  })

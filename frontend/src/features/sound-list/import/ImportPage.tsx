@@ -5,6 +5,7 @@ import { Link, useNavigate, useParams } from '@tanstack/react-router'
 import { type ReactNode, useEffect, useEffectEvent, useRef, useState } from 'react'
 
 import { DraftNote } from '@/app/drafts'
+import { base64Of } from '@/api/base64'
 import { queryKeys } from '@/api/queryKeys'
 import { useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
@@ -277,16 +278,6 @@ function mapped(mapping: Record<string, ImportField>, name: string, field: Impor
     ([other, given]) => other !== name && (given !== field || field === 'extra' || field === 'ignore'),
   )
   return { ...Object.fromEntries(others), [name]: field }
-}
-
-async function base64Of(file: File): Promise<string> {
-  const url = await new Promise<string>((resolve, reject) => {
-    const reader = new FileReader()
-    reader.onload = () => resolve(reader.result as string)
-    reader.onerror = () => reject(reader.error ?? new Error('unreadable'))
-    reader.readAsDataURL(file)
-  })
-  return url.slice(url.indexOf(',') + 1)
 }
 
 function whatBecame({ added, changed }: ImportRead): string {
