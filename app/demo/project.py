@@ -18,6 +18,7 @@ from app.accounts.authentication import CSRF_HEADER, DEMO_COOKIE, DEMO_SECRET, c
 from app.accounts.models import Membership, Person, Studio
 from app.accounts.rules import Role, Scope
 from app.demo import brief, cues
+from app.demo.references import DemoReference, demo_references
 from app.demo.sounds import DemoSound, demo_sounds, warp_in_stem
 from app.kit import clock
 from app.kit.runtime import Runtime
@@ -104,6 +105,17 @@ class _Visitor:
             return None
         return answer.json() if "json" in answer.headers.get("content-type", "") else answer.content
 
+    def send_reference(self, project_id: str, reference: DemoReference) -> str:
+        """Send a file for the board of a project, and return the id of its upload."""
+        headers = {
+            "Tus-Resumable": "1.0.0",
+            "Content-Type": "application/offset+octet-stream",
+            "Upload-Length": str(len(reference.content)),
+            "Upload-Metadata": reference.metadata(project_id),
+        }
+        sent = self._client.post("/v1/uploads", headers=headers, content=reference.content).raise_for_status()
+        return str(sent.headers["location"].rpartition("/")[2])
+
     def close(self) -> None:
         """Close the connections."""
         self._client.close()
@@ -134,6 +146,7 @@ class _Maker:
         self._write_brief()
         self._invite_designer()
         self._post_list()
+        self._add_references()
         self._agree_on_contract()
         self._pay_due_invoices("Deposit")
         self._deliver("The palette first.", self._files(cues.PALETTE))
@@ -228,6 +241,15 @@ class _Maker:
         self._producer.ask("POST", f"{path}/cues", once="demo-cues", json={"cues": cues.CUES})
         listed = self._producer.ask("GET", f"{path}/sound-list")["cues"]
         self._cues = {cue["name"]: cue["id"] for cue in listed}
+
+    def _add_references(self) -> None:
+        path = f"/projects/{self._project}/references"
+        there = {one["version"]["file_name"] for one in self._producer.ask("GET", path)["items"]}
+        for one in demo_references():
+            if one.file_name not in there:
+                said = {"caption": one.caption, "terms": one.terms, "start_s": one.start_s, "end_s": one.end_s}
+                body = {"upload_id": self._producer.send_reference(self._project, one), "cue_id": self._cues[one.cue]}
+                self._producer.ask("POST", path, json=body | said)
 
     def _deliver(self, note: str, sounds: list[DemoSound]) -> None:
         delivery = self._designer.ask("POST", f"/projects/{self._project}/deliveries", once=note, json={"note": note})

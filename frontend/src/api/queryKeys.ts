@@ -58,6 +58,10 @@ export const queryKeys = {
   kit: family<[projectId: string, key?: string]>('kit'),
   importPlan: family<[projectId: string, sheet: unknown]>('import-plan'),
 
+  // references
+  references:
+    family<[projectId: string, part?: 'board' | 'cue' | 'text' | 'versions' | 'openings', of?: string]>('references'),
+
   // hiring
   postings: family<[projectId: string]>('postings'),
   ownPostings: family('own-postings'),
@@ -133,6 +137,7 @@ type SoundListPart =
   | 'of the project'
   | 'plannable'
   | 'to choose from'
+  | 'to pin to'
 type ContractPart =
   'versions' | 'comparison' | 'preview' | 'record' | 'redlines' | 'redline-preview' | 'change-orders' | 'ending'
 type MoneyPart =
@@ -164,6 +169,7 @@ export const FIXED = wordsOf(
 /** Families that a change in these rooms affects; a change in any other room may affect every family. */
 export const AFFECTED_BY: Readonly<Record<string, ReadonlySet<string>>> = {
   notifications: wordsOf(queryKeys.outbox),
+  references: wordsOf(queryKeys.references),
   accounts: wordsOf(
     queryKeys.me,
     queryKeys.studioPeople,

@@ -14,6 +14,7 @@ import { invitationRoutes } from '@/features/invitation/routes'
 import { moneyRoutes } from '@/features/money/routes'
 import { operationRoutes } from '@/features/operations/routes'
 import { projectRoutes } from '@/features/projects/routes'
+import { referenceRoutes } from '@/features/references/routes'
 import { reviewRoutes } from '@/features/review/routes'
 import { kitRoutes } from '@/features/sound-list/kits/routes'
 import { soundListRoutes } from '@/features/sound-list/routes'
@@ -38,6 +39,7 @@ const pages = [
     ...todayRoutes,
     ...projectRoutes,
     ...briefRoutes,
+    ...referenceRoutes,
     ...hiringRoutes,
     ...moneyRoutes,
     ...gameFilesRoutes,

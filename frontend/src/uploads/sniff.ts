@@ -38,8 +38,11 @@ export interface Accepts {
   kinds: readonly FileKind[]
   sampleRatesHz: readonly number[] | null
   bitDepths: readonly number[] | null
+  /** Whatever the file is: the server says what becomes of it. */
+  isAnyFile?: true
 }
 
+export const ANY_FILE: Accepts = { kinds: [], sampleRatesHz: null, bitDepths: null, isAnyFile: true }
 export const ANY_WAV: Accepts = { kinds: ['wav', 'rf64'], sampleRatesHz: null, bitDepths: null }
 
 const either = (items: readonly string[]) =>
@@ -68,6 +71,7 @@ const SOUND_ENDINGS = /\.(wav|wave|flac|aiff?|mp3|ogg|m4a|mp4)$/i
 export function judge(name: string, size: number, kind: FileKind, accepts: Accepts = ANY_WAV): Judged {
   const ending = /\.([^./]+)$/.exec(name)?.[1]?.toLowerCase() ?? ''
   if (size === 0) return { refused: 'The file is empty (0 bytes). Export it again. Nothing was uploaded.' }
+  if (accepts.isAnyFile) return { send: 'sound' }
   if (kind === 'zip') {
     return ending === 'zip'
       ? { send: 'archive' }

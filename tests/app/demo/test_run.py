@@ -101,6 +101,10 @@ def test_the_demo_is_made_kept_and_stopped(tmp_path: Path):
             "accepted": 9, "to_review": 7, "returned": 1, "question": 1, "placeholder": 1, "cut": 1, "to_make": 3,
             "change_requested": 1,
         }  # fmt: skip
+        references = client.get(f"{path}/references").json()["items"]
+        assert {one["cue"]["name"]: (one["version"]["kind"], one["version"]["preview"]) for one in references} == {
+            "vo_oath": ("text", "none"), "shield_hit": ("audio", "none"), "coolant_splash": ("picture", "made"),
+        }  # fmt: skip
         thruster = next(take["cue"]["id"] for take in takes if take["file_name"] == "thruster_burst_03.wav")
         standing = client.get(f"{path}/sound-list/progress").json()
         (row,) = [row for row in standing["cues"] if row["cue_id"] == thruster]

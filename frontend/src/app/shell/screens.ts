@@ -88,13 +88,19 @@ export function placesOf({ side, project, isParty }: ShellData): Place[] {
   const money: Place[] = isParty
     ? [{ label: 'Money, invoices and payments', path: `${at}/money`, also: ['invoice', 'pay', 'ledger', 'deposit'] }]
     : []
+  const references: Place = {
+    label: 'References',
+    path: `${at}/references`,
+    also: ['pictures', 'video', 'clips', 'files'],
+  }
   if (side === 'designer')
-    return [{ label: 'Brief', path: `${at}/brief`, also: ['questions', 'platforms', 'scenes'] }, ...money]
+    return [{ label: 'Brief', path: `${at}/brief`, also: ['questions', 'platforms', 'scenes'] }, references, ...money]
   return [
     { label: 'Invite a designer or an approver', path: `${at}/people`, also: ['people', 'team', 'hire', 'members'] },
     ...(isParty ? [{ label: 'Postings and bids', path: `${at}/postings`, also: ['hire', 'bid', 'award', 'job'] }] : []),
     { label: 'Import or paste cues', path: `${at}/sound-list/import`, also: ['sheet', 'csv', 'excel', 'add'] },
     { label: 'Brief', path: `${at}/brief`, also: ['questions', 'platforms', 'scenes', 'kickoff'] },
+    references,
     { label: 'Start from a kit', path: `${at}/sound-list/kits`, also: ['starter', 'template', 'genre'] },
     { label: 'Delivery spec', path: `${at}/spec`, also: ['limits', 'loudness', 'naming', 'toml'] },
     { label: 'Game files and packs', path: `${at}/game-files`, also: ['pack', 'download', 'export', 'targets'] },

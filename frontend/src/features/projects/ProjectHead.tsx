@@ -83,6 +83,9 @@ export function ProjectHead({ project, members = 0 }: ProjectHeadProps) {
         <Link className="link" to={`/projects/${projectId}/brief` as LinkProps['to']}>
           Brief
         </Link>
+        <Link className="link" to="/projects/$projectId/references" params={{ projectId }} search={{}}>
+          References
+        </Link>
         {mine.is_team && (
           <Link className="link" to="/projects/$projectId/people" params={{ projectId }}>
             People

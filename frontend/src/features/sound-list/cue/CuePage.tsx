@@ -5,6 +5,7 @@ import { type ReactNode, useCallback, useEffect, useMemo, useState } from 'react
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 import { usePlayer } from '@/audio'
+import { ReferenceStrip } from '@/references'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { day, length } from '@/ui/format'
@@ -178,6 +179,9 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
             )}
             {doing === 'cut' && <CutCue cue={cue} projectId={projectId} onClose={() => setDoing(null)} />}
             {doing !== 'edit' && <Facts cue={cue} />}
+            <div className={classes.inside}>
+              <ReferenceStrip projectId={projectId} cueId={cue.id} mayAdd={mayEdit} />
+            </div>
           </Card>
           <Versions
             cue={cue}

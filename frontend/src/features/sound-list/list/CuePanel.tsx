@@ -1,5 +1,6 @@
 import { useQuery } from '@tanstack/react-query'
 
+import { ReferenceStrip } from '@/references'
 import { Button } from '@/ui/Button'
 
 import { type Cue, cueQuery, type Rights } from '../api'
@@ -68,6 +69,7 @@ function AskPanel({ cue, projectId, mayAnswer, onClose }: AskPanelProps) {
           opens={at === 0}
         />
       ))}
+      <ReferenceStrip projectId={projectId} cueId={cue.id} mayAdd={mayAnswer} />
       <AskForm cue={cue} projectId={projectId} opens={!isPending && !answers} onAsked={onClose} />
       <div className={classes.acts}>
         <Button className="end" keys="Escape" onClick={onClose}>

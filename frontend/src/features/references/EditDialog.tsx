@@ -1,0 +1,165 @@
+import { Textarea, TextInput } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+import { useRef, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { Dialog } from '@/app/Dialog'
+import { DraftNote, useDraft } from '@/app/drafts'
+import { sentence } from '@/app/Form'
+import { showToast } from '@/app/toast'
+import { kindName, type Reference, titleOf } from '@/references'
+import { Button } from '@/ui/Button'
+import { ago, bytes } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { useChangeReference, useOpenings, useRemoveReference, versionsQuery } from './api'
+import { bodyOfPin, pinOf, secondsOf } from './pins'
+import { PinSelect } from './PinSelect'
+import classes from './Board.module.css'
+
+interface EditDialogProps {
+  reference: Reference | null
+  onNewVersion: (reference: Reference, files: FileList) => void
+  onClose: () => void
+}
+
+/** What is said of a reference, its versions, and who opened it. */
+export function EditDialog({ reference, onNewVersion, onClose }: EditDialogProps) {
+  return (
+    <Dialog title={reference ? titleOf(reference) : ''} opened={reference !== null} onClose={onClose} size={640}>
+      {reference && <Edit reference={reference} onNewVersion={onNewVersion} onClose={onClose} />}
+    </Dialog>
+  )
+}
+
+const typedSeconds = (s: number | null): string => (s === null ? '' : String(s))
+
+function Edit({ reference, onNewVersion, onClose }: EditDialogProps & { reference: Reference }) {
+  const { id, project_id: projectId, version } = reference
+  const change = useChangeReference(projectId, id)
+  const remove = useRemoveReference(projectId, id)
+  const { data: versions } = useQuery(versionsQuery(projectId, id))
+  const { data: openings } = useOpenings(projectId, id)
+  const files = useRef<HTMLInputElement>(null)
+  const [typed, setTyped, draft] = useDraft(`reference:${projectId}:${id}`, {
+    caption: reference.caption,
+    terms: reference.terms,
+    start: typedSeconds(reference.start_s),
+    end: typedSeconds(reference.end_s),
+    pin: pinOf(reference),
+  })
+  const [wrong, setWrong] = useState<{ start?: string; end?: string }>({})
+  const plays = version.kind === 'audio' || version.kind === 'video' || version.kind === 'link'
+  const problem = [change.error, remove.error].find((error) => error instanceof ApiProblem)
+  const save = () => {
+    const start = secondsOf(typed.start)
+    const end = secondsOf(typed.end)
+    const hint = 'Seconds, as in 41.2, or minutes and seconds, as in 0:41.2.'
+    setWrong({ start: start === undefined ? hint : undefined, end: end === undefined ? hint : undefined })
+    if (start === undefined || end === undefined || change.isPending) return
+    const { caption, terms, pin } = typed
+    change.mutate(
+      { caption, terms, start_s: start, end_s: end, ...bodyOfPin(pin) },
+      {
+        onSuccess: () => {
+          draft.discard()
+          showToast('Reference saved.')
+          onClose()
+        },
+      },
+    )
+  }
+  const text = (name: 'caption' | 'terms' | 'start' | 'end') => ({
+    value: typed[name],
+    onChange: (event: { currentTarget: { value: string } }) =>
+      setTyped({ ...typed, [name]: event.currentTarget.value }),
+  })
+  return (
+    <form
+      className={classes.edit}
+      noValidate
+      onSubmit={(event) => {
+        event.preventDefault()
+        save()
+      }}
+    >
+      <Textarea label="Caption" rows={2} maxLength={500} data-autofocus {...text('caption')} />
+      <TextInput
+        label="Terms"
+        description="Shown wherever the reference is shown"
+        maxLength={1000}
+        {...text('terms')}
+      />
+      {plays && (
+        <div className={classes.two}>
+          <TextInput label="From" inputMode="decimal" {...text('start')} error={wrong.start} />
+          <TextInput label="To" inputMode="decimal" {...text('end')} error={wrong.end} />
+        </div>
+      )}
+      <PinSelect projectId={projectId} pin={typed.pin} onPin={(pin) => setTyped({ ...typed, pin })} />
+      <DraftNote draft={draft} />
+      {problem instanceof ApiProblem && <ProblemNote detail={sentence(problem.detail)} />}
+      <div className={classes.acts}>
+        <Button type="submit" variant="primary" aria-busy={change.isPending}>
+          Save
+        </Button>
+        <Button icon="upload" onClick={() => files.current?.click()}>
+          New version
+        </Button>
+        <input
+          ref={files}
+          type="file"
+          hidden
+          aria-label="File of the new version"
+          onChange={(event) => {
+            if (event.currentTarget.files?.length) onNewVersion(reference, event.currentTarget.files)
+            onClose()
+          }}
+        />
+        <Button
+          className="end"
+          icon="cross"
+          onClick={() =>
+            remove.mutate(undefined, {
+              onSuccess: () => {
+                draft.discard()
+                showToast('Reference removed from the board.')
+                onClose()
+              },
+            })
+          }
+        >
+          Remove
+        </Button>
+      </div>
+      <section aria-label="Versions">
+        <h3>Versions</h3>
+        <ul className={classes.lines}>
+          {versions?.map((one) => (
+            <li key={one.id} className="small">
+              <span className="strong">{one.number}</span> {one.file_name}
+              <span className="dim">
+                {' '}
+                {kindName(one.kind)}
+                {one.file_bytes !== null && `, ${bytes(one.file_bytes)}`}, {one.added_by.name} {ago(one.added_at)}
+              </span>
+            </li>
+          ))}
+        </ul>
+      </section>
+      <section aria-label="Opened by">
+        <h3>Opened by</h3>
+        <ul className={classes.lines}>
+          {openings?.pages
+            .flatMap(({ items }) => items)
+            .map((opening) => (
+              <li key={`${opening.person.id} ${opening.opened_at}`} className="small">
+                {opening.person.name}, version {opening.version} <span className="dim">{ago(opening.opened_at)}</span>
+              </li>
+            ))}
+          {openings?.pages[0]?.items.length === 0 && <li className="small dim">Nobody has opened it yet.</li>}
+        </ul>
+      </section>
+    </form>
+  )
+}

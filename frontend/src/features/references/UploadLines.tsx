@@ -1,0 +1,47 @@
+import type { UploadQueue } from '@/uploads'
+import { useLeaveWarning, useUploads } from '@/uploads'
+import { Button } from '@/ui/Button'
+import { bytesOf } from '@/ui/format'
+import { Meter } from '@/ui/Meter'
+
+import classes from './Board.module.css'
+
+/** Files on their way to the board, and those that were not sent. */
+export function UploadLines({ queue }: { queue: UploadQueue }) {
+  const { uploads } = useUploads(queue)
+  useLeaveWarning(uploads)
+  if (uploads.length === 0) return null
+  return (
+    <ul className={classes.uploads} aria-label="Uploads">
+      {uploads.map(({ id, file, state, sentBytes, reason }) => {
+        const isGoing = state === 'sending' || state === 'waiting' || state === 'line_lost' || state === 'paused'
+        return (
+          <li key={id}>
+            <span className={`mono ${classes.uploadName}`}>{file.name}</span>
+            {isGoing ? (
+              <>
+                <Meter thin label={file.name} whole={Math.max(1, file.size)} parts={[{ value: sentBytes }]} />
+                <span className="small dim">
+                  {state === 'line_lost'
+                    ? 'Connection lost. Upload resumes automatically.'
+                    : bytesOf(sentBytes, file.size)}
+                </span>
+              </>
+            ) : (
+              <span className="small tone-bad toned">
+                {state === 'already_here' ? 'This file is on its way already.' : (reason ?? 'Stopped.')}
+              </span>
+            )}
+            <Button
+              square
+              variant="quiet"
+              icon="cross"
+              aria-label={isGoing ? `Stop ${file.name}` : `Remove ${file.name} from the list`}
+              onClick={() => (isGoing ? queue.stop(id) : queue.dismiss(id))}
+            />
+          </li>
+        )
+      })}
+    </ul>
+  )
+}

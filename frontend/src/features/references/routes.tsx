@@ -1,0 +1,14 @@
+import { createRoute, lazyRouteComponent } from '@tanstack/react-router'
+
+import { shellRoute } from '@/app/roots'
+
+export const referenceRoutes = [
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/references',
+    validateSearch: (search: Record<string, unknown>): { cue?: string } => ({
+      cue: typeof search.cue === 'string' ? search.cue : undefined,
+    }),
+    component: lazyRouteComponent(() => import('./ReferencesPage'), 'ReferencesPage'),
+  }),
+]

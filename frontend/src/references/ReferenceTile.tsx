@@ -1,0 +1,117 @@
+import { type ReactNode, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { Icon } from '@/ui/Icon'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { partOf, type Reference, useOpenVersion } from './api'
+import classes from './References.module.css'
+import { factsOf, fragmentOf, kindIcon, titleOf } from './words'
+
+interface ReferenceTileProps {
+  reference: Reference
+  /** Show a picture or a text in full. */
+  onShow: (reference: Reference) => void
+  /** Below its facts. */
+  children?: ReactNode
+}
+
+/** One reference: seen or played in place, with its terms wherever it is shown. */
+export function ReferenceTile({ reference, onShow, children }: ReferenceTileProps) {
+  const { version, terms } = reference
+  const [isPlaying, setPlaying] = useState(false)
+  const [isUnplayable, setUnplayable] = useState(false)
+  const open = useOpenVersion(reference.project_id)
+  const title = titleOf(reference)
+  const opened = (then: () => void) => open.mutate(version.id, { onSuccess: then })
+  const problem = open.error instanceof ApiProblem ? open.error : null
+  const url = `${partOf(version.id, 'file')}${fragmentOf(reference)}`
+  const played = {
+    controls: true,
+    autoPlay: true,
+    src: url,
+    className: classes.player,
+    'aria-label': title,
+    onError: () => setUnplayable(true),
+  }
+  const act = (label: string, run: () => void, inside: ReactNode) => (
+    <button type="button" className={classes.th} aria-label={`${label} ${title}`} onClick={run}>
+      {inside}
+    </button>
+  )
+  const sign = (
+    <span className={classes.sign}>
+      <Icon name={kindIcon(version.kind)} />
+    </span>
+  )
+  const download = () => opened(() => window.location.assign(`${partOf(version.id, 'file')}?download=true`))
+  const shown = () => {
+    switch (version.kind) {
+      case 'picture':
+        if (version.preview === 'made') {
+          const picture = <img src={partOf(version.id, 'thumb')} alt="" loading="lazy" />
+          return act('Show', () => opened(() => onShow(reference)), picture)
+        }
+        return act(
+          'Download',
+          download,
+          <span className={classes.words}>
+            {version.preview === 'pending' ? 'The preview is being made.' : `No preview: ${version.problem}.`}
+          </span>,
+        )
+      case 'text':
+        return act(
+          'Read',
+          () => opened(() => onShow(reference)),
+          <span className={classes.excerpt}>{version.excerpt.slice(0, 400)}</span>,
+        )
+      case 'video':
+      case 'audio':
+        if (isUnplayable) {
+          return act('Download', download, <span className={classes.words}>This browser can’t play it.</span>)
+        }
+        if (!isPlaying) return act('Play', () => opened(() => setPlaying(true)), sign)
+        // What was sent comes as it is, without captions.
+        /* eslint-disable jsx-a11y/media-has-caption */
+        return (
+          <div className={classes.th}>{version.kind === 'video' ? <video {...played} /> : <audio {...played} />}</div>
+        )
+      /* eslint-enable jsx-a11y/media-has-caption */
+      case 'link':
+        return (
+          <a
+            className={classes.th}
+            href={version.url ?? undefined}
+            target="_blank"
+            rel="noreferrer noopener"
+            aria-label={`Open ${title} at ${version.file_name} in a new tab`}
+            onClick={() => open.mutate(version.id)}
+          >
+            {sign}
+          </a>
+        )
+      default:
+        return act('Download', download, sign)
+    }
+  }
+  return (
+    <article className={classes.tile} aria-label={title} data-reference={reference.id}>
+      {shown()}
+      <div className={classes.said}>
+        <p className="strong">{title}</p>
+        <p className="small dim">{factsOf(reference)}</p>
+        {terms && (
+          <p className={`small tone-warn ${classes.terms}`}>
+            <Icon name="triangle" />
+            <span>
+              <span className="visually-hidden">Terms: </span>
+              {terms}
+            </span>
+          </p>
+        )}
+        {problem && <ProblemNote detail={problem.detail} fix={problem.fix ?? undefined} />}
+        {children}
+      </div>
+    </article>
+  )
+}

@@ -1,0 +1,65 @@
+import { infiniteQueryOptions, queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
+
+import { answered, api } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
+import type { components } from '@/api/schema.gen'
+
+type Schemas = components['schemas']
+export type Reference = Schemas['ReferenceRead']
+export type ReferenceVersion = Schemas['ReferenceVersionRead']
+
+const page = (projectId: string, cueId: string | undefined, cursor: string | undefined) =>
+  answered(
+    api.GET('/v1/projects/{project_id}/references', {
+      params: { path: { project_id: projectId }, query: { cue_id: cueId, cursor } },
+    }),
+  )
+
+/** The references of a project, page by page. */
+export const boardQuery = (projectId: string) =>
+  infiniteQueryOptions({
+    queryKey: queryKeys.references(projectId, 'board'),
+    queryFn: ({ pageParam: cursor }) => page(projectId, undefined, cursor),
+    initialPageParam: undefined as string | undefined,
+    getNextPageParam: ({ next }) => next ?? undefined,
+  })
+
+/** The references of one cue and of its category. */
+export const cueReferencesQuery = (projectId: string, cueId: string) =>
+  queryOptions({
+    queryKey: queryKeys.references(projectId, 'cue', cueId),
+    queryFn: async () => (await page(projectId, cueId, undefined)).items,
+  })
+
+/** The address of what a version is shown or played by. */
+export const partOf = (versionId: string, part: 'thumb' | 'view' | 'file'): string =>
+  `/v1/reference-versions/${versionId}/${part}`
+
+/** Record that the person opens a version: its file is sent to those of whom that is known. */
+export function useOpenVersion(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (versionId: string) =>
+      answered(
+        api.POST('/v1/reference-versions/{reference_version_id}/openings', {
+          params: { path: { reference_version_id: versionId } },
+        }),
+      ),
+    onSuccess: () => invalidate(client, queryKeys.references(projectId, 'openings')),
+  })
+}
+
+/** The whole text of a version that was opened. */
+export const textQuery = (projectId: string, versionId: string) =>
+  queryOptions({
+    queryKey: queryKeys.references(projectId, 'text', versionId),
+    queryFn: async () => {
+      const answer = await fetch(partOf(versionId, 'file'), { headers: { Range: `bytes=0-${TEXT_BYTES - 1}` } })
+      if (!answer.ok) throw new Error('The text could not be read.')
+      return answer.text()
+    },
+    staleTime: Infinity,
+  })
+
+/** Longer texts are downloaded. */
+export const TEXT_BYTES = 262_144

@@ -1,0 +1,5 @@
+export { boardQuery, type Reference, type ReferenceVersion } from './api'
+export { ReferenceStrip } from './ReferenceStrip'
+export { ReferenceTile } from './ReferenceTile'
+export { ReferenceViewer } from './ReferenceViewer'
+export { kindName, titleOf } from './words'
