@@ -9,8 +9,9 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor
 from app.agreements.access import contract_for_producer
 from app.agreements.models import Contract, ContractCue
-from app.agreements.plan_queries import cues_of
-from app.agreements.rules import ContractState
+from app.agreements.plan_queries import cues_of, wanted_cues
+from app.agreements.queries import contracts_in
+from app.agreements.rules import ORDERS, ContractState
 from app.briefs.queries import answers_of
 from app.briefs.questions import QUESTIONS
 from app.briefs.rules import in_words
@@ -20,6 +21,7 @@ from app.builds.errors import ContractNotEnded
 from app.builds.handover_text import HandedCue, HandedFile, HandedRemark, Handover, cue_table, read_me
 from app.builds.packs import SUMS, ensure_stored, memory_entry, stored_entry
 from app.builds.rules import sums
+from app.builds.schemas import OpenCue, OpenHandover
 from app.builds.zip_stream import Entry
 from app.deliveries.models import Take
 from app.deliveries.source_queries import approved_takes_of
@@ -28,6 +30,7 @@ from app.deliveries.sources import sources_of
 from app.kit.storage import Store
 from app.money.downloads import closed_downloads
 from app.projects.models import Project
+from app.projects.service import project_access
 from app.reviews.queries import accepted_takes
 from app.sound_lists.queries import questions_of
 from app.sound_lists.rules import label
@@ -70,6 +73,41 @@ def handover_pack(session: Session, store: Store, actor: Actor, contract_id: UUI
     entries = [*masters, memory_entry(CUES, cue_table(handover)), memory_entry(READ_ME, read_me(handover))]
     entries.append(memory_entry(SUMS, sums({entry.path: entry.sha256 for entry in entries})))
     return f"{project.name} handover {contract.number}.zip", entries
+
+
+def open_handovers(session: Session, actor: Actor, project_id: UUID) -> list[OpenHandover]:
+    """Return the ended contracts of a project whose cues have no designer now, the newest first, for a producer.
+
+    A cue that several of them had is named by the newest. A producer who is a contract's own designer leaves it out.
+    """
+    access = project_access(session, actor, project_id)
+    access.ensure_producer()
+    ended = [
+        one
+        for one in contracts_in(session, actor, project_id)
+        if one.state is ContractState.ENDED and one.kind in ORDERS and one.ended_at is not None
+    ]
+    if not ended:
+        return []
+    covered = {one.id: cues_of(session, one.id) for one in ended}
+    waiting = {cue.id for cue in wanted_cues(session, project_id)}
+    waiting -= {one.cue_id for cues in covered.values() for one in cues if one.accepted_at is not None}
+    found: list[OpenHandover] = []
+    for contract in sorted(ended, key=lambda one: one.number, reverse=True):
+        cues = [one.cue for one in covered[contract.id] if one.cue_id in waiting]
+        waiting -= {cue.id for cue in cues}
+        if cues and contract.designer_id != actor.person_id and contract.ended_at is not None:
+            prefix = access.project.cue_prefix
+            found.append(
+                OpenHandover(
+                    contract_id=contract.id,
+                    title=contract.title,
+                    designer=contract.designer.name,
+                    ended_at=contract.ended_at,
+                    cues=[OpenCue(id=cue.id, label=label(prefix, cue.number), name=cue.name) for cue in cues],
+                )
+            )
+    return found
 
 
 def _palette(session: Session, project: Project, own: set[UUID]) -> list[Take]:

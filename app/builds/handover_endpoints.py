@@ -1,4 +1,4 @@
-"""The endpoint of handover packs."""
+"""The endpoints of handovers: what has no designer now, and the pack for the next one."""
 
 from uuid import UUID
 
@@ -9,9 +9,10 @@ from app.accounts.rules import Actor, Audience
 from app.agreements.errors import ContractNotFound, SamePersonOnBothSides
 from app.builds.endpoints import BINARY, stream_zip
 from app.builds.errors import BlobDamaged, ContractNotEnded
-from app.builds.handover import handover_pack
+from app.builds.handover import handover_pack, open_handovers
+from app.builds.schemas import OpenHandover
 from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
-from app.projects.errors import ProducerNeeded
+from app.projects.errors import ProducerNeeded, ProjectNotFound
 
 router = Router(prefix="/v1", tags=["builds"], route_class=Route)
 
@@ -30,3 +31,11 @@ def download_handover(
     """Stream what the next designer needs of a contract that has ended: approved masters, cues, brief, open rounds."""
     name, entries = handover_pack(session, runtime.store, actor, contract_id)
     return stream_zip(name, entries)
+
+
+@router.get("/projects/{project_id}/handovers", responses=problems(ProjectNotFound, ProducerNeeded))
+def list_handovers(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> list[OpenHandover]:
+    """Return the ended contracts whose cues have no designer now, the newest first."""
+    return open_handovers(session, actor, project_id)

@@ -338,3 +338,21 @@ class TargetsRead(Schema):
 
     targets: list[TargetMemory]
     presets: list[PresetRead]
+
+
+class OpenCue(Schema):
+    """A cue of a contract that has ended, which no contract covers now."""
+
+    id: UUID
+    label: str
+    name: str
+
+
+class OpenHandover(Schema):
+    """A contract that has ended with cues that wait for another designer."""
+
+    contract_id: UUID
+    title: str
+    designer: str
+    ended_at: datetime
+    cues: list[OpenCue]

@@ -70,7 +70,7 @@ export const queryKeys = {
   bids: family<[postingId: string]>('bids'),
 
   // contracts and money
-  contracts: family<[projectId: string, part?: 'last', ...of: unknown[]]>('contracts'),
+  contracts: family<[projectId: string, part?: 'last' | 'handovers', ...of: unknown[]]>('contracts'),
   contract: family<[contractId: string, part?: ContractPart, ...of: unknown[]]>('contract'),
   contractLibrary: family<[kind: string]>('contract-library'),
   contractTemplates: family<[studioId: string]>('contract-templates'),

@@ -9,6 +9,7 @@ from uuid import UUID
 
 import pytest
 
+from tests.app.agreements.conftest import Contracts
 from tests.app.builds.approved import sound
 from tests.app.money.agreed import Agreed, milestone
 from tests.app.reviews.making import body_of, refused
@@ -97,6 +98,30 @@ def test_cues_that_were_cut_from_the_list_own_no_names(world: World) -> None:
     assert "shield" not in owed, "nobody waits for it"
     assert "warp" in owed
     assert masters == [f"masters/laser_cut_{half.takes[0].hex[-8:]}.wav"]
+
+
+@pytest.mark.both_databases
+def test_cues_of_an_ended_contract_wait_for_the_next_designer(world: World) -> None:
+    path = f"/v1/projects/{world.project_id}/handovers"
+    half = Half(world)
+    assert world.producer.get(path).json() == []
+    half.end()
+    (waiting,) = world.producer.get(path).json()
+    assert (waiting["title"], waiting["designer"]) == ("Effects", "Sound designer")
+    assert [cue["name"] for cue in waiting["cues"]] == ["shield", "warp"], "the accepted one is done"
+    cut = world.producer.post(f"/v1/cues/{half.cues[1]}/cut", json={"reason": "It left the game"})
+    assert cut.status_code == 200, cut.text
+    (waiting,) = world.producer.get(path).json()
+    assert [cue["name"] for cue in waiting["cues"]] == ["warp"]
+    contracts = Contracts(world)
+    contract = contracts.begin()
+    plan = {"milestones": [milestone("Rest", half.cues[2], amount_minor=9_999)]}
+    contracts.ask(world.producer, "PUT", f"/contracts/{contract['id']}/milestones", json=plan)
+    assert len(world.producer.get(path).json()) == 1, "a draft covers nothing"
+    contracts.agree(contract)
+    assert world.producer.get(path).json() == []
+    assert world.approver.get(path).status_code == 403
+    assert world.stranger.get(path).status_code == 404
 
 
 def test_it_comes_once_the_contract_has_ended_and_to_producers_only(world: World) -> None:

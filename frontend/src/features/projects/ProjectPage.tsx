@@ -10,6 +10,7 @@ import { useTitle } from '@/app/title'
 
 import { overviewQuery } from './api'
 import { BuildsCard } from './BuildsCard'
+import { HandoverCard } from './HandoverCard'
 import { LatelyCard } from './LatelyCard'
 import { PaceCard } from './PaceCard'
 import { PackCard } from './PackCard'
@@ -102,6 +103,7 @@ export function ProjectPage() {
       {project && overview && (
         <div className={`columns ${classes.columns}`}>
           <div className="stack">
+            {project.mine.is_producer && <HandoverCard projectId={projectId} />}
             <StepsCard project={project} overview={overview} />
             {(maySpeak || !isTeam) && <PaceCard projectId={projectId} />}
             <SpecCard project={project} />
