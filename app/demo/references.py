@@ -16,7 +16,7 @@ STORY = """Scene 14, the oath.
 The crew stands in the dark of the lower deck. Only the red lamp is on. The captain speaks quietly, as if the ship could
 hear it; the others answer one after the other, and the last voice breaks.
 
-Nothing else sounds. When the last word is spoken, the pumps start again.
+Nothing else sounds. Then the pumps start again.
 """
 
 
