@@ -12,7 +12,7 @@ class News(StrEnum):
 
     SOUNDS = "sounds"  # to review, returned, approved, changes requested
     TALK = "talk"  # questions, answers, replies
-    LIST = "list"  # the sound list changed, somebody joined, a build was refused
+    LIST = "list"  # the sound list changed, a person joined, a build was refused
     CONTRACTS = "contracts"  # signatures, change orders, invoices
     HIRING = "hiring"  # postings and bids
 

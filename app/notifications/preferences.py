@@ -72,7 +72,7 @@ def save(session: Session, actor: Actor, wanted: MailPreferencesSave) -> Prefere
 
 
 def timing(session: Session, recipient: str, news: News, delay: timedelta) -> tuple[Cadence, datetime]:
-    """Return how often whoever reads mail at an address wants news of a kind, and when a mail begun now is sent."""
+    """Return how often the reader of an address wants news of a kind, and when a mail begun now is sent."""
     person_id = queries.person_id_at(session, recipient)
     wishes = read(session, person_id) if person_id else Preferences()
     cadence = wishes.cadence(news)
