@@ -143,6 +143,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "contract.sent": ("notifications.notify_contract",),
     "contract.change_requested": ("notifications.notify_contract",),
     "contract.signed_once": ("notifications.notify_signature",),
+    "amendment.signer_is_next": ("notifications.notify_signer",),
     "invoice.drafted": (),
     "invoice.issued": ("notifications.notify_invoice",),
     "designer.joined": ("notifications.notify_joined",),

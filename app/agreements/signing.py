@@ -49,6 +49,15 @@ def order_of(session: Session, contract: Contract) -> SigningOrder:
     return SigningOrder([one.person_id for one in queries.signers_of(session, contract.id)], contract.signs_first)
 
 
+def amendment_order_of(session: Session, contract: Contract) -> SigningOrder:
+    """Return who signs a change order or a statement for the studio: its signers who are producers still.
+
+    Either party may be first. Where none of the signers is left, any producer signs.
+    """
+    producers = _producers(session, contract)
+    return SigningOrder([one for one in order_of(session, contract).signers if one in producers])
+
+
 def yeses(acceptances: Sequence[ContractAcceptance]) -> list[Yes]:
     """Return who signed, as the rules on order take it."""
     return [Yes(one.party, one.person_id) for one in acceptances]

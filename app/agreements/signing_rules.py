@@ -80,7 +80,7 @@ class SigningOrder:
         if party is Party.STUDIO and self.signers and person_id not in self.signers:
             raise NotASigner(
                 "others are named to sign this text for the studio",
-                fix="have one of them sign, or recall the contract and name the signers again",
+                fix="have one of them sign; the contract's page names them",
             )
         if party not in self.parties_left(given):
             raise NotYourTurn(f"the {self.first} signs this text first", fix="you are mailed once it is your turn")

@@ -32,7 +32,7 @@ from app.amendments.errors import (
 )
 from app.amendments.models import ChangeOrder
 from app.amendments.rules import ChangeOrderState
-from app.amendments.signing import locked_for_party, sign
+from app.amendments.signing import locked_for_party, sign, signatures
 from app.kit import clock
 from app.kit.events import publish
 from app.money import overview
@@ -55,7 +55,7 @@ def change_orders(session: Session, actor: Actor, contract_id: UUID) -> schemas.
         my_party=party,
         may_propose=in_force and party is not None,
         extra_round_bp=reviewer.terms.extra_round_bp,
-        orders=[_read(session, reviewer, one, party) for one in queries.change_orders_of(session, contract.id)],
+        orders=[_read(session, reviewer, one, actor, party) for one in queries.change_orders_of(session, contract.id)],
         offers=offers.offers(session, reviewer, party) if in_force and party is not None else [],
         milestones=[
             schemas.OrderMilestone(id=one.id, name=one.name, due_on=one.due_on)
@@ -151,7 +151,7 @@ def accept(
     number: int,
     signature: Signature,
 ) -> None:
-    """Say yes to a change order for the caller's party; with the second yes it is in force.
+    """Say yes to a change order for the caller's party; with the last yes it is in force.
 
     Raises ChangeOrderStale where what it changes has changed since.
     """
@@ -166,7 +166,7 @@ def accept(
             f"this change order fits no longer: {why}",
             fix="the party that proposed it withdraws it and proposes another, the other party refuses it",
         )
-    are_both = sign(
+    have_all_signed = sign(
         session,
         actor,
         contract,
@@ -176,7 +176,7 @@ def accept(
         text_sha256=order.text_sha256,
         signature=signature,
     )
-    if are_both:
+    if have_all_signed:
         apply(session, reviewer, order, review, person_id=actor.person)
 
 
@@ -263,11 +263,14 @@ def _text(reviewer: Reviewer, order: ChangeOrder, review: Review) -> str:
     )
 
 
-def _read(session: Session, reviewer: Reviewer, order: ChangeOrder, party: Party | None) -> schemas.ChangeOrderRead:
+def _read(
+    session: Session, reviewer: Reviewer, order: ChangeOrder, actor: Actor, party: Party | None
+) -> schemas.ChangeOrderRead:
     is_open = order.state is ChangeOrderState.PROPOSED
     review = reviewer.review(CHANGES.validate_python(order.changes)) if is_open else Review()
     given = queries.acceptances_of(session, reviewer.contract.id, order.text_sha256)
     is_party = is_open and party is not None
+    standing = signatures(session, reviewer.contract, given, actor.person_id, party)
     return schemas.ChangeOrderRead(
         number=order.number,
         state=order.state,
@@ -283,8 +286,9 @@ def _read(session: Session, reviewer: Reviewer, order: ChangeOrder, party: Party
         difference=review.difference,
         problems=review.problems,
         signed=[schemas.SignedRead.model_validate(one) for one in given],
+        signatures_needed=standing.needed,
         may=schemas.ChangeOrderMay(
-            agree=is_party and not review.problems and party not in {one.party for one in given},
+            agree=is_party and not review.problems and standing.is_my_turn,
             refuse=is_party and party is not order.party,
             withdraw=is_party and party is order.party,
         ),

@@ -24,7 +24,7 @@ from app.amendments.ending_text import statement_text, statement_title
 from app.amendments.errors import AlreadyEnded, NoNotice, NoticeGiven
 from app.amendments.models import Notice
 from app.amendments.rules import end_of_notice, is_over
-from app.amendments.signing import locked_for_party, sign
+from app.amendments.signing import locked_for_party, sign, signatures
 from app.amendments.work import work_states
 from app.kit import clock
 from app.kit.events import publish
@@ -90,12 +90,12 @@ def agree_to_statement(
     contract_id: UUID,
     signature: Signature,
 ) -> None:
-    """Say yes to the statement for the caller's party; with the second yes the contract is settled and ends."""
+    """Say yes to the statement for the caller's party; with the last yes the contract is settled and ends."""
     contract, party = locked_for_party(session, actor, contract_id)
     notice = _open_notice(session, contract)
     read = _read(session, contract, actor)
     text = statement_text(read, contract.project.studio.name)
-    are_both = sign(
+    have_all_signed = sign(
         session,
         actor,
         contract,
@@ -105,7 +105,7 @@ def agree_to_statement(
         text_sha256=sha256_of(text),
         signature=signature,
     )
-    if are_both:
+    if have_all_signed:
         _settle(session, contract, notice, text, read, by=actor.person)
 
 
@@ -231,6 +231,7 @@ def _read(session: Session, contract: Contract, actor: Actor | None) -> schemas.
         statement_sha256=notice.statement_sha256 if notice else None,
         settled_at=notice.settled_at if notice else None,
         signed=[],
+        signatures_needed=2,
         may=_may(contract, notice, party),
     )
     if notice is not None and not is_settled:
@@ -238,7 +239,9 @@ def _read(session: Session, contract: Contract, actor: Actor | None) -> schemas.
     if read.statement_sha256 is not None:
         given = queries.acceptances_of(session, contract.id, read.statement_sha256)
         read.signed = [schemas.SignedRead.model_validate(one) for one in given]
-        read.may.agree &= party not in {one.party for one in given}
+        standing = signatures(session, contract, given, actor.person_id if actor else None, party)
+        read.signatures_needed = standing.needed
+        read.may.agree &= standing.is_my_turn
     return read
 
 

@@ -79,11 +79,11 @@ class ChangeOrder(Base):
 
 
 class AmendmentAcceptance(Base):
-    """One party's yes to the text of a statement or change order: who gave it, under which name, when, from where."""
+    """A person's yes to the text of a statement or change order: for which party, by which name, when, from where."""
 
     __tablename__ = "contracts_amendment_acceptances"
     __table_args__ = (
-        UniqueConstraint("contract_id", "text_sha256", "party", name="uq_contracts_amendment_acceptances_party"),
+        UniqueConstraint("contract_id", "text_sha256", "person_id", name="uq_contracts_amendment_acceptances_person"),
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)

@@ -243,6 +243,7 @@ class ChangeOrderRead(Schema):
     difference: DifferenceRead | None = Field(description="Null once it is closed: the text says what it was.")
     problems: list[str] = Field(description="Why it could not be agreed to as it stands.")
     signed: list[SignedRead]
+    signatures_needed: int = Field(description="The designer's, and those of the studio's signers.")
     may: ChangeOrderMay
 
 
@@ -312,4 +313,5 @@ class EndingRead(Schema):
     statement_sha256: str | None = Field(description="Null while it is a forecast.")
     settled_at: datetime | None
     signed: list[SignedRead]
+    signatures_needed: int = Field(description="The designer's, and those of the studio's signers.")
     may: EndingMay

@@ -1,5 +1,7 @@
 """A party's yes to the text of an amendment, given as to a contract itself."""
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 from uuid import UUID
 
@@ -9,13 +11,15 @@ from app.accounts.models import Person
 from app.accounts.rules import Actor
 from app.agreements import record
 from app.agreements.access import party_of, visible_contract
-from app.agreements.errors import AlreadyAccepted, NotYourContract
+from app.agreements.errors import NotYourContract
 from app.agreements.models import Contract
 from app.agreements.queries import lock_contract
 from app.agreements.rules import Party, ensure_another_person, ensure_same_text
-from app.agreements.signing import Signature, facts_of_signature, proof_of
+from app.agreements.signing import Signature, amendment_order_of, facts_of_signature, proof_of
+from app.agreements.signing_rules import Yes
 from app.amendments import queries
 from app.amendments.models import AmendmentAcceptance
+from app.kit.events import publish
 
 
 def locked_for_party(session: Session, actor: Actor, contract_id: UUID) -> tuple[Contract, Party]:
@@ -38,16 +42,18 @@ def sign(
     text_sha256: str,
     signature: Signature,
 ) -> bool:
-    """Record a yes to a text under the contract's lock; return whether both parties have given theirs.
+    """Record a yes to a text under the contract's lock; return whether all who sign it have given theirs.
 
-    Raises TextChanged, AlreadyAccepted, SamePersonOnBothSides and AddressNotProven, as signing a contract does.
+    Raises TextChanged, AlreadyAccepted, NotASigner, NotYourTurn, SamePersonOnBothSides and AddressNotProven, as
+    signing a contract does.
     """
     ensure_same_text(signature.text_sha256, text_sha256)
     given = queries.acceptances_of(session, contract.id, text_sha256)
-    if any(each.party is party for each in given):
-        raise AlreadyAccepted(f"the {party} has signed this text already; the other party has not")
+    order = amendment_order_of(session, contract)
+    order.ensure_turn(party, actor.person, _yeses(given))
     person = session.get_one(Person, actor.person)
-    ensure_another_person(person.id, person.email, [(each.person_id, each.email) for each in given])
+    others = [(each.person_id, each.email) for each in given if each.party is not party]
+    ensure_another_person(person.id, person.email, others)
     acceptance = AmendmentAcceptance(
         studio_id=contract.studio_id,
         project_id=contract.project_id,
@@ -75,4 +81,45 @@ def sign(
         },
         by=person.id,
     )
-    return bool(given)
+    turn = order.turn([*_yeses(given), Yes(party, person.id)])
+    if Party.STUDIO in turn.parties and turn.signer is not None:
+        publish(
+            session,
+            "amendment.signer_is_next",
+            studio_id=contract.studio_id,
+            contract_id=contract.id,
+            person_id=turn.signer,
+            what=_called(kind),
+        )
+    return not turn.parties
+
+
+@dataclass(frozen=True)
+class Signatures:
+    """How many signatures a text needs, and whether the caller's is the next."""
+
+    needed: int
+    is_my_turn: bool
+
+
+def signatures(
+    session: Session,
+    contract: Contract,
+    given: Sequence[AmendmentAcceptance],
+    person_id: UUID | None,
+    party: Party | None,
+) -> Signatures:
+    """Return where the signatures of a text stand, for a person of a party."""
+    order = amendment_order_of(session, contract)
+    turn = order.turn(_yeses(given))
+    is_mine = party is not None and person_id is not None and turn.is_of(party, person_id)
+    return Signatures(1 + max(1, len(order.signers)), is_mine)
+
+
+def _yeses(given: Sequence[AmendmentAcceptance]) -> list[Yes]:
+    return [Yes(one.party, one.person_id) for one in given]
+
+
+def _called(kind: str) -> str:
+    """Return what a text is, by the kind of its entries in the record."""
+    return "a change order" if kind == "change_accepted" else "the settlement statement"

@@ -62,6 +62,7 @@ def table_faults(session: Session, contract: Contract) -> Iterator[str]:
     """Yield, in words, where the tables of a contract are not what its record says."""
     said: list[Said] = [(event.kind, json.loads(event.payload)) for event in events_of(session, contract.id)]
     yield from _state(contract, said)
+    yield from _shipped(contract, said)
     yield from _sent(session, contract, said)
     yield from faults_of_sent(rounds(session, contract), texts_of(session, contract))
     yield from _acceptances(session, contract, said)
@@ -79,6 +80,13 @@ def _state(contract: Contract, said: Sequence[Said]) -> Iterator[str]:
     reasons = [payload["reason"] for kind, payload in said if kind == "ended"]
     if reasons and contract.end_reason != reasons[-1]:
         yield "the reason of its end is another one in the record"
+
+
+def _shipped(contract: Contract, said: Sequence[Said]) -> Iterator[str]:
+    recorded = next((payload["shipped_on"] for kind, payload in said if kind == "shipped"), "no day")
+    stored = contract.game_shipped_on.isoformat() if contract.game_shipped_on else "no day"
+    if stored != recorded:
+        yield f"the game shipped on {stored}, and the record says {recorded}"
 
 
 def _sent(session: Session, contract: Contract, said: Sequence[Said]) -> Iterator[str]:

@@ -102,6 +102,19 @@ def notify_signature(runtime: Runtime, payload: Payload) -> None:
             )
 
 
+@job("notifications.notify_signer")
+def notify_signer(runtime: Runtime, payload: Payload) -> None:
+    """Notify the studio's signer whose turn it is that a change order or a statement needs their signature."""
+    with runtime.database.writing() as session:
+        contract = session.get_one(Contract, UUID(payload["contract_id"]))
+        project = session.get_one(Project, contract.project_id)
+        signer = queries.address_of(session, UUID(payload["person_id"]))
+        line = f"{contract.title}: {payload['what']} needs your signature."
+        notifier = Notifier(runtime, session, project, payload["event_id"])
+        page = f"contracts/{contract.id}"
+        notifier.notify(signer, "contract:signer", "a text needs your signature", line, page=page)
+
+
 @job("notifications.notify_invoice")
 def notify_invoice(runtime: Runtime, payload: Payload) -> None:
     """Notify the producers of an invoice: its sum, and the day until which it is to be paid."""

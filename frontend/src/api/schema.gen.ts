@@ -7533,6 +7533,11 @@ export interface components {
             problems: string[];
             /** Signed */
             signed: components["schemas"]["SignedRead"][];
+            /**
+             * Signatures Needed
+             * @description The designer's, and those of the studio's signers.
+             */
+            signatures_needed: number;
             may: components["schemas"]["ChangeOrderMay"];
         };
         /**
@@ -9498,6 +9503,11 @@ export interface components {
             settled_at: string | null;
             /** Signed */
             signed: components["schemas"]["SignedRead"][];
+            /**
+             * Signatures Needed
+             * @description The designer's, and those of the studio's signers.
+             */
+            signatures_needed: number;
             may: components["schemas"]["EndingMay"];
         };
         /**

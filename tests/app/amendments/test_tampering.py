@@ -94,6 +94,10 @@ DEEDS: dict[str, tuple[UpdateBase, str]] = {
         "the contract is agreed, and the record says ended",
     ),
     "another reason": (sa.update(Contract).values(end_reason="The designer left"), "the reason of its end"),
+    "a day of shipping that nobody named": (
+        sa.update(Contract).values(game_shipped_on=TODAY),
+        "and the record says no day",
+    ),
     "another name on an acceptance": (
         sa.update(ContractAcceptance).where(ContractAcceptance.party == "studio").values(name="Somebody"),
         "by the studio is missing or was altered",

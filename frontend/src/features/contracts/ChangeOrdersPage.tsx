@@ -136,7 +136,7 @@ function Order({ order, all }: { order: ChangeOrder; all: ChangeOrders }) {
 
 function Sign({ order, contractId }: { order: ChangeOrder; contractId: string }) {
   const sign = useChangeOrder(contractId)
-  const isLast = order.signed.length === 1
+  const isLast = order.signed.length === order.signatures_needed - 1
   const textSha256 = order.text_sha256
   return (
     <SignForm

@@ -295,7 +295,7 @@ function Signing({ ending }: { ending: Ending }) {
   const withdraw = useEnding(ending.contract_id)
   return (
     <Card aria-labelledby="signing">
-      <CardHead id="signing" title="Agreed to by" note={`${ending.signed.length} of 2`} />
+      <CardHead id="signing" title="Agreed to by" note={`${ending.signed.length} of ${ending.signatures_needed}`} />
       <Rows aria-label="Agreed to by">
         {ending.signed.map(({ party, name, accepted_at: at }) => (
           <Row key={party} className={classes.row}>

@@ -54,6 +54,7 @@ const ENDING = {
   statement_sha256: null,
   settled_at: null,
   signed: [],
+  signatures_needed: 2,
   may: { give_notice: true, withdraw: false, agree: false },
 }
 const NOTICE = {
@@ -108,6 +109,7 @@ const ORDER = {
   difference: DIFFERENCE,
   problems: [],
   signed: [],
+  signatures_needed: 2,
   may: { agree: true, refuse: true, withdraw: false },
 }
 const ORDERS = {
