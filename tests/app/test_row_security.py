@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Iterator
-from datetime import UTC, date, datetime
+from datetime import UTC, date, datetime, time
 from pathlib import Path
 from typing import Any
 from uuid import UUID
@@ -54,7 +54,8 @@ READERS = {
 
 def row_of(table: sa.Table, studio_id: UUID, project_id: UUID) -> dict[str, Any]:
     """Return a row of any table that belongs to a studio and one of its projects; the rest of it is made up."""
-    made_up = {UUID: new_id(), int: 1, bool: False, float: 1.0, dict: {}, list: [], date: date(2026, 11, 20)}
+    made_up: dict[type, Any] = {UUID: new_id(), int: 1, bool: False, float: 1.0, dict: {}, list: []}
+    made_up |= {date: date(2026, 11, 20), time: time(8)}
     row: dict[str, Any] = {}
     for column in table.columns:
         if isinstance(column.type, UtcDateTime):
