@@ -2,12 +2,14 @@ import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 import { useState } from 'react'
 
+import { LazyDialog } from '@/app/LazyDialog'
 import { Count } from '@/ui/Count'
 
 import { cueReferencesQuery, type Reference } from './api'
 import classes from './References.module.css'
 import { ReferenceTile } from './ReferenceTile'
-import { ReferenceViewer } from './ReferenceViewer'
+
+const loadViewer = () => import('./ReferenceViewer').then((part) => part.ReferenceViewer)
 
 interface ReferenceStripProps {
   projectId: string
@@ -46,7 +48,12 @@ export function ReferenceStrip({ projectId, cueId, mayAdd = false }: ReferenceSt
           ))}
         </div>
       )}
-      <ReferenceViewer reference={shown} onClose={() => setShown(null)} />
+      <LazyDialog
+        load={loadViewer}
+        opened={shown !== null}
+        onClose={() => setShown(null)}
+        given={{ reference: shown }}
+      />
     </section>
   )
 }

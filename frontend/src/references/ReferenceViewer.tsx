@@ -1,6 +1,7 @@
 import { useQuery } from '@tanstack/react-query'
 
 import { Dialog } from '@/app/Dialog'
+import type { OpenedProps } from '@/app/LazyDialog'
 import { ButtonLink } from '@/ui/Button'
 import { Icon } from '@/ui/Icon'
 import { ProblemNote } from '@/ui/ProblemNote'
@@ -9,12 +10,16 @@ import { partOf, type Reference, TEXT_BYTES, textQuery } from './api'
 import classes from './References.module.css'
 import { factsOf, titleOf } from './words'
 
+interface ReferenceViewerProps extends OpenedProps {
+  reference: Reference | null
+}
+
 /** A picture or a text in full, over the page. */
-export function ReferenceViewer({ reference, onClose }: { reference: Reference | null; onClose: () => void }) {
+export function ReferenceViewer({ reference, opened, onClose }: ReferenceViewerProps) {
   return (
     <Dialog
       title={reference ? titleOf(reference) : ''}
-      opened={reference !== null}
+      opened={opened}
       onClose={onClose}
       size={reference?.version.kind === 'text' ? 720 : 1200}
     >

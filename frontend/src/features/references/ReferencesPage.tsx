@@ -87,7 +87,7 @@ export function ReferencesPage(): ReactNode {
           Show more
         </Button>
       )}
-      <ReferenceViewer reference={shown} onClose={() => setShown(null)} />
+      <ReferenceViewer reference={shown} opened={shown !== null} onClose={() => setShown(null)} />
       <EditDialog
         reference={edited}
         onClose={() => setEdited(null)}
