@@ -2,14 +2,12 @@ import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 import { useState } from 'react'
 
-import { LazyDialog } from '@/app/LazyDialog'
 import { Count } from '@/ui/Count'
 
 import { cueReferencesQuery, type Reference } from './api'
 import classes from './References.module.css'
+import { ReferenceDialog } from './ReferenceDialog'
 import { ReferenceTile } from './ReferenceTile'
-
-const loadViewer = () => import('./ReferenceViewer').then((part) => part.ReferenceViewer)
 
 interface ReferenceStripProps {
   projectId: string
@@ -48,12 +46,7 @@ export function ReferenceStrip({ projectId, cueId, mayAdd = false }: ReferenceSt
           ))}
         </div>
       )}
-      <LazyDialog
-        load={loadViewer}
-        opened={shown !== null}
-        onClose={() => setShown(null)}
-        given={{ reference: shown }}
-      />
+      <ReferenceDialog reference={shown} onClose={() => setShown(null)} />
     </section>
   )
 }

@@ -1,5 +1,5 @@
 export { boardQuery, type Reference, type ReferenceVersion } from './api'
+export { ReferenceDialog } from './ReferenceDialog'
 export { ReferenceStrip } from './ReferenceStrip'
 export { ReferenceTile } from './ReferenceTile'
-export { ReferenceViewer } from './ReferenceViewer'
 export { kindName, titleOf } from './words'

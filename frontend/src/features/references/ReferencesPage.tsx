@@ -6,7 +6,7 @@ import { ApiProblem } from '@/api'
 import { meQuery, useMyProject } from '@/api/me'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
-import { boardQuery, type Reference, ReferenceTile, ReferenceViewer } from '@/references'
+import { boardQuery, type Reference, ReferenceDialog, ReferenceTile } from '@/references'
 import { Button } from '@/ui/Button'
 import { Count } from '@/ui/Count'
 import { EmptyState } from '@/ui/EmptyState'
@@ -87,7 +87,7 @@ export function ReferencesPage(): ReactNode {
           Show more
         </Button>
       )}
-      <ReferenceViewer reference={shown} opened={shown !== null} onClose={() => setShown(null)} />
+      <ReferenceDialog reference={shown} onClose={() => setShown(null)} />
       <EditDialog
         reference={edited}
         onClose={() => setEdited(null)}
