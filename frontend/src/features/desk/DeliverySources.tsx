@@ -1,28 +1,24 @@
 import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
-import { deliverySourcesQuery, SourcesText, useStateDeliverySources } from '@/sources'
+import { deliverySourcesQuery, SourcesForm, SourcesText, useStateDeliverySources } from '@/sources'
 import { Button } from '@/ui/Button'
 import { plural } from '@/ui/format'
-import { useLazy } from '@/ui/useLazy'
 
 import classes from './Delivery.module.css'
-
-const loadForm = () => import('@/sources/SourcesForm').then((part) => part.SourcesForm)
 
 /** What the files of a delivery were made from, asked once for all of them. */
 export function DeliverySources({ deliveryId, number }: { deliveryId: string; number: number }) {
   const { data: read } = useQuery(deliverySourcesQuery(deliveryId))
   const save = useStateDeliverySources(deliveryId)
   const [changing, setChanging] = useState(false)
-  const SourcesForm = useLazy(loadForm, changing, () => setChanging(false))
   if (!read) return null
   const { stated, remembered } = read
   const own = read.takes.filter(({ is_own: isOwn }) => isOwn).length
   return (
     <section className={classes.sources} aria-label={`Sources of delivery ${number}`}>
       <p className="strong">Sources</p>
-      {changing && SourcesForm ? (
+      {changing ? (
         <SourcesForm
           initial={stated?.sources ?? remembered}
           error={save.error}
