@@ -15,7 +15,7 @@ import {
 import { spotOf, wordsOf, worstFirst } from '@/judging/findings'
 import { usePeaks } from '@/judging/peaks'
 import { FixPanel, type Fixing, useFixing } from '@/fixing'
-import { ReferenceStrip } from '@/references'
+import { ReferencesWhereAny } from '@/references/ReferencesWhereAny'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
@@ -155,7 +155,7 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
           {number !== null && `, version ${number}`}, {ago(since)}
         </span>
       </div>
-      {cue && <ReferenceStrip projectId={projectId} cueId={cue.id} />}
+      {cue && <ReferencesWhereAny projectId={projectId} cueId={cue.id} />}
       {changes.length > 0 && (
         <ol className={classes.changes} aria-label="Requested changes">
           {changes.map((change, index) => (
