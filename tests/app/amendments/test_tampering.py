@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Callable, Sequence
-from datetime import timedelta
+from datetime import date, timedelta
 from pathlib import Path
 from typing import Any
 from uuid import UUID, uuid4
@@ -28,7 +28,7 @@ from app.money.rules import LineKind
 from app.notifications import contract_jobs
 from app.settings import Settings
 from tests.app.agreements.conftest import Contracts
-from tests.app.money.agreed import TODAY, deposit, milestone
+from tests.app.money.agreed import TODAY, Agreed, deposit, milestone
 from tests.app.reviews.making import Stage, body_of
 from tests.support.server import World
 from tests.support.smtp import MailServer, mail_server
@@ -370,3 +370,15 @@ def test_heads_are_mailed_once_a_day_to_both_parties_where_they_changed(
         world.server.in_database(lambda session: session.execute(yesterday))
         mail()
         assert len(heads_for(box, world.designer_id)) == 2, "it has not grown since"
+
+
+@pytest.mark.parametrize("stored", [TODAY - timedelta(days=1), None], ids=["another day", "no day"])
+def test_another_day_of_shipping_than_the_one_on_record_is_named(world: World, stored: date | None) -> None:
+    agreed = Agreed(world, terms={"bonus_minor": 30_000, "bonus_when": "shipped", "bonus_trigger": "it ships"})
+    agreed.agree(milestone("Alpha", agreed.cue(), amount_minor=10_000))
+    path = f"/v1/contracts/{agreed.contract_id}/shipped"
+    body_of(world.producer.post(path, json={"shipped_on": TODAY.isoformat()}))
+    assert not any("the game shipped" in fault for fault in faults(world, agreed.contract_id))
+    altered = sa.update(Contract).where(Contract.id == agreed.contract_id).values(game_shipped_on=stored)
+    world.server.in_database(lambda session: session.execute(altered))
+    assert f"the game shipped on {stored or 'no day'}, and the record says {TODAY}" in faults(world, agreed.contract_id)
