@@ -32,7 +32,7 @@ router = Router(prefix="/v1", tags=["references"], route_class=Route)
 MAY_SEE: Actor = allows(Audience.PROJECT)
 TEAM: Actor = allows(Audience.TEAM)
 PAGE = 100
-# What strangers sent runs nothing and loads nothing, wherever a browser is led to open it.
+# What strangers sent runs nothing and loads nothing in a browser that opens it.
 LOCKED = {"Content-Security-Policy": "default-src 'none'; sandbox", "X-Content-Type-Options": "nosniff"}
 SHOWN_IN_PLACE = frozenset({ReferenceKind.AUDIO, ReferenceKind.VIDEO, ReferenceKind.TEXT})
 

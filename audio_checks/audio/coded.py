@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -130,9 +131,9 @@ def decode(path: str, out: str) -> tuple[str, str, float, dict[str, str]]:
         raise _damaged(f"it does not decode ({reason})") from None
 
 
-def comments_in(sound: object) -> dict[str, str]:
+def comments_in(sound: Any) -> dict[str, str]:
     """Return the tags that libsndfile finds in an open sound, by their names in capitals, each cut to what is read."""
-    found: dict[str, str] = sound.copy_metadata()  # type: ignore[attr-defined]
+    found: dict[str, str] = sound.copy_metadata()
     return {name.upper(): text[:MOST_COMMENT_CHARACTERS] for name, text in found.items() if text}
 
 

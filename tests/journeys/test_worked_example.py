@@ -181,9 +181,9 @@ class Agreement:
             if ending["may"]["agree"]:
                 body = {"name": "A. Name", "text_sha256": ending["statement_sha256"]}
                 person.ask("POST", f"{self.path}/ending/agree", json=body)
-        ending = designer.ask("GET", f"{self.path}/ending")
-        assert ending["state"] == "settled"
-        return ending  # type: ignore[no-any-return]
+        settled: dict[str, Any] = designer.ask("GET", f"{self.path}/ending")
+        assert settled["state"] == "settled"
+        return settled
 
     def owed(self) -> list[tuple[str, str, int]]:
         """Return kind, cue and amount of every line of the ledger."""

@@ -16,7 +16,7 @@ interface ReferenceTileProps {
   children?: ReactNode
 }
 
-/** One reference: seen or played in place, with its terms wherever it is shown. */
+/** One reference, seen or played in place, always with its terms. */
 export function ReferenceTile({ reference, onShow, children }: ReferenceTileProps) {
   const { version, terms } = reference
   const [isPlaying, setPlaying] = useState(false)

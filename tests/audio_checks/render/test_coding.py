@@ -87,13 +87,14 @@ SOUNDS = {
 }
 
 
-@pytest.mark.parametrize("sound", SOUNDS)
-@pytest.mark.parametrize("name", TARGETS)
+# Nothing is converted up.
+MADE = [(name, sound) for name in TARGETS for sound in SOUNDS if SOUNDS[sound][1] >= SPEC.targets[name].sample_rate_hz]
+
+
+@pytest.mark.parametrize(("name", "sound"), MADE)
 def test_the_file_is_what_its_check_accepts(tmp_path, name, sound):
     make, rate = SOUNDS[sound]
     target = SPEC.targets[name]
-    if rate < target.sample_rate_hz:
-        pytest.skip("nothing is converted up")
     samples = make()
     master = write_wav(tmp_path / "a.wav", samples, rate=rate)
     rendered = rendered_to(name, master, tmp_path)

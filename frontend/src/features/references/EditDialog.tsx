@@ -86,7 +86,7 @@ function Edit({ reference, onNewVersion, onClose }: EditDialogProps & { referenc
       <Textarea label="Caption" rows={2} maxLength={500} data-autofocus {...text('caption')} />
       <TextInput
         label="Terms"
-        description="Shown wherever the reference is shown"
+        description="Always shown with the reference"
         maxLength={1000}
         {...text('terms')}
       />
