@@ -84,12 +84,7 @@ function Edit({ reference, onNewVersion, onClose }: EditDialogProps & { referenc
       }}
     >
       <Textarea label="Caption" rows={2} maxLength={500} data-autofocus {...text('caption')} />
-      <TextInput
-        label="Terms"
-        description="Always shown with the reference"
-        maxLength={1000}
-        {...text('terms')}
-      />
+      <TextInput label="Terms" description="Always shown with the reference" maxLength={1000} {...text('terms')} />
       {plays && (
         <div className={classes.two}>
           <TextInput label="From" inputMode="decimal" {...text('start')} error={wrong.start} />
