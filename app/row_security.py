@@ -36,6 +36,9 @@ PERSONAL = frozenset(
         "notifications_mail_preferences",
     }
 )
+TEAMS_OWN = frozenset(  # no designer reads them
+    {"hiring_scores", "hiring_roster_entries", "hiring_busy_ranges", "hiring_reel_sounds"}
+)
 READ_ONLY = frozenset({"accounts_operators", "accounts_quotas"})  # set on the command line only
 
 ME, THIS_PROJECT = "soundlist_person_id()", "soundlist_project_id()"
@@ -70,7 +73,9 @@ def condition(table: sa.Table) -> str | None:
         return f"id = {NEAR_STUDIOS}"
     if table.name == "accounts_memberships":
         return f"studio_id = {STUDIOS} or person_id = {ME}"
-    if table.name == "hiring_scores":  # the team's own: no designer reads them
+    if table.name == "accounts_invoice_details":  # an account number is shown on the owner's invoices only
+        return f"studio_id = {STUDIOS} or person_id = {ME}"
+    if table.name in TEAMS_OWN:
         return f"studio_id = {STUDIOS}"
     if table.name == "hiring_bids":  # rates are seen by the two parties only
         return f"studio_id = {STUDIOS} or designer_id = {ME}"

@@ -4,10 +4,11 @@ from datetime import date, datetime
 from typing import Any
 from uuid import UUID
 
-from sqlalchemy import BigInteger, ForeignKey, UniqueConstraint
+from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, UniqueConstraint
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import MailedLink, Person
+from app.hiring.roster_rules import BusyKind, Exclusivity, RateUnit
 from app.hiring.rules import AskedScope, BidState, PostingPhase, PostingState
 from app.kit import clock
 from app.kit.db import Base, new_id
@@ -128,3 +129,75 @@ class Score(Base):
     note: Mapped[str] = mapped_column(default="")
     changed_at: Mapped[datetime] = mapped_column(default=clock.now)
     person: Mapped[Person] = relationship(lazy="raise")
+
+
+class RosterEntry(Base):
+    """A sound designer whom a studio keeps on file, as the studio knows them; the designer may have no account."""
+
+    __tablename__ = "hiring_roster_entries"
+    __table_args__ = (
+        UniqueConstraint("studio_id", "email"),
+        CheckConstraint("email = lower(email)", name="email_lower_case"),
+        CheckConstraint("(rate_minor is null) = (rate_unit is null)", name="rate_has_a_unit"),
+        CheckConstraint("weekly_hours is null or weekly_hours between 1 and 168", name="hours_of_a_week"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    name: Mapped[str]
+    email: Mapped[str]  # imports and accounts are matched by it
+    specialities: Mapped[list[str]]
+    services: Mapped[list[str]]  # of RosterService
+    languages: Mapped[list[str]]
+    equipment: Mapped[str] = mapped_column(default="")
+    credits: Mapped[str] = mapped_column(default="")
+    referees: Mapped[str] = mapped_column(default="")  # who can speak for their work
+    links: Mapped[list[dict[str, Any]]]  # title, url
+    exclusivity: Mapped[Exclusivity] = mapped_column(default=Exclusivity.UNKNOWN)
+    weekly_hours: Mapped[int | None]  # that they can give, as they say
+    available_from_on: Mapped[date | None]
+    notes: Mapped[str] = mapped_column(default="")
+    rate_minor: Mapped[int | None] = mapped_column(BigInteger)  # for the studio's producers only
+    rate_currency: Mapped[str] = mapped_column(default="USD")  # ISO 4217
+    rate_unit: Mapped[RateUnit | None]
+    calendar_name: Mapped[str | None]  # of the calendar file that was read last
+    calendar_read_at: Mapped[datetime | None]
+    calendar_to_on: Mapped[date | None]  # repeating events were followed to this day
+    revision: Mapped[int] = mapped_column(default=1)  # counts changes; a change names the one that was read
+    added_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    added_at: Mapped[datetime] = mapped_column(default=clock.now)
+    changed_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class BusyRange(Base):
+    """Days on which a designer of the roster is booked, or has half days only."""
+
+    __tablename__ = "hiring_busy_ranges"
+    __table_args__ = (CheckConstraint("from_on <= to_on", name="in_order"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    entry_id: Mapped[UUID] = mapped_column(ForeignKey("hiring_roster_entries.id"), index=True)
+    from_on: Mapped[date]
+    to_on: Mapped[date]  # the last day
+    kind: Mapped[BusyKind] = mapped_column(default=BusyKind.BOOKED)
+    note: Mapped[str] = mapped_column(default="")
+    is_from_calendar: Mapped[bool] = mapped_column(default=False)  # replaced when a calendar file is read again
+
+
+class ReelSound(Base):
+    """A sound of a designer's reel that a studio keeps, to play on the page."""
+
+    __tablename__ = "hiring_reel_sounds"
+    __table_args__ = (CheckConstraint("file_bytes > 0", name="not_empty"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    entry_id: Mapped[UUID] = mapped_column(ForeignKey("hiring_roster_entries.id"), index=True)
+    title: Mapped[str]
+    file_name: Mapped[str]
+    media_type: Mapped[str]
+    sha256: Mapped[str]
+    file_bytes: Mapped[int] = mapped_column(BigInteger)
+    added_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    added_at: Mapped[datetime] = mapped_column(default=clock.now)

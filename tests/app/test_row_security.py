@@ -29,6 +29,7 @@ from app.row_security import (
     PERSONAL,
     READ_ONLY,
     SERVERS_OWN,
+    TEAMS_OWN,
     UNGUARDED,
     CannotGuardRows,
     condition,
@@ -41,7 +42,7 @@ from tests.support.server import RunningServer, World
 
 GUARDED = sorted(set(Base.metadata.tables) - UNGUARDED - ADD_ONLY - SERVERS_OWN)
 TENANT = sorted(set(GUARDED) - PERSONAL)
-CONFIDENTIAL = {"hiring_bids", "hiring_scores", "references_openings"}  # an engagement alone does not show them
+CONFIDENTIAL = {"accounts_invoice_details", "hiring_bids", "references_openings", *TEAMS_OWN}  # an engagement alone does not show them
 HERE, THERE = new_id(), new_id()  # two studios
 PROJECTS = {HERE: (new_id(), new_id()), THERE: (new_id(),)}
 MEMBER, DESIGNER, ELSEWHERE = new_id(), new_id(), new_id()

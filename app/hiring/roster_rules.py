@@ -1,0 +1,203 @@
+"""The roster, stated without a database: what is kept of a designer, who matches a search, which weeks are free."""
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from datetime import date, timedelta
+from enum import StrEnum
+
+WEEKS_SHOWN = 12
+WEEK = timedelta(days=7)
+WORKING_DAYS = 5  # Monday to Friday
+MAX_ENTRIES = 5_000  # of one studio
+MAX_RANGES = 400  # of one designer
+
+
+class RosterService(StrEnum):
+    """What a designer does besides making sounds."""
+
+    COMPOSES = "composes"
+    DIRECTS = "directs"
+    SUPPLIES_TALENT = "supplies_talent"
+    NARRATION = "narration"
+    FIELD_RECORDING = "field_recording"
+    IMPLEMENTS = "implements"
+
+
+SERVICE_WORDS = {
+    RosterService.COMPOSES: "composes music",
+    RosterService.DIRECTS: "directs voice sessions",
+    RosterService.SUPPLIES_TALENT: "supplies voice talent",
+    RosterService.NARRATION: "records narration",
+    RosterService.FIELD_RECORDING: "records in the field",
+    RosterService.IMPLEMENTS: "implements in the engine",
+}
+
+
+class Exclusivity(StrEnum):
+    """Whether a designer works on one project alone while it lasts, as they say."""
+
+    UNKNOWN = "unknown"
+    ALONE = "alone"
+    SEVERAL = "several"
+
+
+class RateUnit(StrEnum):
+    """What a rate counts."""
+
+    HOUR = "hour"
+    DAY = "day"
+
+
+class BusyKind(StrEnum):
+    """How much of a day is taken."""
+
+    BOOKED = "booked"
+    HALF_DAYS = "half_days"
+
+
+class WeekState(StrEnum):
+    """How a week of a designer looks: a booked day makes it partly booked, booked working days make it booked."""
+
+    FREE = "free"
+    HALF_DAYS = "half_days"
+    PARTLY = "partly"
+    BOOKED = "booked"
+
+
+@dataclass(frozen=True)
+class Busy:
+    """Days that are taken, the last one included."""
+
+    from_on: date
+    to_on: date
+    kind: BusyKind = BusyKind.BOOKED
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Known:
+    """What a search can find of a designer on file."""
+
+    texts: Sequence[str]
+    specialities: Sequence[str]
+    services: Sequence[str]
+    languages: Sequence[str]
+
+
+@dataclass(frozen=True)
+class RosterFilter:
+    """What a person looks for; empty fields ask for nothing."""
+
+    words: str = ""
+    speciality: str = ""
+    service: RosterService | None = None
+    language: str = ""
+
+
+def matches(known: Known, wanted: RosterFilter) -> bool:
+    """Whether a designer has everything that is looked for: each word somewhere, and each chosen field."""
+    if wanted.service is not None and wanted.service not in known.services:
+        return False
+    for value, own in ((wanted.speciality, known.specialities), (wanted.language, known.languages)):
+        if value and value.casefold() not in {one.casefold() for one in own}:
+            return False
+    words = wanted.words.casefold().split()
+    if not words:
+        return True
+    everything = "\n".join((*known.texts, *known.specialities, *known.services, *known.languages)).casefold()
+    return all(word in everything for word in words)
+
+
+def counted(values: Iterable[Sequence[str]]) -> list[tuple[str, int]]:
+    """Return each value with how many designers have it, the most frequent first; spellings that differ in case are one."""
+    counts: Counter[str] = Counter()
+    shown: dict[str, str] = {}
+    for own in values:
+        for folded, value in {one.casefold(): one for one in own}.items():
+            counts[folded] += 1
+            shown.setdefault(folded, value)
+    return [(shown[folded], count) for folded, count in sorted(counts.items(), key=lambda one: (-one[1], one[0]))]
+
+
+def tidy_values(values: Iterable[str]) -> list[str]:
+    """Return words and phrases as they are kept: trimmed, none twice, in their order."""
+    kept: dict[str, str] = {}
+    for value in values:
+        if plain := " ".join(value.split()):
+            kept.setdefault(plain.casefold(), plain)
+    return list(kept.values())
+
+
+def monday_of(day: date) -> date:
+    """Return the Monday of a day's week."""
+    return day - timedelta(days=day.weekday())
+
+
+def weeks(ranges: Sequence[Busy], today: date, available_from_on: date | None = None) -> list[WeekState]:
+    """Return how each of the coming weeks looks, this one first, by its working days from today on.
+
+    Days before `available_from_on` are booked.
+    """
+    first = monday_of(today)
+    states = []
+    for place in range(WEEKS_SHOWN):
+        monday = first + place * WEEK
+        days = [day for offset in range(WORKING_DAYS) if (day := monday + timedelta(days=offset)) >= today]
+        taken = [_kind_on(day, ranges, available_from_on) for day in days]
+        booked = sum(kind is BusyKind.BOOKED for kind in taken)
+        if days and booked == len(days):
+            states.append(WeekState.BOOKED)
+        elif booked:
+            states.append(WeekState.PARTLY)
+        elif any(taken):
+            states.append(WeekState.HALF_DAYS)
+        else:
+            states.append(WeekState.FREE)
+    return states
+
+
+def _kind_on(day: date, ranges: Sequence[Busy], available_from_on: date | None) -> BusyKind | None:
+    if available_from_on is not None and day < available_from_on:
+        return BusyKind.BOOKED
+    kinds = {one.kind for one in ranges if one.from_on <= day <= one.to_on}
+    return BusyKind.BOOKED if BusyKind.BOOKED in kinds else next(iter(kinds), None)
+
+
+def clashes(
+    ranges: Sequence[Busy], first: date | None, last: date | None, available_from_on: date | None = None
+) -> list[Busy]:
+    """Return which taken days fall into a period, cut to it, the earliest first; a period without an end has none."""
+    if first is None or last is None:
+        return []
+    taken = list(ranges)
+    if available_from_on is not None and available_from_on > first:
+        taken.append(Busy(first, available_from_on - timedelta(days=1), note="not available yet"))
+    within = [
+        Busy(max(one.from_on, first), min(one.to_on, last), one.kind, one.note)
+        for one in taken
+        if one.from_on <= last and first <= one.to_on
+    ]
+    return sorted(within, key=lambda one: (one.from_on, one.to_on))
+
+
+def free_from(ranges: Sequence[Busy], today: date, available_from_on: date | None) -> date:
+    """Return the first day from today on that is not booked; half days count as free."""
+    day = max(today, available_from_on or today)
+    booked = sorted((one for one in ranges if one.kind is BusyKind.BOOKED), key=lambda one: one.from_on)
+    for one in booked:
+        if one.from_on <= day <= one.to_on:
+            day = one.to_on + timedelta(days=1)
+    return day
+
+
+def merged(ranges: Iterable[Busy]) -> list[Busy]:
+    """Return ranges of one kind and note that touch or overlap as one, the earliest first."""
+    joined: list[Busy] = []
+    for one in sorted(ranges, key=lambda busy: (busy.kind, busy.note, busy.from_on)):
+        last = joined[-1] if joined else None
+        if last and (last.kind, last.note) == (one.kind, one.note) and one.from_on <= last.to_on + timedelta(days=1):
+            joined[-1] = Busy(last.from_on, max(last.to_on, one.to_on), one.kind, one.note)
+        else:
+            joined.append(one)
+    return sorted(joined, key=lambda busy: (busy.from_on, busy.to_on))
