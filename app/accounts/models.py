@@ -187,3 +187,25 @@ class StudioInvitation(MailedLink, Base):
     revoked_at: Mapped[datetime | None]
     studio: Mapped[Studio] = relationship(lazy="raise")
     inviter: Mapped[Person] = relationship(lazy="raise", foreign_keys=[invited_by])
+
+
+class InvoiceDetails(Base):
+    """What invoices say of a studio or a person, as it was saved once; rows are only added, and the newest holds."""
+
+    __tablename__ = "accounts_invoice_details"
+    __table_args__ = (CheckConstraint("(studio_id is null) <> (person_id is null)", name="one_owner"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    person_id: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"), index=True)
+    name: Mapped[str]  # by which it trades
+    street: Mapped[str]
+    postal_code: Mapped[str]
+    city: Mapped[str]
+    country_code: Mapped[str]  # ISO 3166-1 alpha-2, or empty
+    vat_id: Mapped[str]  # with the prefix of its country
+    tax_number: Mapped[str]  # of the local tax office
+    account_number: Mapped[str]  # IBAN, or the number of an account without one
+    no_tax_reason: Mapped[str]  # why no tax is charged, where the contract names no rate and no reverse charge
+    saved_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    saved_at: Mapped[datetime] = mapped_column(default=clock.now)

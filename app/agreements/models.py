@@ -247,3 +247,16 @@ class ContractCue(Base):
     cut_in: Mapped[WorkState | None]
     change_requested_at: Mapped[datetime | None]  # the first round of changes that was counted
     cue: Mapped[Cue] = relationship(lazy="raise")
+
+
+class DateReminder(Base):
+    """A reminder of a day that a contract names, sent once to both parties."""
+
+    __tablename__ = "contracts_date_reminders"
+
+    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), primary_key=True)
+    term: Mapped[str] = mapped_column(primary_key=True)  # that names the day
+    day: Mapped[date] = mapped_column(primary_key=True)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    sent_at: Mapped[datetime] = mapped_column(default=clock.now)

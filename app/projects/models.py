@@ -158,3 +158,31 @@ class ProjectInvitation(MailedLink, Base):
     revoked_at: Mapped[datetime | None]
     project: Mapped[Project] = relationship(lazy="raise")
     inviter: Mapped[Person] = relationship(lazy="raise", foreign_keys=[invited_by])
+
+
+class CreditName(Base):
+    """How a person is named in the credits of a project, or that they are left out, as they said themselves."""
+
+    __tablename__ = "projects_credit_names"
+
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), primary_key=True)
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), primary_key=True, index=True)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    name: Mapped[str]  # empty: the name of their account
+    is_left_out: Mapped[bool] = mapped_column(default=False)
+    changed_at: Mapped[datetime] = mapped_column(default=clock.now, onupdate=clock.now)
+
+
+class CreditLine(Base):
+    """A name that was added to the credits of a project by hand: of a performer, for instance."""
+
+    __tablename__ = "projects_credit_lines"
+    __table_args__ = (CheckConstraint("role <> '' and name <> ''", name="role_and_name"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    role: Mapped[str]
+    name: Mapped[str]
+    added_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    added_at: Mapped[datetime] = mapped_column(default=clock.now)
