@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from datetime import date
 from typing import Any
 
-from app.sound_lists.rules import CueState, Reverb
+from app.sound_lists.rules import CueState, Need, Reverb
 
 HEADS: Mapping[str, str] = {
     "number": "number|no|nr|num|id|cue|cue no|cue nr|cue number|cue id|sound id|sound no|asset id|ref|nummer|lfd nr|"
@@ -36,6 +36,7 @@ HEADS: Mapping[str, str] = {
     "var|nr of variations|number of variants|no of variants|number of files|files|anz|stück|"
     "dateien|anzahl varianten|anzahl variationen",
     "state": "state|status|stage|stand|design status|maturity|reife|reifegrad",
+    "need": "need|needed|need level|moscow|must should wish|must have|necessity|bedarf|notwendigkeit|muss soll wunsch",
     "playback_priority": "priority|prio|playback priority|playback prio|voice priority|importance|sound priority|"
     "priorität|abspielpriorität|wichtigkeit|rang",
     "due_on": "due|due date|due on|due by|deadline|needed by|needed on|need by|date due|date needed|delivery date|"
@@ -64,6 +65,11 @@ PRIORITIES: Mapping[str, int] = {
     **dict.fromkeys(("lowest", "niedrigste"), 0),
 }
 """Playback priorities from 0 to 1000 for the words that lists use."""
+NEEDS: Mapping[str, Need] = {
+    **dict.fromkeys(("must", "must have", "m", "required", "muss"), Need.MUST),
+    **dict.fromkeys(("should", "should have", "s", "soll"), Need.SHOULD),
+    **dict.fromkeys(("wish", "could", "could have", "c", "w", "nice to have", "optional", "wunsch", "kann"), Need.WISH),
+}
 GERMAN_MONTHS = {"mrz": "mar", "mai": "may", "okt": "oct", "dez": "dec"}
 MONTHS = ("jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec")
 SLASHED = re.compile(r"(\d{1,2})[/-](\d{1,2})[/-](\d{2}|\d{4})", re.ASCII)
@@ -139,6 +145,11 @@ def read_number(text: str) -> float:
     return value
 
 
+def number_text(value: float) -> str:
+    """Return a number as a cell has it: without a point where it is whole."""
+    return str(int(value)) if value.is_integer() and abs(value) < 1e15 else repr(value)
+
+
 def _read_duration(text: str, unit_s: float) -> float | None:
     if text.lower() in EMPTY:
         return None
@@ -211,6 +222,15 @@ def _read_reverb(text: str, _unit_s: float) -> Reverb | None:
     return Reverb(plain)
 
 
+def _read_need(text: str, _unit_s: float) -> Need | None:
+    plain = " ".join(re.split(r"[\s_-]+", text.strip().lower()))
+    if text.strip().lower() in EMPTY:
+        return None
+    if plain not in NEEDS:
+        raise ValueError(f'wanted {", ".join(Need)}, found "{text[:40]}"')
+    return NEEDS[plain]
+
+
 def is_day_first(cells: Sequence[str]) -> bool | None:
     """Return whether a column writes the day before the month, as in 31/5/2026; None where no cell shows it."""
     for cell in cells:
@@ -271,6 +291,7 @@ READERS: Mapping[str, Callable[[str, float], Any]] = {
     "palette": _read_flag,
     "state": _read_state,
     "reverb": _read_reverb,
+    "need": _read_need,
 }
 
 

@@ -11,7 +11,8 @@ from sqlalchemy.orm import Mapped, mapped_column, relationship
 from app.accounts.models import Person
 from app.kit import clock
 from app.kit.db import Base, new_id
-from app.sound_lists.rules import CueState, Reverb, folded
+from app.sound_lists.own_column_rules import ColumnKind
+from app.sound_lists.rules import CueState, Need, Reverb, folded
 
 
 def _folded_stem(context: DefaultExecutionContext) -> str:
@@ -59,17 +60,34 @@ class Cue(Base):
     reverb: Mapped[Reverb | None]
     variations: Mapped[int] = mapped_column(default=1)
     state: Mapped[CueState] = mapped_column(default=CueState.PROTOTYPE)
+    need: Mapped[Need] = mapped_column(default=Need.MUST)
     playback_priority: Mapped[int | None]
     due_on: Mapped[date | None]  # the day on which the sound is needed
     placeholder: Mapped[bool] = mapped_column(default=False)  # the game plays a placeholder file until the sound comes
     palette: Mapped[bool] = mapped_column(default=False)
-    extra: Mapped[dict[str, Any]] = mapped_column(default=dict)  # imported columns that we have no name for
+    extra: Mapped[dict[str, Any]] = mapped_column(default=dict)  # by column: the project's own, and imported ones
     dismissed_facts: Mapped[list[str]] = mapped_column(default=list)  # what the clarity check asks no more
     edition: Mapped[int] = mapped_column(default=1)  # counts edits, so that two editors notice each other
     cut_reason: Mapped[str | None]
     cut_at: Mapped[datetime | None]
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     stems: Mapped[list["Stem"]] = relationship(lazy="raise", back_populates="cue", cascade="all, delete-orphan")
+
+
+class OwnColumn(Base):
+    """A column of the project's own; each cue keeps its value under the column's name, in `extra`."""
+
+    __tablename__ = "sound_lists_columns"
+    __table_args__ = (UniqueConstraint("project_id", "folded"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
+    name: Mapped[str]
+    folded: Mapped[str]  # two names that differ in case only cannot both be
+    kind: Mapped[ColumnKind]
+    choices: Mapped[list[str]] = mapped_column(default=list)  # of a choice, in the order shown
+    position: Mapped[int]
 
 
 class Stem(Base):

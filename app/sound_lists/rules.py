@@ -26,6 +26,14 @@ class Reverb(StrEnum):
     SEPARATE_TAIL = "separate-tail"
 
 
+class Need(StrEnum):
+    """How much the game needs a cue: without a "must" it cannot ship."""
+
+    MUST = "must"
+    SHOULD = "should"
+    WISH = "wish"
+
+
 PAGE = 50  # cues answered at once, unless the request asks for more: what a tall screen shows
 MAX_PAGE = 500
 MAX_VARIATIONS = 99
@@ -47,6 +55,7 @@ NEW_CUE: Mapping[str, Any] = {
     "reverb": None,
     "variations": 1,
     "state": CueState.PROTOTYPE,
+    "need": Need.MUST,
     "playback_priority": None,
     "due_on": None,
     "placeholder": False,

@@ -23,6 +23,7 @@ from app.sound_lists.rules import (
     NEW_CUE,
     CueState,
     Facts,
+    Need,
     Reverb,
     faults_of,
     folded,
@@ -76,6 +77,7 @@ def whole_facts(given: Mapping[str, Any], before: Mapping[str, Any] = NEW_CUE) -
     """Return all facts of a cue after some were given, tidied."""
     facts = {**before, **tidy(given)}
     facts["state"] = CueState(facts["state"])
+    facts["need"] = Need(facts["need"])
     facts["reverb"] = Reverb(facts["reverb"]) if facts["reverb"] else None
     facts["extra"] = dict(facts["extra"])
     return tidy(facts)

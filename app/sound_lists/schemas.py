@@ -11,7 +11,7 @@ from app.kit.http import Schema, Whole
 from app.projects.rules import EngagementKind
 from app.projects.schemas import ResolvedSpec
 from app.sound_lists.clarity_rules import Fact
-from app.sound_lists.rules import CueState, Reverb
+from app.sound_lists.rules import CueState, Need, Reverb
 
 OpenState = Literal["concept", "prototype", "locked"]
 Text = Annotated[str, Field(max_length=20_000)]
@@ -39,6 +39,7 @@ class CueRead(Schema):
     reverb: Reverb | None
     variations: int
     state: CueState
+    need: Need = Field(description="How much the game needs it: without a must it cannot ship.")
     playback_priority: int | None
     due_on: date | None = Field(description="The day on which the sound is needed.")
     placeholder: bool
@@ -81,6 +82,7 @@ class CueFields(Schema):
     reverb: Reverb | None = None
     variations: Whole = 1
     state: OpenState = "prototype"
+    need: Need = Need.MUST
     playback_priority: Whole | None = None
     due_on: date | None = None
     placeholder: bool = False
@@ -210,6 +212,7 @@ ImportField = Literal[
     "reverb",
     "variations",
     "state",
+    "need",
     "playback_priority",
     "due_on",
     "placeholder",

@@ -14,7 +14,7 @@ from typing import IO
 
 import python_calamine
 
-from app.sound_lists.columns import known_heads_in
+from app.sound_lists.columns import known_heads_in, number_text
 from app.sound_lists.errors import SheetUnreadable
 
 MAX_BYTES = 5_000_000
@@ -244,7 +244,7 @@ def _text_of(cell: object) -> str:
     if isinstance(cell, bool):
         return "yes" if cell else "no"
     if isinstance(cell, float):
-        return str(int(cell)) if cell.is_integer() and abs(cell) < 1e15 else repr(cell)
+        return number_text(cell)
     if isinstance(cell, datetime):
         return cell.date().isoformat() if cell.time() == time() else cell.isoformat(" ")
     if isinstance(cell, (date, time)):
