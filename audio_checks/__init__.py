@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from audio_checks.fixing.spots import Spot, repair_spots
     from audio_checks.judge.compare.dry_stem import compare_reverb_with_dry
     from audio_checks.judge.compare.takes import compare_reverb_of_takes
+    from audio_checks.matching.adoption import AdoptionPlan, ShippedFile, folded_stem, plan_adoption
     from audio_checks.matching.index import ListedCue, NameIndex
     from audio_checks.measure.average_spectrum import BandLevels
     from audio_checks.measure.waveform import WaveShape
@@ -82,6 +83,7 @@ __all__ = [
     "RENDERER_VERSION",
     "TARGET_PRESETS",
     "TOOL_VERSION",
+    "AdoptionPlan",
     "AudioChecksError",
     "AudioFile",
     "Audit",
@@ -118,6 +120,7 @@ __all__ = [
     "SandboxFailed",
     "SandboxOutOfMemory",
     "SandboxTimedOut",
+    "ShippedFile",
     "SoundList",
     "SoundSize",
     "SpecError",
@@ -142,6 +145,7 @@ __all__ = [
     "fix_in_words",
     "fix_master",
     "fix_offer",
+    "folded_stem",
     "is_placeholder",
     "is_preview",
     "load_spec",
@@ -155,6 +159,7 @@ __all__ = [
     "offset_from_set_lu",
     "parse_file_name",
     "parse_spec",
+    "plan_adoption",
     "preview",
     "read_manifest",
     "read_project",
@@ -203,6 +208,7 @@ _HOMES = {
     ),
     "audio_checks.checks": ("Check", "CheckLimit", "all_checks"),
     "audio_checks.report.findings": ("FileReport", "Finding", "Report"),
+    "audio_checks.matching.adoption": ("AdoptionPlan", "ShippedFile", "folded_stem", "plan_adoption"),
     "audio_checks.matching.index": ("ListedCue", "NameIndex"),
     "audio_checks.measure.average_spectrum": ("BandLevels",),
     "audio_checks.measure.waveform": ("WaveShape",),

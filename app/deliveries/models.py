@@ -207,6 +207,35 @@ class SourceStatement(Base):
     designer: Mapped[Person] = relationship(lazy="raise")
 
 
+class Adoption(Base):
+    """A folder of shipped files that becomes cues with approved takes; what it made is in one revision and one delivery.
+
+    It stays on record when it is undone.
+    """
+
+    __tablename__ = "deliveries_adoptions"
+    __table_args__ = (
+        CheckConstraint("(adopted_at is null) = (adopted_by is null)", name="adopted_by_a_person"),
+        CheckConstraint("(undone_at is null) = (undone_by is null)", name="undone_by_a_person"),
+        CheckConstraint("undone_at is null or adopted_at is not null", name="undone_after_adopted"),
+        Index("ix_deliveries_adoptions_project_id_id", "project_id", "id"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
+    folder: Mapped[str]  # its name, without the path to it
+    files: Mapped[list[dict[str, Any]]]  # see ShippedFileIn
+    opened_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: a build
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    delivery_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_deliveries.id"))  # that holds its takes
+    adopted_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
+    adopted_at: Mapped[datetime | None]
+    undone_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
+    undone_at: Mapped[datetime | None]
+    adopter: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[adopted_by])
+
+
 class Archive(Base):
     """A delivered ZIP and what became of it."""
 

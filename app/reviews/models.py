@@ -41,6 +41,8 @@ class Verdict(Base):
     on_behalf_of: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: in their own right
     # By whose clause it was decided, because nobody said anything; None: `given_by` did.
     deemed_by_contract_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
+    # The adoption that approved it, with no review before; None: it was reviewed.
+    adoption_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_adoptions.id"), index=True)
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     author: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[given_by])
     represented: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[on_behalf_of])
