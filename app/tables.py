@@ -4,6 +4,7 @@ from app.accounts import models as _accounts
 from app.agreements import models as _agreements
 from app.amendments import models as _amendments
 from app.briefs import models as _briefs
+from app.builds import audit_models as _audits
 from app.builds import models as _builds
 from app.conformance import models as _conformance
 from app.deliveries import models as _deliveries
@@ -18,6 +19,7 @@ from app.references import models as _references
 from app.renders import models as _renders
 from app.reviews import models as _reviews
 from app.sound_lists import models as _sound_lists
+from app.voice_lines import models as _voice_lines
 
 
 def is_ours(table: str) -> bool:

@@ -29,6 +29,7 @@ ROOMS = (
     "renders",
     "reviews",
     "sound_lists",
+    "voice_lines",
 )
 
 

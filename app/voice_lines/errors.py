@@ -1,0 +1,27 @@
+"""Errors of this room, each named after the fact."""
+
+from app.kit.errors import Conflict, Invalid, NotFound
+
+
+class VoiceLineNotFound(NotFound):
+    """No voice line of that id within the caller's sight, or no text of it in that language."""
+
+
+class CharacterNotFound(NotFound):
+    """No character of that id within the caller's sight."""
+
+
+class ReleaseNotFound(NotFound):
+    """No release of that id within the caller's sight."""
+
+
+class VoiceTextChanged(Conflict):
+    """Another person changed the text since it was read."""
+
+
+class ScriptUnreadable(Invalid):
+    """A script cannot be read as it was sent."""
+
+
+class VoiceLineInvalid(Invalid):
+    """A value does not fit; `errors` names each field."""

@@ -1,0 +1,233 @@
+"""Languages, names, the state of a line by its takes, lengths and releases: without a database."""
+
+import re
+from collections.abc import Hashable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from datetime import date, datetime
+from enum import StrEnum
+from typing import TypeVar
+from uuid import UUID
+
+from app.deliveries.rules import TakeState
+
+DEFAULT_LANGUAGE = "en"
+DEFAULT_TOLERANCE_PERCENT = 10
+CATEGORY = "vo"  # of the cues that are made for lines; the presets of the delivery spec have it
+MAX_KEY_CHARS = 100
+MAX_NAME_CHARS = 120
+MAX_SCENE_CHARS = 200
+MAX_TEXT_CHARS = 5_000
+MAX_DIRECTION_CHARS = 2_000
+MAX_LANGUAGES = 60
+
+_TAG = re.compile(r"([a-z]{2,3})(?:[-_]([a-z]{4}))?(?:[-_]([a-z]{2}|[0-9]{3}))?", re.IGNORECASE | re.ASCII)
+_NAMES: Mapping[str, str] = {
+    "ar": "arabic|arabisch|العربية",
+    "cs": "czech|tschechisch|čeština",
+    "da": "danish|dänisch|dansk",
+    "de": "german|deutsch",
+    "el": "greek|griechisch|ελληνικά",
+    "en": "english|englisch|original english",
+    "es": "spanish|spanisch|español|espanol",
+    "fi": "finnish|finnisch|suomi",
+    "fr": "french|französisch|français|francais",
+    "hi": "hindi",
+    "hu": "hungarian|ungarisch|magyar",
+    "id": "indonesian|indonesisch|bahasa indonesia",
+    "it": "italian|italienisch|italiano",
+    "ja": "japanese|japanisch|日本語",
+    "ko": "korean|koreanisch|한국어",
+    "nl": "dutch|niederländisch|nederlands",
+    "no": "norwegian|norwegisch|norsk",
+    "pl": "polish|polnisch|polski",
+    "pt": "portuguese|portugiesisch|português|portugues",
+    "ro": "romanian|rumänisch|română",
+    "ru": "russian|russisch|русский",
+    "sv": "swedish|schwedisch|svenska",
+    "th": "thai|thailändisch|ไทย",
+    "tr": "turkish|türkisch|türkçe",
+    "uk": "ukrainian|ukrainisch|українська",
+    "vi": "vietnamese|vietnamesisch|tiếng việt",
+    "zh": "chinese|chinesisch|中文",
+    "zh-Hans": "simplified chinese|chinese simplified",
+    "zh-Hant": "traditional chinese|chinese traditional",
+    "pt-BR": "brazilian portuguese|portuguese brazil",
+    "es-419": "latin american spanish|spanish latin america",
+}
+_BY_NAME = {name: tag for tag, names in _NAMES.items() for name in names.split("|")}
+Place = TypeVar("Place", bound=Hashable)
+
+
+class SyntheticUse(StrEnum):
+    """What a release says of a digital replica of the voice."""
+
+    YES = "yes"
+    NO = "no"
+    NOT_ASKED = "not_asked"
+
+
+class LineState(StrEnum):
+    """What a line in one language has come to."""
+
+    NO_TAKE = "no_take"
+    STALE = "stale"
+    RETURNED = "returned"
+    CHANGE_REQUESTED = "change_requested"
+    IN_REVIEW = "in_review"  # delivered: being checked, or awaiting the verdict
+    APPROVED = "approved"
+    CUT = "cut"
+
+
+PICK_UPS = (LineState.STALE, LineState.CHANGE_REQUESTED, LineState.RETURNED, LineState.NO_TAKE)
+
+
+@dataclass(frozen=True)
+class TakeFacts:
+    """What the state of a line depends on, of one of its takes."""
+
+    id: UUID
+    number: int
+    state: TakeState
+    received_at: datetime
+    duration_s: float | None
+
+
+@dataclass(frozen=True)
+class TextFrom:
+    """A text and the moment from which on it was the text of its line."""
+
+    text: str
+    written_at: datetime
+    takes_fit: bool = False  # a person said that earlier takes still fit it
+
+
+@dataclass(frozen=True)
+class Standing:
+    """The state of a line in one language, the take that it is judged by, and the text that this was made from."""
+
+    state: LineState
+    take: TakeFacts | None = None
+    recorded_text: str | None = None  # of a stale take
+
+
+@dataclass(frozen=True)
+class Validity:
+    """The dates of a release."""
+
+    valid_from: date
+    valid_until: date | None
+
+
+def language_tag(text: str) -> str | None:
+    """Return the language tag (BCP 47: language, script, region) that a code or a name means; None for neither."""
+    plain = " ".join(text.split()).lower()
+    if found := _BY_NAME.get(plain.replace("(", "").replace(")", "")):
+        return found
+    tag = _TAG.fullmatch(plain) if len(plain) <= MAX_KEY_CHARS else None
+    if tag is None:
+        return None
+    language, script, region = tag.groups()
+    return "-".join(part for part in (language, script and script.title(), region and region.upper()) if part)
+
+
+def is_known_language(text: str) -> bool:
+    """Whether a text is the name of a language, or begins with the code of one that is commonly dubbed."""
+    tag = language_tag(text)
+    return tag is not None and (tag in _NAMES or tag.split("-")[0] in _NAMES)
+
+
+def stem_in(language: str, file_name: str) -> str:
+    """Return the name that the cue of a line owns in one language: the folder of the language, then the name."""
+    return f"{language}_{file_name}"
+
+
+def path_in(language: str, file_name: str) -> str:
+    """Return where a file of a line is expected: one name, in a folder per language."""
+    return f"{language}/{file_name}"
+
+
+def key_for(character: str, number: int) -> str:
+    """Return an id for a line of a script that has none: maya_010."""
+    slug = re.sub(r"[^\w]+", "_", character.lower()).strip("_") or "line"
+    return f"{slug[:40]}_{number:03d}"
+
+
+def is_stale(texts: Sequence[TextFrom], received_at: datetime) -> bool:
+    """Whether the text of a line has changed since a take of it was received; `texts` has the oldest first."""
+    return texts[-1].text != text_at(texts, received_at) and not texts[-1].takes_fit
+
+
+def text_at(texts: Sequence[TextFrom], moment: datetime) -> str:
+    """Return the text that was the newest at a moment; the first one, where the moment is before all."""
+    before = [one for one in texts if one.written_at <= moment]
+    return (before or texts)[-1 if before else 0].text
+
+
+def standing_of(takes: Iterable[TakeFacts], texts: Sequence[TextFrom], *, is_cut: bool) -> Standing:
+    """Return the state of a line in one language.
+
+    It is judged by its newest approved take of the present text, or else by its newest take of that text. Where every
+    take was made from another text, the line is stale, by its newest approved take, or else its newest.
+    """
+    if is_cut:
+        return Standing(LineState.CUT)
+    heard = [take for take in takes if take.state is not TakeState.SET_ASIDE]
+    newest_first = sorted(heard, key=lambda take: (take.received_at, take.number), reverse=True)
+    if not newest_first:
+        return Standing(LineState.NO_TAKE)
+    fresh = [take for take in newest_first if not is_stale(texts, take.received_at)]
+    of_them = fresh or newest_first
+    take = next((one for one in of_them if one.state is TakeState.APPROVED), of_them[0])
+    if not fresh:
+        return Standing(LineState.STALE, take, text_at(texts, take.received_at))
+    return Standing(_STATES.get(take.state, LineState.IN_REVIEW), take)
+
+
+_STATES = {
+    TakeState.APPROVED: LineState.APPROVED,
+    TakeState.RETURNED: LineState.RETURNED,
+    TakeState.CHANGE_REQUESTED: LineState.CHANGE_REQUESTED,
+}
+
+
+def approved_duration_s(takes: Iterable[TakeFacts]) -> float | None:
+    """Return the length of the newest approved take; None where none is approved, or none measured."""
+    approved = [take for take in takes if take.state is TakeState.APPROVED and take.duration_s is not None]
+    return max(approved, key=lambda take: (take.received_at, take.number)).duration_s if approved else None
+
+
+def length_percent(duration_s: float | None, original_s: float | None) -> float | None:
+    """Return by how many percent a take is longer than the original's; None where either is not known."""
+    if duration_s is None or not original_s:
+        return None
+    return round(100 * (duration_s / original_s - 1), 1)
+
+
+def is_length_off(percent: float | None, tolerance_percent: int) -> bool:
+    """Whether a length differs from the original's by more than the tolerance; one that is not known does not."""
+    return percent is not None and abs(percent) > tolerance_percent
+
+
+def is_covered(releases: Iterable[Validity], day: date) -> bool:
+    """Whether a release is valid on a day; its first and last days count."""
+    return any(one.valid_from <= day and (one.valid_until is None or day <= one.valid_until) for one in releases)
+
+
+def merged_order(present: Sequence[Place], script: Sequence[Place]) -> list[Place]:
+    """Return the order of lines after an import.
+
+    A script with every present line gives the order. Otherwise the present lines keep theirs, and each new one comes
+    after the line that is before it in the script; one with none before it comes last.
+    """
+    known = set(present)
+    if known.issubset(script):
+        return list(script)
+    after: dict[Place | None, list[Place]] = {}
+    last: Place | None = None
+    for line in script:
+        if line in known:
+            last = line
+        else:
+            after.setdefault(last, []).append(line)
+    ordered = [one for line in present for one in (line, *after.get(line, ()))]
+    return [*ordered, *after.get(None, ())]
