@@ -7,7 +7,7 @@ import csv
 import io
 import re
 import zipfile
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from datetime import date, datetime, time, timedelta
 from typing import IO
@@ -39,6 +39,7 @@ MAX_TAG_BYTES = 400
 CELL = re.compile(rb"<(?:[A-Za-z0-9]{1,20}:)?c\s([^<>]{0,300}+)>(?!</)")
 CELL_PLACE = re.compile(rb"""(?:^|\s)r\s{0,9}=\s{0,9}["']([A-Za-z]{1,9})([0-9]{1,20})["']""")
 Rows = list[tuple[int, list[str]]]
+HeadsIn = Callable[[Sequence[str]], int]  # how many cells of a row are heads that the reader of the sheet knows
 
 
 @dataclass(frozen=True)
@@ -50,18 +51,18 @@ class Sheet:
     rows: Rows
 
 
-def parse_bytes(data: bytes) -> tuple[int | None, tuple[str, ...], Rows]:
+def parse_bytes(data: bytes, heads_in: HeadsIn = known_heads_in) -> tuple[int | None, tuple[str, ...], Rows]:
     """Return the fields of the sheet in a CSV or XLSX file, by its bytes whatever its name."""
     if len(data) > MAX_BYTES:
         raise SheetUnreadable(f"a file may have {MAX_BYTES:,} bytes; this one has {len(data):,}")
     if data.startswith(b"PK\x03\x04"):
-        return _headed(iter(_workbook_rows(data)), must_have_head=True)
+        return _headed(iter(_workbook_rows(data, heads_in)), heads_in, must_have_head=True)
     if data.startswith(b"\xd0\xcf\x11\xe0"):
         raise SheetUnreadable("this is an old .xls file, or one with a password; save it as .xlsx or CSV")
-    return parse_text(_decoded(data), pasted=False)
+    return parse_text(decoded(data), pasted=False, heads_in=heads_in)
 
 
-def parse_text(text: str, pasted: bool) -> tuple[int | None, tuple[str, ...], Rows]:
+def parse_text(text: str, pasted: bool, heads_in: HeadsIn = known_heads_in) -> tuple[int | None, tuple[str, ...], Rows]:
     """Return the fields of the sheet in CSV text, or in what was pasted from a spreadsheet, which may have no head."""
     if len(text) > MAX_BYTES:
         raise SheetUnreadable(f"a text may have {MAX_BYTES:,} characters; this one has {len(text):,}")
@@ -75,15 +76,16 @@ def parse_text(text: str, pasted: bool) -> tuple[int | None, tuple[str, ...], Ro
     if found := re.match(rf"sep=([{SEPARATORS}:])\r?\n", text):  # Excel's own way to name the separator
         text, first, separator = text[found.end() :], 2, found[1]
     else:
-        separator = _separator(text, pasted=pasted)
-    return _headed(enumerate(_records(text, separator), start=first), must_have_head=not pasted)
+        separator = _separator(text, heads_in, pasted=pasted)
+    return _headed(enumerate(_records(text, separator), start=first), heads_in, must_have_head=not pasted)
 
 
 def _row_at(text: str, place: int) -> int:
     return text.count("\n", 0, place) + 1
 
 
-def _decoded(data: bytes) -> str:
+def decoded(data: bytes) -> str:
+    """Return the text of bytes in UTF-8, UTF-16 or Windows-1252; raise SheetUnreadable for a damaged character."""
     if wide := _wide_encoding(data):
         return _strictly(data, wide, "UTF-16")
     try:
@@ -118,7 +120,7 @@ def _strictly(data: bytes, encoding: str, name: str) -> str:
         raise SheetUnreadable(f"row {row}: a character is damaged or cut off; the file is {name} otherwise") from None
 
 
-def _separator(text: str, *, pasted: bool) -> str:
+def _separator(text: str, heads_in: HeadsIn, *, pasted: bool) -> str:
     """Return what stands between cells: what gives most known heads, then most cells in most rows."""
     if pasted and "\t" in text:
         return "\t"
@@ -127,7 +129,7 @@ def _separator(text: str, *, pasted: bool) -> str:
     def promise(separator: str) -> tuple[int, int]:
         rows = [row for row in csv.reader(io.StringIO(start, newline=""), delimiter=separator) if row][:30]
         widths = sorted(len(row) for row in rows)
-        heads = max((known_heads_in(row[:LAST_COLUMN]) for row in rows[:HEAD_WITHIN_ROWS]), default=0)
+        heads = max((heads_in(row[:LAST_COLUMN]) for row in rows[:HEAD_WITHIN_ROWS]), default=0)
         return heads, widths[len(widths) // 2] if widths else 0
 
     promises = {separator: promise(separator) for separator in SEPARATORS}
@@ -155,7 +157,7 @@ def _records(text: str, separator: str) -> Iterator[list[str]]:
                 raise SheetUnreadable(f"row {row}: a quote is opened and never closed") from None
 
 
-def _workbook_rows(data: bytes) -> Rows:
+def _workbook_rows(data: bytes, heads_in: HeadsIn) -> Rows:
     _ensure_small(data)
     try:
         workbook = python_calamine.CalamineWorkbook.from_filelike(io.BytesIO(data))
@@ -166,7 +168,7 @@ def _workbook_rows(data: bytes) -> Rows:
         raise SheetUnreadable("the workbook has a password; save it without one") from None
     except (python_calamine.CalamineError, ValueError) as error:
         raise SheetUnreadable(f"this is no workbook that can be read: {error}") from None
-    return max(sheets, key=_heads_in, default=[])
+    return max(sheets, key=lambda rows: _most_heads(rows, heads_in), default=[])
 
 
 def _filled_rows(sheet: python_calamine.CalamineSheet) -> Iterator[tuple[int, list[str]]]:
@@ -176,8 +178,8 @@ def _filled_rows(sheet: python_calamine.CalamineSheet) -> Iterator[tuple[int, li
             yield place, texts
 
 
-def _heads_in(rows: Rows) -> int:
-    return max((known_heads_in(cells) for _, cells in rows[:HEAD_WITHIN_ROWS]), default=-1)
+def _most_heads(rows: Rows, heads_in: HeadsIn) -> int:
+    return max((heads_in(cells) for _, cells in rows[:HEAD_WITHIN_ROWS]), default=-1)
 
 
 def _ensure_small(data: bytes) -> None:
@@ -255,12 +257,14 @@ def _text_of(cell: object) -> str:
     return str(cell)
 
 
-def _headed(rows: Iterator[tuple[int, list[str]]], *, must_have_head: bool) -> tuple[int | None, tuple[str, ...], Rows]:
+def _headed(
+    rows: Iterator[tuple[int, list[str]]], heads_in: HeadsIn, *, must_have_head: bool
+) -> tuple[int | None, tuple[str, ...], Rows]:
     filled = list(_bounded(rows))
     if not filled:
         raise SheetUnreadable("the sheet is empty")
-    heads = max(range(min(HEAD_WITHIN_ROWS, len(filled))), key=lambda place: known_heads_in(filled[place][1]))
-    has_head = must_have_head or known_heads_in(filled[heads][1]) > 0
+    heads = max(range(min(HEAD_WITHIN_ROWS, len(filled))), key=lambda place: heads_in(filled[place][1]))
+    has_head = must_have_head or heads_in(filled[heads][1]) > 0
     header_row, names = filled[heads] if has_head else (None, [])
     return _with_columns(header_row, names, filled[heads + 1 :] if has_head else filled)
 
