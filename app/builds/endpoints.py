@@ -10,7 +10,7 @@ from fastapi.responses import StreamingResponse
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience, Scope
-from app.builds import handed_cues, packs, placeholders, sealing, service, targets
+from app.builds import audits, handed_cues, packs, placeholders, sealing, service, targets
 from app.builds.documentation_key import key_csv, key_xlsx
 from app.builds.errors import (
     BlobDamaged,
@@ -361,8 +361,9 @@ def get_build(build_id: UUID, session: DbSession, actor: Actor = allows(Audience
 def get_baseline(
     project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT, build=Scope.LIST_READ)
 ) -> Baseline:
-    """Return what the approver let through, for `audio-checks check --baseline`."""
-    return Baseline(waived=service.waived_sounds(session, actor, project_id))
+    """Return what the approver let through and the accepted drift, for `--baseline` of `audio-checks`."""
+    waived = service.waived_sounds(session, actor, project_id)
+    return Baseline(waived=waived, accepted=audits.accepted_sounds(session, project_id))
 
 
 @router.get(

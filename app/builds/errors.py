@@ -1,6 +1,6 @@
 """Errors of this room, each named after the fact."""
 
-from app.kit.errors import Conflict, Invalid, NotFound, Refused
+from app.kit.errors import Conflict, Forbidden, Invalid, NotFound, Refused
 
 
 class BuildNotFound(NotFound):
@@ -49,3 +49,51 @@ class ManifestNotReady(Conflict):
     """Some of the approved sounds have not been listened to yet."""
 
     retry_after_s = 5
+
+
+class AuditNotFound(NotFound):
+    """No audit of that id within the caller's sight."""
+
+
+class AuditedSoundNotFound(NotFound):
+    """The audit has no sound of that path."""
+
+
+class NothingDrifted(Conflict):
+    """The sound plays as approved in this build, so there is nothing to accept or to send back."""
+
+
+class AcceptedDriftNotFound(NotFound):
+    """No accepted drift of that id within the caller's sight."""
+
+
+class NothingToHear(Conflict):
+    """No build was audited yet, so there is no list of sounds to hear."""
+
+
+class ListeningPassNotFound(NotFound):
+    """No listening pass of that id within the caller's sight."""
+
+
+class ListeningPassClosed(Conflict):
+    """The listening pass is closed and takes no new notes."""
+
+
+class ListeningNoteNotFound(NotFound):
+    """No note of that id within the caller's sight."""
+
+
+class ListeningNoteInvalid(Invalid):
+    """The note contradicts itself."""
+
+
+class ListeningNoteTaken(Conflict):
+    """Another note has this id."""
+
+
+class GameTaskNotFound(NotFound):
+    """No task of that id within the caller's sight."""
+
+
+class ImplementerNeeded(Forbidden):
+    """Only an implementer or a person who acts for the team can do this."""

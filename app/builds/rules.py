@@ -102,6 +102,9 @@ def ci_lines(base_url: str, project_id: str, target: str) -> list[str]:
         f"curl -fsS {auth} -H 'Content-Type: application/json' --data-binary @- -o posted.json {project}/builds",
         # Refused with 409 while newly approved sounds are fingerprinted.
         f"curl -fsS --retry 5 --retry-all-errors {auth} -o manifest.json {shlex.quote(manifest)}",
-        "audio-checks audit --manifest manifest.json --allow unknown assets/ || drifted=$?",
+        "audio-checks audit --manifest manifest.json --baseline baseline.json --allow unknown --format text "
+        "--format json:audit.json assets/ || drifted=$?",
+        f'python3 -c \'{COMPOSE}\' "${{BUILD:-unnamed}}" "${{COMMIT:-}}" {quoted} < audit.json | '
+        f"curl -fsS {auth} -H 'Content-Type: application/json' --data-binary @- -o audited.json {project}/audits",
         'exit "${status:-${drifted:-0}}"',
     ]

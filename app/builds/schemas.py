@@ -1,6 +1,6 @@
 """Bodies that this room reads and answers."""
 
-from datetime import datetime
+from datetime import date, datetime
 from typing import Any, Literal
 from uuid import UUID
 
@@ -182,11 +182,23 @@ class WaivedSound(Schema):
     file_name: str
 
 
+class AcceptedSound(Schema):
+    """A drift that was accepted for one sound, with its reason and day."""
+
+    path: str
+    status: str
+    played_status: str
+    gain_db: float | None
+    reason: str
+    on: date
+
+
 class Baseline(Schema):
-    """The baseline for `audio-checks check --baseline`."""
+    """The baseline for `audio-checks check --baseline` and `audio-checks audit --baseline`."""
 
     format: Literal[1] = 1
     waived: list[WaivedSound]
+    accepted: list[AcceptedSound] = Field(description="For audits; `check` leaves it alone.")
 
 
 class ManifestTool(Schema):

@@ -28,9 +28,9 @@ class Cadence(StrEnum):
 
 ALWAYS_MAILED = frozenset({News.CONTRACTS})  # at the rarest daily: money and signatures have days to keep
 NEWS_OF_TOPIC: Mapping[str, News] = {  # by the first word of a mail's topic
-    **dict.fromkeys(("to-review", "returned", "approved", "changes", "reminders", "silence"), News.SOUNDS),
+    **dict.fromkeys(("to-review", "returned", "approved", "changes", "reminders", "silence", "tasks"), News.SOUNDS),
     **dict.fromkeys(("questions", "answers", "replies"), News.TALK),
-    **dict.fromkeys(("list", "cut", "builds", "joined"), News.LIST),
+    **dict.fromkeys(("list", "cut", "builds", "drift", "joined"), News.LIST),
     **dict.fromkeys(("contract", "deposit", "invoices", "head"), News.CONTRACTS),
     **dict.fromkeys(("bids", "posting-questions", "posting"), News.HIRING),
 }

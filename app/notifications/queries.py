@@ -130,12 +130,21 @@ def spokesperson_addresses(session: Session, project: Project) -> set[str]:
 
 def producer_addresses(session: Session, studio_id: UUID) -> set[str]:
     """Return the addresses of the studio's producers."""
+    return _addresses_with(session, studio_id, Role.PRODUCER)
+
+
+def implementer_addresses(session: Session, studio_id: UUID) -> set[str]:
+    """Return the addresses of the studio's implementers; of its producers where it has none."""
+    return _addresses_with(session, studio_id, Role.IMPLEMENTER) or producer_addresses(session, studio_id)
+
+
+def _addresses_with(session: Session, studio_id: UUID, role: Role) -> set[str]:
     rows = session.execute(
         select(Person.email, Membership.roles)
         .join(Membership, Membership.person_id == Person.id)
         .where(Membership.studio_id == studio_id)
     )
-    return {email for email, roles in rows if Role.PRODUCER in roles}
+    return {email for email, roles in rows if role in roles}
 
 
 def deposit_of(session: Session, contract_id: UUID) -> int:
