@@ -4,11 +4,13 @@ from fastapi import APIRouter
 
 from app.accounts.calendar_endpoints import router as calendars
 from app.accounts.endpoints import router as accounts
+from app.accounts.invoice_endpoints import router as invoice_details
 from app.accounts.me_endpoints import router as me
 from app.accounts.sign_up_endpoints import router as sign_up
 from app.accounts.studio_endpoints import router as studios
 from app.agreements.award_endpoints import router as awards
 from app.agreements.endpoints import router as contracts
+from app.agreements.project_changes import record_list_revision, record_spec_version
 from app.agreements.redline_endpoints import router as contract_redlines
 from app.agreements.signing_endpoints import router as contract_signing
 from app.agreements.template_endpoints import router as contract_templates
@@ -16,10 +18,12 @@ from app.agreements.verify_endpoints import router as verifying
 from app.agreements.version_endpoints import router as contract_versions
 from app.amendments.endpoints import router as amendments
 from app.briefs.endpoints import router as briefs
+from app.builds.audit_endpoints import router as audits
 from app.builds.clearance_endpoints import router as clearance
 from app.builds.endpoints import router as builds
 from app.builds.game_file_endpoints import router as game_files
 from app.builds.handover_endpoints import router as handovers
+from app.builds.listening_endpoints import router as listening
 from app.builds.manifest_endpoints import router as manifests
 from app.conformance.endpoints import router as conformance
 from app.dashboards.endpoints import router as dashboards
@@ -28,7 +32,9 @@ from app.deliveries.endpoints import router as deliveries
 from app.deliveries.sources import ensure_stated_to_invoice
 from app.hiring.bid_endpoints import router as bids
 from app.hiring.endpoints import router as hiring
+from app.hiring.roster_endpoints import router as roster
 from app.kit.events import Handler
+from app.money.electronic_invoice_endpoints import router as electronic_invoices
 from app.money.endpoints import router as money
 from app.money.ledger import charge_deposits
 from app.notifications.endpoints import router as notifications
@@ -39,10 +45,13 @@ from app.projects.endpoints import router as projects
 from app.projects.spec_endpoints import router as specs
 from app.references.endpoints import router as references
 from app.renders.endpoints import router as renders
+from app.reviews.adoption_endpoints import router as adoptions
 from app.reviews.endpoints import router as reviews
 from app.sound_lists.coverage_endpoints import router as coverage
 from app.sound_lists.endpoints import router as sound_lists
 from app.sound_lists.kit_endpoints import router as kits
+from app.sound_lists.matrix_endpoints import router as matrices
+from app.sound_lists.own_column_endpoints import router as own_columns
 
 ROUTERS: tuple[APIRouter, ...] = (
     accounts,
@@ -50,6 +59,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     me,
     studios,
     calendars,
+    invoice_details,
     projects,
     approval,
     specs,
@@ -57,11 +67,15 @@ ROUTERS: tuple[APIRouter, ...] = (
     sound_lists,
     coverage,
     kits,
+    matrices,
+    own_columns,
     references,
     hiring,
     bids,
+    roster,
     awards,
     money,
+    electronic_invoices,
     contract_templates,
     contracts,
     contract_signing,
@@ -73,7 +87,10 @@ ROUTERS: tuple[APIRouter, ...] = (
     conformance,
     renders,
     reviews,
+    adoptions,
     builds,
+    audits,
+    listening,
     clearance,
     handovers,
     manifests,
@@ -99,12 +116,14 @@ JOB_MODULES = (
     "app.agreements.jobs",
     "app.amendments.jobs",
     "app.notifications.contract_jobs",
+    "app.notifications.game_jobs",
     "app.notifications.hiring_jobs",
     "app.notifications.jobs",
     "app.notifications.mail_jobs",
 )
 PARSERS = (
     "app.sound_lists.sheets",
+    "app.hiring.roster_files",
     "app.agreements.template_files",
     "app.agreements.seal_files",
     "app.agreements.word_file",
@@ -135,6 +154,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "changes.sent": ("notifications.notify_changes",),
     "note.answered": ("notifications.notify_reply",),
     "take.approved": ("notifications.notify_approval", "builds.fingerprint_take"),
+    "folder.adopted": ("reviews.check_adopted_takes",),
     "cue.cut": ("notifications.notify_cut",),
     "contract.notice_given": ("notifications.notify_contract",),
     "contract.settled": ("notifications.notify_contract",),
@@ -155,6 +175,8 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "approver.reminded": ("notifications.notify_reminder",),
     "cue.deemed_accepted": ("notifications.notify_deemed_acceptance",),
     "build.posted": ("notifications.notify_build",),
+    "audit.posted": ("notifications.notify_audit",),
+    "game_task.added": ("notifications.notify_game_task",),
     "approver.joined": ("projects.name_invited_approver",),
     "posting.shared": ("notifications.mail_link",),
     "posting.awarded": ("notifications.notify_award",),
@@ -171,6 +193,8 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
 }
 HANDLERS: dict[str, tuple[Handler, ...]] = {
     "contract.agreed": (charge_deposits,),  # in the transaction of the second signature
+    "list.revised": (record_list_revision,),
+    "spec.changed": (record_spec_version,),
     "invoice.drafted": (ensure_stated_to_invoice,),  # an invoice without the sources that the contract wants is refused
 }
 LOW_PRIORITY_JOBS = frozenset({"builds.fingerprint_take"})

@@ -135,6 +135,10 @@ class DayNamedTwice(Invalid):
     """A calendar names a day twice."""
 
 
+class BadInvoiceDetails(Invalid):
+    """A field of invoice details is filled in with what it cannot be."""
+
+
 class BadAddress(Invalid):
     """The given text is no email address."""
 

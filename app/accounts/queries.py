@@ -10,6 +10,7 @@ from sqlalchemy.orm import Session, joinedload
 from app.accounts.models import (
     EmailVerification,
     Holiday,
+    InvoiceDetails,
     Membership,
     Operator,
     PasswordReset,
@@ -295,3 +296,11 @@ def holidays_of(session: Session, studio_ids: Collection[UUID]) -> Sequence[Holi
 def time_zones_of(session: Session, studio_ids: Collection[UUID]) -> dict[UUID, str]:
     """Return the time zone of each studio."""
     return dict(session.execute(select(Studio.id, Studio.time_zone).where(Studio.id.in_(studio_ids))).all())
+
+
+def invoice_details_of(
+    session: Session, *, person_id: UUID | None = None, studio_id: UUID | None = None
+) -> Sequence[InvoiceDetails]:
+    """Return every saved state of a person's or a studio's invoice details, the oldest first."""
+    owner = InvoiceDetails.person_id == person_id if person_id else InvoiceDetails.studio_id == studio_id
+    return session.scalars(select(InvoiceDetails).where(owner).order_by(InvoiceDetails.id)).all()

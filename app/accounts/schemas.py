@@ -10,15 +10,9 @@ from app.accounts.rules import MAX_ADDRESS_LENGTH, MAX_PASSWORD_LENGTH, Role
 from app.kit.http import Schema
 
 # One line, without control characters or marks that turn the direction of writing: it appears in mails and lists.
-Line = Annotated[
-    str,
-    StringConstraints(
-        strip_whitespace=True,
-        min_length=1,
-        max_length=120,
-        pattern="^[^\\x00-\\x1f\\x7f-\\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069]*$",
-    ),
-]
+_ONE_LINE = "^[^\\x00-\\x1f\\x7f-\\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069]*$"
+Line = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=120, pattern=_ONE_LINE)]
+MaybeLine = Annotated[str, StringConstraints(strip_whitespace=True, max_length=120, pattern=_ONE_LINE)]
 Prose = Annotated[str, StringConstraints(strip_whitespace=True, max_length=5000, pattern="^[^\\x00]*$")]
 Email = Annotated[str, StringConstraints(strip_whitespace=True, max_length=MAX_ADDRESS_LENGTH)]
 Password = Annotated[str, StringConstraints(max_length=MAX_PASSWORD_LENGTH)]
@@ -79,6 +73,24 @@ class CalendarRead(Schema):
 
     time_zone: str
     holidays: list[HolidayRead]
+
+
+class InvoiceDetailsSave(Schema):
+    """What electronic invoices say of a party; a field may stay empty."""
+
+    name: MaybeLine = Field("", description="By which the party trades.")
+    street: MaybeLine = ""
+    postal_code: MaybeLine = ""
+    city: MaybeLine = ""
+    country_code: MaybeLine = Field("", examples=["DE"], description="ISO 3166-1 alpha-2.")
+    vat_id: MaybeLine = Field("", examples=["DE123456789"], description="With its country in front.")
+    tax_number: MaybeLine = Field("", description="Of the local tax office, where there is no VAT ID.")
+    account_number: MaybeLine = Field("", description="IBAN, or the number of an account without one.")
+    no_tax_reason: MaybeLine = Field("", description="Why no tax is charged, where none is.")
+
+
+class InvoiceDetailsRead(InvoiceDetailsSave):
+    """What electronic invoices say of a party now."""
 
 
 class SessionRead(Schema):

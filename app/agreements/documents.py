@@ -51,11 +51,19 @@ def pdf_of(title: str, markdown: str) -> bytes:
     return typeset(_source(title, markdown))
 
 
+def archival_pdf_of(title: str, markdown: str, *, dated: date) -> bytes:
+    """Return the text as archival PDF; see `typeset` for what is raised."""
+    return typeset(_source(title, markdown, day=_day(dated)), is_archival=True)
+
+
 def signed_pdf_of(title: str, markdown: str, certificate: str, *, agreed_on: date, mark: str) -> bytes:
     """Return the text as archival PDF, with its hash on every page and the certificate of its signatures after it."""
-    day = f"datetime(year: {agreed_on.year}, month: {agreed_on.month}, day: {agreed_on.day})"
-    text = _source(title, markdown, day=day, keywords=f"({_string(mark)},)")
+    text = _source(title, markdown, day=_day(agreed_on), keywords=f"({_string(mark)},)")
     return typeset(f"{text}\n#pagebreak()\n{_blocks(certificate)}", is_archival=True)
+
+
+def _day(day: date) -> str:
+    return f"datetime(year: {day.year}, month: {day.month}, day: {day.day})"
 
 
 def _source(title: str, markdown: str, *, day: str = "none", keywords: str = "()") -> str:

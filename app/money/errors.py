@@ -71,6 +71,14 @@ class DayInFuture(Invalid):
     """A day of work or of a payment that has not come yet."""
 
 
+class InvoiceDetailsMissing(Conflict):
+    """An electronic invoice lacks a field of one of the parties."""
+
+
+class NoElectronicInvoice(Invalid):
+    """The standard has no way to write this invoice."""
+
+
 class MilestoneNotFound(NotFound):
     """No milestone of that id within the caller's sight."""
 

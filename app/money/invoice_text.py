@@ -1,20 +1,26 @@
 """An invoice as the text that is printed."""
 
+from app.agreements.documents import archival_pdf_of
 from app.agreements.documents import pdf_of as document
 from app.agreements.facts import in_words
 from app.agreements.text import literal
 from app.kit.money import money, percent
+from app.money.cross_industry_invoice import REVERSE_CHARGE
 from app.money.schemas import InvoiceRead
-
-REVERSE_CHARGE = "Reverse charge: the recipient of the service owes the tax."
 
 
 def pdf_of(invoice: InvoiceRead) -> bytes:
     """Return an invoice as PDF; the same invoice gives the same bytes."""
-    return document(_title(invoice), markdown_of(invoice))
+    return document(title_of(invoice), markdown_of(invoice))
 
 
-def _title(invoice: InvoiceRead) -> str:
+def archival_pdf(invoice: InvoiceRead) -> bytes:
+    """Return an invoice as PDF/A-2b dated with its day, or as a plain PDF where the fonts lack a letter of it."""
+    return archival_pdf_of(title_of(invoice), markdown_of(invoice), dated=invoice.issued_on)
+
+
+def title_of(invoice: InvoiceRead) -> str:
+    """Return what an invoice is called."""
     return f"{'Invoice' if invoice.total_minor >= 0 else 'Credit note'} {invoice.full_number}"
 
 
@@ -29,7 +35,7 @@ def markdown_of(invoice: InvoiceRead) -> str:
     rows += [f"| Tax, {percent(tax.tax_bp)} | {amount(tax.amount_minor)} |" for tax in invoice.taxes]
     rows.append(f"| **To pay** | **{amount(invoice.total_minor)}** |")
     paragraphs = [
-        f"# {_title(invoice)}",
+        f"# {title_of(invoice)}",
         f"Issued on {in_words(invoice.issued_on)}. To be paid by {in_words(invoice.due_on)}.",
         f"Purchase order: {literal(invoice.po_number)}" if invoice.po_number else "",
         "## From",

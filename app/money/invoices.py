@@ -40,7 +40,7 @@ def draft_invoice(session: Session, actor: Actor, contract_id: UUID, *, full_num
     contract = _for_designer(session, actor, contract_id)
     book, terms = load_ledger_book(session, contract), terms_of(session, contract)
     billed = book.billable
-    taxes = tax_entries(billed, _rates(session, contract), default_bp=terms.invoiced_tax_bp)
+    taxes = tax_entries(billed, tax_rates_of(session, contract), default_bp=terms.invoiced_tax_bp)
     texts = texts_of(session, contract, billed)
     last = queries.last_invoice(session, contract.studio_id, contract.designer_id)
     net_minor = sum(line.amount_minor for line in billed)
@@ -96,7 +96,7 @@ def issue_invoice(
     billed = book.billable
     cue_ids = [str(line.cue_id) for line in billed if line.kind in SHARES and line.cue_id]
     publish(session, "invoice.drafted", studio_id=contract.studio_id, contract_id=contract.id, cue_ids=cue_ids)
-    taxes: Sequence[Entry] = tax_entries(billed, _rates(session, contract), default_bp=terms.invoiced_tax_bp)
+    taxes: Sequence[Entry] = tax_entries(billed, tax_rates_of(session, contract), default_bp=terms.invoiced_tax_bp)
     today = clock.now().date()
     invoice = Invoice(
         studio_id=contract.studio_id,
@@ -149,7 +149,8 @@ def _for_designer(session: Session, actor: Actor, contract_id: UUID) -> Contract
     return contract
 
 
-def _rates(session: Session, contract: Contract) -> dict[UUID, int]:
+def tax_rates_of(session: Session, contract: Contract) -> dict[UUID, int]:
+    """Return the tax rates of the milestones that have one of their own."""
     if terms_of(session, contract).reverse_charge:
         return {}
     milestones = plan_queries.milestones_of(session, contract.id)

@@ -251,15 +251,20 @@ def tax_entries(lines: Sequence[Line], tax_bp_of: Mapping[UUID, int], *, default
         raise NothingToInvoice("everything due is on an invoice already")
     by_rate: dict[int, int] = {}
     for line in lines:
-        if line.kind is LineKind.LATE_INTEREST:
-            continue  # it is no price of work
-        rate = tax_bp_of.get(line.milestone_id, default_bp) if line.milestone_id else default_bp
-        by_rate[rate] = by_rate.get(rate, 0) + line.amount_minor
+        if (rate := rate_of(line, tax_bp_of, default_bp=default_bp)) is not None:
+            by_rate[rate] = by_rate.get(rate, 0) + line.amount_minor
     return [
         Entry(LineKind.TAX, part_of(net_minor, rate), CLAUSES[LineKind.TAX], tax_bp=rate)
         for rate, net_minor in sorted(by_rate.items())
         if part_of(net_minor, rate)
     ]
+
+
+def rate_of(line: Line, tax_bp_of: Mapping[UUID, int], *, default_bp: int) -> int | None:
+    """Return the rate of tax on a line; None for interest, which is no price of work."""
+    if line.kind is LineKind.LATE_INTEREST:
+        return None
+    return tax_bp_of.get(line.milestone_id, default_bp) if line.milestone_id else default_bp
 
 
 def allocate(book: LedgerBook, invoice_id: UUID, amount_minor: int) -> list[Entry]:

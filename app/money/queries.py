@@ -2,15 +2,17 @@
 
 from collections import defaultdict
 from collections.abc import Collection, Sequence
+from datetime import datetime
 from uuid import UUID
 
 from sqlalchemy import Row, func, select
-from sqlalchemy.orm import Session, joinedload
+from sqlalchemy.orm import Session, aliased, joinedload
 
 from app.accounts.models import Person
 from app.agreements.models import Contract, ContractCue
 from app.kit.in_array import in_array
 from app.money.models import CalendarLink, ExtraRound, Invoice, InvoiceLine, LedgerLine, Payment, WorkedDay, WorkLog
+from app.money.rules import LineKind
 
 
 def ledger_of(session: Session, contract_id: UUID) -> Sequence[Row[LedgerLine, UUID | None]]:
@@ -149,4 +151,28 @@ def calendars_of(session: Session, project_id: UUID, person_id: UUID) -> Sequenc
             CalendarLink.person_id == person_id,
             CalendarLink.revoked_at.is_(None),
         )
+    ).all()
+
+
+def days_of_invoice(session: Session, invoice_id: UUID) -> tuple[datetime, datetime]:
+    """Return when the first and the last line of an invoice were written, which is when they became due."""
+    first, last = session.execute(
+        select(func.min(LedgerLine.created_at), func.max(LedgerLine.created_at))
+        .join(InvoiceLine, InvoiceLine.ledger_line_id == LedgerLine.id)
+        .where(InvoiceLine.invoice_id == invoice_id, LedgerLine.kind != LineKind.TAX)
+    ).one()
+    return first, last
+
+
+def invoices_corrected_by(session: Session, invoice_id: UUID) -> Sequence[Invoice]:
+    """Return the earlier invoices of which an invoice takes lines back."""
+    back, on, earlier = aliased(LedgerLine), aliased(InvoiceLine), aliased(InvoiceLine)
+    return session.scalars(
+        select(Invoice)
+        .join(earlier, earlier.invoice_id == Invoice.id)
+        .join(back, back.about_id == earlier.ledger_line_id)
+        .join(on, on.ledger_line_id == back.id)
+        .where(on.invoice_id == invoice_id, back.kind == LineKind.REVERSED)
+        .order_by(Invoice.id)
+        .distinct()
     ).all()
