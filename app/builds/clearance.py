@@ -21,6 +21,7 @@ from app.money.ledger import load_ledger_book, priced
 from app.money.ledger_book import paid_cues
 from app.projects.models import Project
 from app.projects.service import project_access
+from app.reviews.models import Verdict
 from app.reviews.queries import effective_verdicts
 from app.reviews.rules import VerdictKind
 from app.sound_lists.rules import label
@@ -86,7 +87,7 @@ def clearance_rows(session: Session, project: Project, sounds: Sequence[tuple[st
                 same_file_in=", ".join(elsewhere.get(take.master_sha256, [])),
                 delivered_on=take.received_at.date().isoformat(),
                 approved_on=approval.created_at.date().isoformat() if approval else "",
-                approved_by=judge.name if judge else "the clause on silence" if approval else "",
+                approved_by=_approved_by(approval, judge.name if judge else ""),
                 master=take.file_name,
                 master_sha256=take.master_sha256,
             )
@@ -96,6 +97,12 @@ def clearance_rows(session: Session, project: Project, sounds: Sequence[tuple[st
 
 def _paid(session: Session, contract: Contract) -> set[UUID]:
     return paid_cues(load_ledger_book(session, contract), priced(cues_of(session, contract.id)))
+
+
+def _approved_by(approval: Verdict | None, name: str) -> str:
+    if approval is None:
+        return ""
+    return f"{name} (adopted)" if approval.adoption_id else name or "the clause on silence"
 
 
 def _agreement(contract: Contract | None, *, is_in_house: bool) -> str:

@@ -9,7 +9,7 @@ from prometheus_client import Counter
 
 import audio_checks
 from app.conformance import fixes, queries, service
-from app.conformance.rules import TRIES, Report, unjudged, with_reverb_before, with_stem
+from app.conformance.rules import TRIES, Report, awaits_check, unjudged, with_reverb_before, with_stem
 from app.conformance.service import CheckOrder, ComparedStem
 from app.conformance.workspaces import TakeWorkspace
 from app.deliveries.rules import TakeState
@@ -25,10 +25,12 @@ TAKES_CHECKED = Counter("soundlist_takes_checked", "Takes that were judged, by v
 
 
 def check_take(runtime: Runtime, take_id: UUID, workspace: TakeWorkspace) -> None:
-    """Check a received take against the newest spec and record its verdict, once; a take in another state is left."""
+    """Check a received or adopted take against the newest spec and record its verdict, once; other takes are left."""
     with runtime.database.reading() as session:
         found = queries.take_to_check(session, take_id)
-        if found is None or found.take.state is not TakeState.RECEIVED:
+        if found is None or not awaits_check(
+            found.take.state, is_checked=queries.current_run(session, take_id) is not None
+        ):
             return
         order = service.order_check(session, found)
         report = service.known_report(session, order)
@@ -39,7 +41,7 @@ def check_take(runtime: Runtime, take_id: UUID, workspace: TakeWorkspace) -> Non
     kill_points.point("conformance.after_check")
     with runtime.database.writing() as session:
         state = service.record_check(session, order, report)
-        if state is not None and report["verdict"] != "conforming":
+        if state not in (None, TakeState.APPROVED) and report["verdict"] != "conforming":
             fixes.prepare_fix(session, order.take_id)
         kill_points.point("conformance.before_commit")
     if state is not None:

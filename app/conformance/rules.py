@@ -29,6 +29,11 @@ class FixState(StrEnum):
     REFUSED = "refused"
 
 
+def awaits_check(state: TakeState, *, is_checked: bool) -> bool:
+    """Whether the result of a check of a take is to be recorded: it came now, or it was adopted without one."""
+    return state is TakeState.RECEIVED or (state is TakeState.APPROVED and not is_checked)
+
+
 @lru_cache(maxsize=64)
 def parsed_spec(toml: str) -> audio_checks.DeliverySpec:
     """Return the spec from its stored form."""

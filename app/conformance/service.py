@@ -17,6 +17,7 @@ from app.conformance.queries import ToCheck
 from app.conformance.rules import (
     Report,
     asked_of,
+    awaits_check,
     error_codes,
     fix_offers,
     has_failed_comparison,
@@ -130,10 +131,14 @@ def known_report(session: Session, order: CheckOrder) -> Report | None:
 
 
 def record_check(session: Session, order: CheckOrder, report: Report) -> TakeState | None:
-    """Write a report and what it makes of its take, and return that; None, and nothing, where the take moved on."""
+    """Write a report and what it makes of its take, and return that; None, and nothing, where the take moved on.
+
+    An adopted take stays approved, whatever the report says.
+    """
     take, was_checked = queries.take_to_judge(session, order.take_id) or (None, False)
-    if take is None or take.state is not TakeState.RECEIVED or take.edition != order.edition:
+    if take is None or take.edition != order.edition or not awaits_check(take.state, is_checked=was_checked):
         return None
+    is_adopted = take.state is TakeState.APPROVED
     if was_checked:
         queries.retire_runs(session, take.id)
     session.add(
@@ -147,9 +152,11 @@ def record_check(session: Session, order: CheckOrder, report: Report) -> TakeSta
             pcm_sha256=report["pcm_sha256"],
             report=report,
             tool_version=audio_checks.TOOL_VERSION,
-            needs_notification=True,
+            needs_notification=not is_adopted,
         )
     )
+    if is_adopted:
+        return take.state
     waived = _codes_waived(session, take) if report["verdict"] == "rejected" else []
     was_returned = take.returned_since is not None
     change_state(session, take, state_after(report, waived))

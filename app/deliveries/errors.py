@@ -81,3 +81,15 @@ class WrongContentType(Refused):
 
 class ArchiveRefused(Exception):
     """A ZIP that cannot or should not be unpacked; the message says why."""
+
+
+class AdoptionNotFound(NotFound):
+    """No adoption of that id within the caller's sight."""
+
+
+class AdoptionClosed(Conflict):
+    """The folder is adopted or undone already."""
+
+
+class PathTwice(Invalid):
+    """Two files of a folder have one path."""

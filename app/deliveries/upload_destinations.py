@@ -1,4 +1,4 @@
-"""Where an upload goes: into a delivery, or among the references of a project; who may send it, and how large."""
+"""Where an upload goes: into a delivery, an adoption, or among a project's references; who may send it, how large."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -7,7 +7,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
-from app.deliveries import service
+from app.deliveries import adoptions, service
 from app.deliveries.errors import BadUploadHeader
 from app.deliveries.rules import max_bytes
 from app.deliveries.upload_headers import uuid_in
@@ -22,10 +22,13 @@ class Destination:
     delivery_id: UUID | None = None
     beside_take_id: UUID | None = None  # of the take that a dry stem is for
     project_id: UUID | None = None
+    adoption_id: UUID | None = None
 
     @property
     def scope(self) -> str:
         """The scope that the upload keeps."""
+        if self.adoption_id:
+            return f"{adoptions.SCOPE}{self.adoption_id}"
         return references.upload_scope(self.project_id) if self.project_id else str(self.delivery_id)
 
     def most_bytes(self, file_name: str, reference_max_bytes: int) -> int:
@@ -35,9 +38,12 @@ class Destination:
 
 def destination_in(metadata: Mapping[str, str]) -> Destination:
     """Read where an upload goes; raise BadUploadHeader where that is two places, or none."""
+    places = [place for place in ("delivery_id", "project_id", "adoption_id") if place in metadata]
+    if len(places) > 1:
+        raise BadUploadHeader(f"Upload-Metadata names {places[0]} and {places[1]}; a file goes to one of them")
+    if "adoption_id" in metadata:
+        return Destination(adoption_id=uuid_in("adoption_id", metadata["adoption_id"]))
     if "project_id" in metadata:
-        if "delivery_id" in metadata:
-            raise BadUploadHeader("Upload-Metadata names a delivery and a project; a file goes to one of them")
         return Destination(project_id=uuid_in("project_id", metadata["project_id"]))
     take_id = uuid_in("take_id", metadata["take_id"]) if "take_id" in metadata else None
     return Destination(uuid_in("delivery_id", metadata.get("delivery_id", "")), take_id)
@@ -48,6 +54,10 @@ def ensure_may_send(session: Session, actor: Actor, destination: Destination, le
     if destination.project_id is not None:
         studio_id = references.ensure_may_upload(session, actor, destination.project_id, length)
         ensure_upload_fits(session, studio_id, 0)
+        return studio_id
+    if destination.adoption_id is not None:
+        studio_id = adoptions.ensure_may_upload(session, actor, destination.adoption_id)
+        ensure_upload_fits(session, studio_id, length)
         return studio_id
     if destination.delivery_id is None:
         raise LookupError("a destination without a place")
@@ -62,5 +72,7 @@ def ensure_may_continue(session: Session, actor: Actor, scope: str) -> None:
     """Raise unless the caller may still send to where an upload goes; a delivery closed meanwhile takes it."""
     if scope.startswith(references.SCOPE):
         references.ensure_may_continue(session, actor, scope)
+    elif scope.startswith(adoptions.SCOPE):
+        adoptions.ensure_may_continue(session, actor, scope)
     else:
         service.own_delivery(session, actor, UUID(scope))

@@ -18,6 +18,8 @@ from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience, Scope
 from app.deliveries import service
 from app.deliveries.errors import (
+    AdoptionClosed,
+    AdoptionNotFound,
     BadUploadHeader,
     DeliveryClosed,
     DeliveryNotFound,
@@ -59,7 +61,7 @@ from app.kit.uploads import (
     UploadTooLong,
     UploadUnfinished,
 )
-from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
+from app.projects.errors import ApproverNeeded, DesignerNeeded, ProjectNotFound, TeamNeeded
 
 TUS_VERSION = "1.0.0"
 EXTENSIONS = "creation,creation-with-upload,checksum,termination,expiration"
@@ -123,8 +125,9 @@ def describe_uploads(runtime: CurrentRuntime, actor: Actor = allows(Audience.ANY
     max_body_size=MAX_ARCHIVE_BYTES,
     openapi_extra=BINARY_BODY,
     responses=problems(
-        BadUploadHeader, ChecksumMismatch, DeliveryClosed, DeliveryNotFound, DesignerNeeded, InHouseDesignerNeeded,
-        ProjectNotFound, StoreFull, TeamNeeded, UnknownTusVersion, UploadStalled, UploadTooLong, WrongContentType,
+        AdoptionClosed, AdoptionNotFound, ApproverNeeded, BadUploadHeader, ChecksumMismatch, DeliveryClosed,
+        DeliveryNotFound, DesignerNeeded, InHouseDesignerNeeded, ProjectNotFound,
+        StoreFull, TeamNeeded, UnknownTusVersion, UploadStalled, UploadTooLong, WrongContentType,
     ),
 )  # fmt: skip
 async def begin_upload(
@@ -138,7 +141,7 @@ async def begin_upload(
         str | None,
         Header(
             description="In Base64: `file_name`, `sha256` if known; `delivery_id`, and `take_id` of what a dry stem is "
-            "for; or `project_id` of a reference."
+            "for; or `project_id` of a reference; or `adoption_id`."
         ),
     ] = None,
     upload_checksum: Annotated[str | None, Header()] = None,

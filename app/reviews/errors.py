@@ -61,3 +61,15 @@ class NotOfThisCue(Invalid):
 
 class NoteNotFound(NotFound):
     """No such note was carried over to the version."""
+
+
+class FilesMissing(Conflict):
+    """Files of a folder are not uploaded yet, so it cannot be adopted."""
+
+
+class NothingToAdopt(Conflict):
+    """No file of a folder becomes a cue."""
+
+
+class AdoptionInUse(Conflict):
+    """Work was built on what an adoption made, so it cannot be undone as a whole."""

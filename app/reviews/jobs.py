@@ -1,13 +1,16 @@
-"""The jobs of this room: what a silent studio means, and what was accepted before its contract."""
+"""The jobs of this room: what a silent studio means, what was accepted before its contract, and adopted sounds."""
 
 from uuid import UUID
 
 from app.agreements.plan_queries import cues_of
 from app.kit import clock
-from app.kit.queue import Payload, job
+from app.kit.queue import BULK, Payload, job
 from app.kit.runtime import Runtime
 from app.reviews import deemed_acceptance
+from app.reviews.adoption_queries import adopted_take_ids
 from app.reviews.settlement import add_accepted_cue
+
+TAKES_AT_ONCE = 250  # so that others write between
 
 
 @job("reviews.apply_deemed_acceptance")
@@ -30,3 +33,21 @@ def add_accepted_cues(runtime: Runtime, payload: Payload) -> None:
     for cue_id in cue_ids:
         with runtime.database.writing() as session:
             add_accepted_cue(session, contract_id, cue_id)
+
+
+@job("reviews.check_adopted_takes")
+def check_adopted_takes(runtime: Runtime, payload: Payload) -> None:
+    """Schedule check and game files of each adopted sound, behind what people wait for."""
+    with runtime.database.reading() as session:
+        take_ids = adopted_take_ids(session, UUID(payload["adoption_id"]))
+    for start in range(0, len(take_ids), TAKES_AT_ONCE):
+        with runtime.database.writing() as session:
+            for take_id in take_ids[start : start + TAKES_AT_ONCE]:
+                runtime.queue.enqueue(
+                    session,
+                    "renders.prepare_take",
+                    {"take_id": str(take_id)},
+                    key=f"{payload['event_id']}:renders.prepare_take:{take_id}",
+                    studio_id=UUID(payload["studio_id"]),
+                    priority=BULK,
+                )

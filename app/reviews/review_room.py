@@ -285,6 +285,7 @@ def _verdicts_read(verdicts: Iterable[Verdict]) -> Iterable[VerdictRead]:
             on_behalf_of=PersonBrief.model_validate(one.represented) if one.represented else None,
             created_at=one.created_at,
             by_deemed_acceptance=one.deemed_by_contract_id is not None,
+            by_adoption=one.adoption_id is not None,
             withdrawn=one.id in withdrawn,
         )
 
@@ -328,6 +329,7 @@ def _said(session: Session, take: Take) -> Iterable[HistoryEntry]:
                 by=PersonBrief.model_validate(verdict.author) if verdict.author else None,
                 on_behalf_of=PersonBrief.model_validate(verdict.represented) if verdict.represented else None,
                 by_deemed_acceptance=verdict.deemed_by_contract_id is not None,
+                by_adoption=verdict.adoption_id is not None,
                 text=verdict.note,
             )
     sent = (ChangeRequest.take_id == take.id, ChangeRequest.feedback_id.is_not(None))

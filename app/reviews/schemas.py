@@ -289,6 +289,7 @@ class HistoryEntry(Schema):
     by: PersonBrief | None
     on_behalf_of: PersonBrief | None = Field(None, description="The approver whose deputy decided.")
     by_deemed_acceptance: bool = Field(False, description="Whether a clause on silence approved it; then nobody did.")
+    by_adoption: bool = Field(False, description="Whether it was approved by adopting a folder, without a review.")
     text: str
     start_s: float | None = None
     end_s: float | None = None
@@ -305,6 +306,7 @@ class VerdictRead(Schema):
     on_behalf_of: PersonBrief | None = Field(description="The approver whose deputy decided; null in one's own right.")
     created_at: datetime
     by_deemed_acceptance: bool = Field(description="Whether a clause on silence decided it; then nobody did.")
+    by_adoption: bool = Field(description="Whether it was approved by adopting a folder, without a review.")
     withdrawn: bool
 
 

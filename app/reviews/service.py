@@ -172,6 +172,8 @@ def undo_verdict(session: Session, actor: Actor, take_id: UUID) -> VerdictUndone
     last = effective_verdicts[-1]
     if last.kind is VerdictKind.REQUEST_CHANGE:
         raise NothingToUndo("the change request was sent to the designer and can't be undone")
+    if last.adoption_id is not None:
+        raise NothingToUndo("this version was adopted with its folder", fix="request a change, or undo the adoption")
     ensure_undoable(last.created_at, clock.now())
     decided = queries.action_verdicts(session, last.action_id)
     takes = queries.takes_by_id(session, [verdict.take_id for verdict in decided])

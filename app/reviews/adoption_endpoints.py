@@ -1,0 +1,91 @@
+"""The endpoints of adoptions."""
+
+from uuid import UUID
+
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience, Scope
+from app.deliveries import adoptions
+from app.deliveries.adoption_schemas import (
+    Adopted,
+    AdoptionOpened,
+    AdoptionPlanRead,
+    AdoptionProgress,
+    AdoptionRead,
+    FolderAsk,
+)
+from app.deliveries.errors import AdoptionClosed, AdoptionNotFound, AlreadyUndone, PathTwice
+from app.kit.bodies import LARGE_BODY_BYTES
+from app.kit.http import DbSession, Route, Router, problems
+from app.projects.errors import ApproverNeeded, ProjectNotFound, TeamNeeded
+from app.reviews import adopting
+from app.reviews.errors import AdoptionInUse, FilesMissing, NothingToAdopt, NothingToUndo
+from app.sound_lists.errors import AdditionInUse, RowsInvalid
+
+router = Router(prefix="/v1", tags=["adoptions"], route_class=Route)
+TEAM: Actor = allows(Audience.TEAM)
+TEAM_OR_BUILD: Actor = allows(Audience.TEAM, build=Scope.DELIVERIES_WRITE)
+
+
+@router.post(
+    "/projects/{project_id}/adoption-plan",
+    max_body_size=LARGE_BODY_BYTES,
+    responses=problems(ApproverNeeded, PathTwice, ProjectNotFound),
+)
+def plan_adoption(
+    project_id: UUID, body: FolderAsk, session: DbSession, actor: Actor = TEAM_OR_BUILD
+) -> AdoptionPlanRead:
+    """Return what adopting a folder of shipped files would do; nothing is written."""
+    return adoptions.plan_read(adoptions.plan_folder(session, actor, project_id, body.files))
+
+
+@router.post(
+    "/projects/{project_id}/adoptions",
+    status_code=201,
+    max_body_size=LARGE_BODY_BYTES,
+    responses=problems(ApproverNeeded, PathTwice, ProjectNotFound),
+)
+def open_adoption(
+    project_id: UUID, body: FolderAsk, session: DbSession, actor: Actor = TEAM_OR_BUILD
+) -> AdoptionOpened:
+    """Open an adoption, for its files to be uploaded; nothing changes in the list until it is adopted."""
+    return adoptions.open_adoption(session, actor, project_id, folder=body.folder, files=body.files)
+
+
+@router.get("/projects/{project_id}/adoptions", responses=problems(ProjectNotFound, TeamNeeded))
+def list_adoptions(project_id: UUID, session: DbSession, actor: Actor = TEAM) -> list[AdoptionRead]:
+    """Return the newest 100 adoptions of a project, those that were undone included."""
+    return [adoptions.adoption_read(one) for one in adoptions.adoptions_of(session, actor, project_id)]
+
+
+@router.get("/adoptions/{adoption_id}", responses=problems(AdoptionNotFound, TeamNeeded))
+def get_adoption(adoption_id: UUID, session: DbSession, actor: Actor = TEAM) -> AdoptionProgress:
+    """Return how far the checks of adopted sounds are, and the odd ones out."""
+    return adopting.progress(session, actor, adoption_id)
+
+
+@router.get("/adoptions/{adoption_id}/plan", responses=problems(AdoptionNotFound, ApproverNeeded))
+def get_adoption_plan(adoption_id: UUID, session: DbSession, actor: Actor = TEAM_OR_BUILD) -> AdoptionOpened:
+    """Return what adopting would do to the list as it is now, and the files that are still to be uploaded."""
+    adoption, access = adoptions.adoption_for(session, actor, adoption_id)
+    adoptions.ensure_may_send(access)
+    return adoptions.opened_adoption(session, access, adoption)
+
+
+@router.post(
+    "/adoptions/{adoption_id}/adopt",
+    responses=problems(
+        AdoptionClosed, AdoptionNotFound, ApproverNeeded, FilesMissing, NothingToAdopt, RowsInvalid
+    ),
+)  # fmt: skip
+def adopt_folder(adoption_id: UUID, session: DbSession, actor: Actor = TEAM) -> Adopted:
+    """Make cues with approved takes of the uploaded files; their checks follow."""
+    return adopting.adopt(session, actor, adoption_id)
+
+
+@router.post(
+    "/adoptions/{adoption_id}/undo",
+    responses=problems(AdditionInUse, AdoptionInUse, AdoptionNotFound, AlreadyUndone, ApproverNeeded, NothingToUndo),
+)
+def undo_adoption(adoption_id: UUID, session: DbSession, actor: Actor = TEAM) -> AdoptionRead:
+    """Remove what an adoption made while nothing is built on it; the uploaded masters are kept."""
+    return adoptions.adoption_read(adopting.undo(session, actor, adoption_id))
