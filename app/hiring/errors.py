@@ -65,3 +65,31 @@ class BidInvalid(Invalid):
 
 class ScoresInvalid(Invalid):
     """A score is not of one of the posting's headings."""
+
+
+class RosterEntryNotFound(NotFound):
+    """The roster of the caller's studios has nobody of that id."""
+
+
+class ReelSoundNotFound(NotFound):
+    """The reel has no sound of that id."""
+
+
+class AlreadyOnRoster(Conflict):
+    """The studio has somebody of that address on file already."""
+
+
+class RosterEntryChanged(Conflict):
+    """Another person changed the entry since it was read."""
+
+
+class RosterFull(Conflict):
+    """The roster has as many people as a studio may keep."""
+
+
+class RosterInvalid(Invalid):
+    """The entry does not hold together; `errors` names each field."""
+
+
+class CalendarUnreadable(Invalid):
+    """The file is no readable calendar, or it is too large."""

@@ -110,7 +110,7 @@ def matches(known: Known, wanted: RosterFilter) -> bool:
 
 
 def counted(values: Iterable[Sequence[str]]) -> list[tuple[str, int]]:
-    """Return each value with how many designers have it, the most frequent first; spellings that differ in case are one."""
+    """Return each value with how many designers have it, the most frequent first; case makes no difference."""
     counts: Counter[str] = Counter()
     shown: dict[str, str] = {}
     for own in values:

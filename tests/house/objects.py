@@ -33,7 +33,7 @@ from app.builds.models import Build, SealedPack
 from app.builds.rules import PackState
 from app.conformance.models import CheckRun
 from app.deliveries.cue_sums import update_cue_sums
-from app.deliveries.models import Delivery, DryStem, Take, TrayAction
+from app.deliveries.models import Adoption, Delivery, DryStem, Take, TrayAction
 from app.deliveries.rules import TakeState, TrayActionKind
 from app.hiring.models import Bid, Candidate, Posting, PostingQuestion
 from app.hiring.rules import AskedScope, BidState, PostingPhase, PostingState
@@ -55,6 +55,7 @@ from app.renders.rules import RenderState
 from app.reviews.models import ChangeRequest, Comment
 from app.sound_lists.models import Cue, Question, Stem
 from tests.house.reference_objects import add_reference
+from tests.house.roster_objects import add_roster_entry
 from tests.support.server import RunningServer, World
 
 TOMORROW = timedelta(days=1)
@@ -127,7 +128,8 @@ class House(World):
             file_bytes=len(FILE),
         )
         tray_action = TrayAction(**of, kind=TrayActionKind.MOVED, done_by=self.designer_id, takes=[])
-        session.add_all([take, changed, dry_stem, tray_action])
+        adoption = Adoption(**of, folder="Sounds", files=[], opened_by=self.producer_id)
+        session.add_all([take, changed, dry_stem, tray_action, adoption])
         session.flush()
         update_cue_sums(session, cue.id)
         spec = current_spec(session, self.project_id)
@@ -224,6 +226,9 @@ class House(World):
             session, {"studio_id": self.studio_id, "project_id": self.project_id}, cue_id=cue.id, sha256=self.sha256,
             file_bytes=len(FILE), added_by=self.producer_id, opened_by=self.designer_id,
         )  # fmt: skip
+        roster = add_roster_entry(
+            session, studio_id=self.studio_id, added_by=self.producer_id, sha256=self.sha256, file_bytes=len(FILE)
+        )
         self._add_links(session)
         money = self._add_money(session, cue)
         template = self._add_text(session, money["contract_id"])
@@ -248,6 +253,7 @@ class House(World):
             "reel_id": reel.id,
             "master_export_id": export.id,
             "tray_action_id": tray_action.id,
+            "adoption_id": adoption.id,
             "change_request_id": draft.id,
             "comment_id": comment.id,
             "note_id": note.id,
@@ -267,6 +273,7 @@ class House(World):
             **money,
             **hiring,
             **references,
+            **roster,
         }
         queue_of(session).enqueue(
             session,

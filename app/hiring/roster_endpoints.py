@@ -1,0 +1,211 @@
+"""The endpoints of the roster."""
+
+import base64
+from datetime import date
+from typing import Annotated, Any, TypeAlias
+from uuid import UUID
+
+from fastapi import Depends, Query, Request
+
+from app.accounts.errors import BadAddress, StudioNotFound, TooManyAttempts
+from app.accounts.policies import allows
+from app.accounts.request_limits import RateLimitedRoute, ensure_invitation_allowed
+from app.accounts.rules import Actor, Audience
+from app.hiring import postings, roster
+from app.hiring.errors import (
+    AlreadyOnRoster,
+    CalendarUnreadable,
+    PostingNotFound,
+    RosterEntryChanged,
+    RosterEntryNotFound,
+    RosterFull,
+    RosterInvalid,
+    WrongPostingState,
+)
+from app.hiring.posting_reads import posting_read
+from app.hiring.roster_files import Range, parse_calendar, parse_roster_bytes, parse_roster_text
+from app.hiring.roster_import import import_roster
+from app.hiring.roster_reads import entry_read, posting_choices, roster_read
+from app.hiring.roster_rules import Busy, RosterFilter, RosterService
+from app.hiring.roster_schemas import (
+    BusyRangesWrite,
+    CalendarFile,
+    PostingChoice,
+    RosterEntryChange,
+    RosterEntryRead,
+    RosterEntryWrite,
+    RosterImportAsk,
+    RosterImportRead,
+    RosterInvite,
+    RosterRead,
+)
+from app.hiring.schemas import PostingRead
+from app.kit import clock
+from app.kit.bodies import LARGE_BODY_BYTES
+from app.kit.http import BadCursor, DbSession, Router, problems
+from app.kit.parsing_queue import ParsingBusy, parse_request
+from app.projects.errors import ProducerNeeded, TeamNeeded
+from app.sound_lists.errors import ColumnUnknown, SheetUnreadable
+from app.sound_lists.sheets import Sheet
+
+router = Router(prefix="/v1", tags=["roster"], route_class=RateLimitedRoute)
+TEAM: Actor = allows(Audience.TEAM)
+SentSheet: TypeAlias = tuple[RosterImportAsk, Sheet]
+SentCalendar: TypeAlias = tuple[CalendarFile, list[Range]]
+Text = Annotated[str, Query(max_length=200)]
+
+
+@router.get("/studios/{studio_id}/roster", responses=problems(StudioNotFound, TeamNeeded, BadCursor))
+def list_roster(
+    studio_id: UUID,
+    session: DbSession,
+    q: Annotated[str, Query(max_length=200, description="Words that must all be found.")] = "",
+    speciality: Text = "",
+    service: RosterService | None = None,
+    language: Text = "",
+    free_from: Annotated[date | None, Query(description="With free_to: what is taken in these days is named.")] = None,
+    free_to: date | None = None,
+    cursor: str | None = None,
+    actor: Actor = TEAM,
+) -> RosterRead:
+    """Return the designers whom a studio has on file, by name."""
+    wanted = RosterFilter(words=q, speciality=speciality, service=service, language=language)
+    return roster_read(session, actor, studio_id, wanted, days=(free_from, free_to), cursor=cursor)
+
+
+@router.post(
+    "/studios/{studio_id}/roster",
+    status_code=201,
+    responses=problems(
+        StudioNotFound, TeamNeeded, ProducerNeeded, BadAddress, AlreadyOnRoster, RosterFull, RosterInvalid
+    ),
+)
+def add_to_roster(studio_id: UUID, body: RosterEntryWrite, session: DbSession, actor: Actor = TEAM) -> RosterEntryRead:
+    """Put a designer on file; nobody is mailed."""
+    entry = roster.add_entry(session, actor, studio_id, body.model_dump())
+    return entry_read(session, actor, entry.id)
+
+
+async def _parsed(studio_id: UUID, body: RosterImportAsk, request: Request) -> SentSheet:
+    if body.text is not None:
+        arguments: tuple[Any, ...] = (parse_roster_text, body.text, body.format == "paste")
+    elif body.content_base64 is None:
+        raise SheetUnreadable("nothing was sent; give text or content_base64")
+    else:
+        try:
+            arguments = (parse_roster_bytes, base64.b64decode(body.content_base64, validate=True))
+        except ValueError:
+            raise SheetUnreadable("content_base64 is no base64") from None
+    parsed = await parse_request(
+        request, *arguments, refusal=SheetUnreadable, permit=roster.roster_access, whose=studio_id
+    )
+    return body, Sheet(*parsed)
+
+
+@router.post(
+    "/studios/{studio_id}/roster/import",
+    responses=problems(StudioNotFound, TeamNeeded, SheetUnreadable, ColumnUnknown, ParsingBusy),
+    max_body_size=LARGE_BODY_BYTES,
+)
+def import_into_roster(
+    studio_id: UUID, session: DbSession, actor: Actor = TEAM, sent: SentSheet = Depends(_parsed)
+) -> RosterImportRead:
+    """Read a sheet of designers into the roster, matched by address; with an error in any row nothing is imported."""
+    body, sheet = sent
+    return import_roster(session, actor, studio_id, sheet, mapping=body.mapping or {}, dry_run=body.dry_run)
+
+
+@router.get("/roster/{roster_entry_id}", responses=problems(RosterEntryNotFound, TeamNeeded))
+def read_roster_entry(roster_entry_id: UUID, session: DbSession, actor: Actor = TEAM) -> RosterEntryRead:
+    """Return a designer on file."""
+    return entry_read(session, actor, roster_entry_id)
+
+
+@router.put(
+    "/roster/{roster_entry_id}",
+    responses=problems(
+        RosterEntryNotFound, TeamNeeded, ProducerNeeded, BadAddress, AlreadyOnRoster, RosterEntryChanged, RosterInvalid
+    ),
+)
+def change_roster_entry(
+    roster_entry_id: UUID, body: RosterEntryChange, session: DbSession, actor: Actor = TEAM
+) -> RosterEntryRead:
+    """Change what is on file of a designer."""
+    facts = body.model_dump(exclude={"revision"})
+    roster.change_entry(session, actor, roster_entry_id, facts, revision=body.revision)
+    return entry_read(session, actor, roster_entry_id)
+
+
+@router.delete("/roster/{roster_entry_id}", status_code=204, responses=problems(RosterEntryNotFound, TeamNeeded))
+def remove_from_roster(roster_entry_id: UUID, session: DbSession, actor: Actor = TEAM) -> None:
+    """Remove a designer from the file, with everything that was noted of them."""
+    roster.remove_entry(session, actor, roster_entry_id)
+
+
+@router.put("/roster/{roster_entry_id}/busy", responses=problems(RosterEntryNotFound, TeamNeeded, RosterInvalid))
+def set_roster_busy(
+    roster_entry_id: UUID, body: BusyRangesWrite, session: DbSession, actor: Actor = TEAM
+) -> RosterEntryRead:
+    """Replace the days that were typed as taken; those of a calendar file stay."""
+    ranges = [Busy(one.from_on, one.to_on, one.kind, one.note) for one in body.ranges]
+    roster.set_busy(session, actor, roster_entry_id, ranges)
+    return entry_read(session, actor, roster_entry_id)
+
+
+async def _parsed_calendar(roster_entry_id: UUID, body: CalendarFile, request: Request) -> SentCalendar:
+    try:
+        data = base64.b64decode(body.content_base64, validate=True)
+    except ValueError:
+        raise CalendarUnreadable("content_base64 is no base64") from None
+    today = clock.now().date().isoformat()
+    found = await parse_request(
+        request,
+        parse_calendar,
+        data,
+        today,
+        refusal=CalendarUnreadable,
+        permit=roster.entry_seen,
+        whose=roster_entry_id,
+    )
+    return body, found
+
+
+@router.put(
+    "/roster/{roster_entry_id}/calendar",
+    responses=problems(RosterEntryNotFound, TeamNeeded, CalendarUnreadable, ParsingBusy),
+    max_body_size=LARGE_BODY_BYTES,
+)
+def read_roster_calendar(
+    roster_entry_id: UUID, session: DbSession, actor: Actor = TEAM, sent: SentCalendar = Depends(_parsed_calendar)
+) -> RosterEntryRead:
+    """Read the taken days of the coming year from a calendar file; no title of an event is kept."""
+    body, found = sent
+    roster.read_calendar(session, actor, roster_entry_id, found, file_name=body.file_name)
+    return entry_read(session, actor, roster_entry_id)
+
+
+@router.delete("/roster/{roster_entry_id}/calendar", responses=problems(RosterEntryNotFound, TeamNeeded))
+def drop_roster_calendar(roster_entry_id: UUID, session: DbSession, actor: Actor = TEAM) -> RosterEntryRead:
+    """Remove the days that came from a calendar file."""
+    roster.drop_calendar(session, actor, roster_entry_id)
+    return entry_read(session, actor, roster_entry_id)
+
+
+@router.get("/roster/{roster_entry_id}/postings", responses=problems(RosterEntryNotFound, TeamNeeded))
+def list_postings_to_ask_about(roster_entry_id: UUID, session: DbSession, actor: Actor = TEAM) -> list[PostingChoice]:
+    """Return the drafts and open postings that a designer on file can be asked about, newest first."""
+    return posting_choices(session, actor, roster_entry_id)
+
+
+@router.post(
+    "/postings/{posting_id}/roster-candidates",
+    status_code=201,
+    responses=problems(PostingNotFound, TeamNeeded, RosterEntryNotFound, TooManyAttempts, WrongPostingState),
+)
+def invite_from_roster(posting_id: UUID, body: RosterInvite, session: DbSession, actor: Actor = TEAM) -> PostingRead:
+    """Ask people on file for a bid, each with a personal link: by mail at once, or when the posting opens."""
+    postings.posting_seen(session, actor, posting_id).ensure_team()
+    for _ in body.entry_ids:
+        ensure_invitation_allowed(session, actor)
+    roster.invite_from_roster(session, actor, posting_id, body.entry_ids)
+    return posting_read(session, actor, posting_id)
