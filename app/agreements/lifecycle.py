@@ -36,6 +36,7 @@ from app.agreements.rules import (
     ensure_state,
     ensure_under_framework,
 )
+from app.agreements.sealed_facts import sealed_terms
 from app.agreements.signing import signing_facts
 from app.agreements.versions import add_version, newest_of, text_now
 from app.kit import clock
@@ -204,7 +205,7 @@ def send(
     version.sent_at, version.pdf_sha256, version.pdf_bytes = clock.now(), stored.sha256, stored.size_bytes
     contract.state = ContractState.SENT
     session.flush()
-    facts = {"note": note, **signing_facts(session, contract)}
+    facts = {"note": note, "terms_sha256": sealed_terms(contract, version), **signing_facts(session, contract)}
     record.append_by(session, actor, contract, "sent", version, **facts)
     publish(session, "contract.sent", studio_id=contract.studio_id, contract_id=contract.id, version=version.number)
     return version

@@ -19,6 +19,7 @@ from app.agreements.plan_check import Advice, PlannedPayment, check_plan
 from app.agreements.plan_proposal import DEPOSIT_BP, ProposedMilestone, WantedCue, propose_milestones
 from app.agreements.plan_queries import terms_of
 from app.agreements.rules import ContractKind, ContractState
+from app.agreements.sealed_facts import sealed_milestone
 from app.agreements.terms import PriceMode
 from app.kit.errors import FieldProblem
 from app.kit.money import BASIS_POINTS, money
@@ -206,12 +207,20 @@ def activate_plan(session: Session, contract: Contract, *, person_id: UUID) -> N
             for cue, amount_minor in zip(own, _shares(milestone, own), strict=True):
                 cue.amount_minor = amount_minor
     session.flush()
+    record_plan(session, contract, person_id=person_id)
+
+
+def record_plan(session: Session, contract: Contract, *, person_id: UUID) -> None:
+    """Write milestones, dates, amounts and the prices of cues into a contract's record, where it has a plan."""
+    milestones = plan_queries.milestones_of(session, contract.id)
+    cues = plan_queries.cues_of(session, contract.id)
     plan = [
         {
             "name": milestone.name,
             "amount": money(milestone.amount_minor, contract.currency),
             "due_on": milestone.due_on.isoformat() if milestone.due_on else "",
             "cues": sum(cue.milestone_id == milestone.id for cue in cues),
+            **sealed_milestone(milestone, [cue for cue in cues if cue.milestone_id == milestone.id]),
         }
         for milestone in milestones
     ]

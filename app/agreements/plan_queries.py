@@ -1,16 +1,17 @@
 """Milestones and priced cues of contracts, read from the database; callers have checked who looks."""
 
 from collections.abc import Collection, Sequence
+from typing import Any
 from uuid import UUID
 
-from sqlalchemy import Row, select
+from sqlalchemy import Row, exists, select
 from sqlalchemy.orm import Session, joinedload
 
 from app.agreements.clauses import Clause, terms_in_force
 from app.agreements.models import Contract, ContractCue, ContractVersion, Milestone
 from app.agreements.rules import ContractState
 from app.agreements.terms import MoneyTerms
-from app.sound_lists.models import Cue
+from app.sound_lists.models import Cue, CueChange, Revision
 from app.sound_lists.rules import CueState
 
 
@@ -122,3 +123,31 @@ def agreed_terms(session: Session, contract: Contract) -> dict[str, object]:
 def terms_of(session: Session, contract: Contract) -> MoneyTerms:
     """Return by which terms a contract's money is reckoned."""
     return MoneyTerms.of(agreed_terms(session, contract))
+
+
+def running_contracts(session: Session, project_id: UUID) -> Sequence[UUID]:
+    """Return the agreed contracts of a project that cover cues."""
+    return session.scalars(
+        select(Contract.id)
+        .where(
+            Contract.project_id == project_id,
+            Contract.state == ContractState.AGREED,
+            exists().where(ContractCue.contract_id == Contract.id),
+        )
+        .order_by(Contract.id)
+    ).all()
+
+
+def covered_changes(
+    session: Session, project_id: UUID, revision: int
+) -> Sequence[Row[UUID, UUID, int, str, dict[str, Any]]]:
+    """Return what a revision of the list changed of cues under running contracts, contract by contract."""
+    return session.execute(
+        select(ContractCue.contract_id, Cue.id.label("cue_id"), Cue.number, Cue.name, CueChange.after)
+        .join(Cue, Cue.id == ContractCue.cue_id)
+        .join(Contract, Contract.id == ContractCue.contract_id)
+        .join(CueChange, CueChange.cue_id == Cue.id)
+        .join(Revision, Revision.id == CueChange.revision_id)
+        .where(Revision.project_id == project_id, Revision.number == revision, Contract.state == ContractState.AGREED)
+        .order_by(ContractCue.contract_id, ContractCue.position)
+    ).all()

@@ -7,6 +7,7 @@ from sqlalchemy.orm import Session
 
 from app.agreements import record
 from app.agreements.models import ContractCue
+from app.agreements.plan import record_plan
 from app.amendments import schemas
 from app.amendments.change_order_review import Review, Reviewer
 from app.amendments.models import ChangeOrder
@@ -22,6 +23,7 @@ from app.money.settlement import add_round, charge_round, settle, take_out
 from app.reviews.clock_pauses import end_pause
 from app.reviews.queries import round_counts
 
+PLANNED = ("add_cue", "reprice_cue", "move_date")  # what milestones and prices follow
 CHANGES: TypeAdapter[list[schemas.Change]] = TypeAdapter(list[schemas.Change])
 
 
@@ -40,7 +42,8 @@ def apply(session: Session, reviewer: Reviewer, order: ChangeOrder, review: Revi
     states = work_states(session, contract)
     position = max((one.position for one in reviewer.covered.values()), default=0)
     entries: list[Entry] = []
-    for change in CHANGES.validate_python(order.changes):
+    changes = CHANGES.validate_python(order.changes)
+    for change in changes:
         match change.kind:
             case "add_cue":
                 position += 1
@@ -73,6 +76,8 @@ def apply(session: Session, reviewer: Reviewer, order: ChangeOrder, review: Revi
                 kind = LineKind.EXTRA_WORK
                 entries.append(Entry(kind, change.amount_minor, CLAUSES[kind], milestone_id=change.milestone_id))
     session.flush()
+    if any(change.kind in PLANNED for change in changes):
+        record_plan(session, contract, person_id=person_id)
     write(session, contract, entries, person_id=person_id)
     settle(session, contract.id, person_id)
     publish(session, "change_order.agreed", studio_id=contract.studio_id, contract_id=contract.id)

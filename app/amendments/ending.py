@@ -35,7 +35,7 @@ from app.money.days import price_of
 from app.money.ledger import called, load_ledger_book
 from app.money.ledger_book import price_of_round
 from app.money.schemas import FiguresRead
-from app.money.settlement import end_statement, settle_end
+from app.money.settlement import end_statement, open_cues, settle_end
 
 
 def ending(session: Session, actor: Actor, contract_id: UUID) -> schemas.EndingRead:
@@ -130,16 +130,17 @@ def _settle(
 ) -> None:
     notice.settled_at, notice.statement, notice.statement_sha256 = clock.now(), text, sha256_of(text)
     session.flush()
+    states = work_states(session, contract)
     facts = {
         "notice": notice.number,
         "because": "both agreed to the statement" if by else "the last day of the notice is over",
         "text_sha256_of_amendment": notice.statement_sha256,
         "owed": money(read.figures.accepted_minor, contract.currency),
         "to_pay": money(read.figures.due_minor, contract.currency),
+        "cut": {str(one.cue_id): states[one.cue_id].value for one in open_cues(session, contract)},
     }
     record.append(session, contract.id, "settled", facts, by=by)
     lapse_open(session, contract)
-    states = work_states(session, contract)
     settle_end(session, contract, states, person_id=by or notice.given_by, is_by_server=by is None)
     if contract.state is ContractState.AGREED:
         lifecycle.mark_ended(session, contract, reason=notice.reason)

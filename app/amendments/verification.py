@@ -18,6 +18,7 @@ from app.agreements.signing_rules import BY_CODE
 from app.amendments import queries
 from app.amendments.models import AmendmentAcceptance
 from app.amendments.rules import ChangeOrderState
+from app.amendments.work_verification import work_faults
 from app.kit.storage import Store
 from app.money import queries as money_queries
 
@@ -60,7 +61,8 @@ def _table_faults_or_why_not(session: Session, contract: Contract) -> list[str]:
 
 def table_faults(session: Session, contract: Contract) -> Iterator[str]:
     """Yield, in words, where the tables of a contract are not what its record says."""
-    said: list[Said] = [(event.kind, json.loads(event.payload)) for event in events_of(session, contract.id)]
+    events = events_of(session, contract.id)
+    said: list[Said] = [(event.kind, json.loads(event.payload)) for event in events]
     yield from _state(contract, said)
     yield from _shipped(contract, said)
     yield from _sent(session, contract, said)
@@ -70,6 +72,7 @@ def table_faults(session: Session, contract: Contract) -> Iterator[str]:
     yield from _payments(session, contract, said)
     yield from _change_orders(session, contract, said)
     yield from _notices(session, contract, said)
+    yield from work_faults(session, contract, events)
 
 
 def _state(contract: Contract, said: Sequence[Said]) -> Iterator[str]:

@@ -122,6 +122,12 @@ def end_statement(session: Session, contract: Contract, states: Mapping[UUID, Wo
     )
 
 
+def open_cues(session: Session, contract: Contract) -> list[ContractCue]:
+    """Return the cues of a contract that are neither accepted nor cut."""
+    covered = plan_queries.cues_of(session, contract.id)
+    return [one for one in covered if one.accepted_at is None and one.cut_at is None]
+
+
 def settle_end(
     session: Session,
     contract: Contract,
@@ -133,9 +139,8 @@ def settle_end(
     """Count every cue that is not settled as cut, and write all that is owed; callers hold the contract's lock."""
     statement = end_statement(session, contract, states)
     now = clock.now()
-    for covered in plan_queries.cues_of(session, contract.id):
-        if covered.accepted_at is None and covered.cut_at is None:
-            covered.cut_at, covered.cut_in = now, states[covered.cue_id]
+    for covered in open_cues(session, contract):
+        covered.cut_at, covered.cut_in = now, states[covered.cue_id]
     session.flush()
     write(session, contract, statement.entries, person_id=person_id, is_by_server=is_by_server)
 
@@ -278,5 +283,5 @@ def _record(
     on_behalf_of: UUID | None = None,
 ) -> None:
     prefix = session.get_one(Project, covered.project_id).cue_prefix
-    facts = {"cue": called(covered.cue, prefix), **(facts or {})}
+    facts = {"cue": called(covered.cue, prefix), "cue_id": str(covered.cue_id), **(facts or {})}
     record.append(session, covered.contract_id, kind, facts, by=by, on_behalf_of=on_behalf_of)

@@ -6,9 +6,11 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
+from app.deliveries.models import Take
 from app.deliveries.service import take_for
 from app.kit import clock
 from app.kit.events import publish
+from app.money.settlement import record_work
 from app.projects.approval import approval_rights
 from app.reviews import queries
 from app.reviews.errors import ChangeRequestNotFound, CommentNotFound
@@ -67,9 +69,18 @@ def add_comment(
     session.add(comment)
     session.flush()
     session.refresh(comment, ["author"])
+    _put_on_record(session, take, comment)
     if asker_id is not None and asker_id != actor.person:
         publish(session, "note.answered", studio_id=take.studio_id, comment_id=comment.id, person_id=asker_id)
     return comment_read(comment)
+
+
+def _put_on_record(session: Session, take: Take, comment: Comment) -> None:
+    """Write a comment into the record of the contract that covers its cue, if one does."""
+    if take.cue_id is not None:
+        said = {"comment_id": str(comment.id), "text": comment.text}
+        facts = {"variation": take.variation, "version": take.number or 0, **said}
+        record_work(session, take.cue_id, take.designer_id, "commented", facts, by=comment.written_by)
 
 
 def _note_answered(session: Session, take_id: UUID, answers: Answered) -> tuple[Answered, UUID | None]:

@@ -107,13 +107,16 @@ def new_verdict(
     deemed_by_contract_id: UUID | None = None,
 ) -> Verdict:
     """Return a verdict to record before the take moves; the record of its contract has it at once."""
+    verdict_id = new_id()
     if take.cue_id is not None:
         facts = {"verdict": kind.value, "variation": take.variation, "version": take.number or 0, "note": note}
+        facts["verdict_id"] = str(verdict_id)
         if deemed_by_contract_id is not None:
             facts["clause"] = SILENCE
         by = person_id if deemed_by_contract_id is None else None
         record_work(session, take.cue_id, take.designer_id, "judged", facts, by=by, on_behalf_of=on_behalf_of)
     return Verdict(
+        id=verdict_id,
         studio_id=take.studio_id,
         project_id=take.project_id,
         cue_id=take.cue_id,
