@@ -1,5 +1,6 @@
 """The endpoints of electronic invoices, and of the journal for accountants."""
 
+from datetime import date
 from typing import Any
 from uuid import UUID
 
@@ -10,14 +11,16 @@ from app.accounts.rules import Actor, Audience
 from app.agreements import documents
 from app.kit.http import DbSession, Route, Router, problems
 from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
-from app.money import electronic_invoices
+from app.money import electronic_invoices, journal
 from app.money.errors import InvoiceDetailsMissing, InvoiceNotFound, NoElectronicInvoice
+from app.projects.errors import ProjectNotFound, TeamNeeded
 
 router = Router(prefix="/v1", tags=["money"], route_class=Route)
 PDF_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {documents.PDF: {}}, "description": "Factur-X"}}
 XML_ANSWER: dict[int | str, dict[str, Any]] = {
     200: {"content": {electronic_invoices.XML: {}}, "description": "EN 16931, Cross Industry Invoice"}
 }
+CSV_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {"text/csv": {}}, "description": "Bookings"}}
 
 
 @router.get(
@@ -45,6 +48,23 @@ def read_electronic_invoice_xml(
     """Return an invoice as XML (EN 16931, Cross Industry Invoice)."""
     made = electronic_invoices.invoice_xml(session, actor, invoice_id)
     return Response(made.content, media_type=electronic_invoices.XML, headers=_attachment(made.file_name))
+
+
+@router.get(
+    "/projects/{project_id}/journal.csv",
+    response_class=Response,
+    responses=CSV_ANSWER | problems(ProjectNotFound, TeamNeeded),
+)
+def read_journal(
+    project_id: UUID,
+    session: DbSession,
+    actor: Actor = allows(Audience.PROJECT),
+    from_on: date | None = None,
+    until_on: date | None = None,
+) -> Response:
+    """Return invoices and payments as bookings for an accountant: a designer's sales, or a studio's purchases."""
+    bookings = journal.journal(session, actor, project_id, from_on=from_on, until_on=until_on)
+    return Response(bookings, media_type=journal.CSV, headers=_attachment("journal.csv"))
 
 
 def _attachment(file_name: str) -> dict[str, str]:

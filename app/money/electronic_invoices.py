@@ -105,7 +105,7 @@ def _billed(session: Session, contract: Contract, invoice: Invoice) -> BilledInv
         )
     book = load_ledger_book(session, contract)
     owed = [line for line in book.owed if line.invoice_id == invoice.id]
-    billed = _lines(session, contract, invoice, [line for line in owed if line.kind is not LineKind.TAX])
+    billed = billed_lines(session, contract, invoice, [line for line in owed if line.kind is not LineKind.TAX])
     is_untaxed = any(line.is_work and line.category is TaxCategory.EXEMPT for line in billed)
     is_credit = sum(line.amount_minor for line in owed) < 0
     parties = _parties(session, contract, invoice, is_credit=is_credit, is_untaxed=is_untaxed)
@@ -133,7 +133,8 @@ def _billed(session: Session, contract: Contract, invoice: Invoice) -> BilledInv
     )
 
 
-def _lines(session: Session, contract: Contract, invoice: Invoice, lines: Sequence[Line]) -> list[BilledLine]:
+def billed_lines(session: Session, contract: Contract, invoice: Invoice, lines: Sequence[Line]) -> list[BilledLine]:
+    """Return lines of an invoice that are no tax, each with its tax category and rate."""
     texts = queries.invoice_texts(session, invoice.id)
     rates, default_bp = tax_rates_of(session, contract), terms_of(session, contract).invoiced_tax_bp
     billed = []
