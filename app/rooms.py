@@ -52,6 +52,8 @@ from app.sound_lists.endpoints import router as sound_lists
 from app.sound_lists.kit_endpoints import router as kits
 from app.sound_lists.matrix_endpoints import router as matrices
 from app.sound_lists.own_column_endpoints import router as own_columns
+from app.voice_lines.endpoints import router as voice_lines
+from app.voice_lines.release_endpoints import router as voice_releases
 
 ROUTERS: tuple[APIRouter, ...] = (
     accounts,
@@ -87,6 +89,8 @@ ROUTERS: tuple[APIRouter, ...] = (
     conformance,
     renders,
     reviews,
+    voice_lines,
+    voice_releases,
     adoptions,
     builds,
     audits,
@@ -123,6 +127,7 @@ JOB_MODULES = (
 )
 PARSERS = (
     "app.sound_lists.sheets",
+    "app.voice_lines.script_text",
     "app.hiring.roster_files",
     "app.agreements.template_files",
     "app.agreements.seal_files",

@@ -69,6 +69,7 @@ class SyntheticUse(StrEnum):
 class LineState(StrEnum):
     """What a line in one language has come to."""
 
+    NO_TEXT = "no_text"  # not translated yet
     NO_TAKE = "no_take"
     STALE = "stale"
     RETURNED = "returned"
@@ -188,6 +189,24 @@ _STATES = {
     TakeState.RETURNED: LineState.RETURNED,
     TakeState.CHANGE_REQUESTED: LineState.CHANGE_REQUESTED,
 }
+
+
+def reason_of(standing: Standing, *, requested: str, error: str) -> str:
+    """Return why a line must be recorded, or recorded again; empty where it need not.
+
+    `requested` is the change that was requested for the take, `error` what the checks found in it.
+    """
+    match standing.state:
+        case LineState.NO_TAKE:
+            return "no take yet"
+        case LineState.STALE:
+            return f"the text changed; the take says: {standing.recorded_text}"
+        case LineState.CHANGE_REQUESTED:
+            return f"change requested: {requested}" if requested else "change requested"
+        case LineState.RETURNED:
+            return f"returned by the checks: {error}" if error else "returned by the checks"
+        case _:
+            return ""
 
 
 def approved_duration_s(takes: Iterable[TakeFacts]) -> float | None:

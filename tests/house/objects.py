@@ -55,6 +55,7 @@ from app.renders.rules import RenderState
 from app.reviews.models import ChangeRequest, Comment
 from app.sound_lists.models import Cue, Question, Stem
 from tests.house.reference_objects import add_reference
+from tests.house.voice_objects import add_voice_line
 from tests.house.roster_objects import add_roster_entry
 from tests.support.server import RunningServer, World
 
@@ -229,6 +230,10 @@ class House(World):
         roster = add_roster_entry(
             session, studio_id=self.studio_id, added_by=self.producer_id, sha256=self.sha256, file_bytes=len(FILE)
         )
+        voice = add_voice_line(
+            session, {"studio_id": self.studio_id, "project_id": self.project_id}, sha256=self.sha256,
+            file_bytes=len(FILE), added_by=self.producer_id,
+        )  # fmt: skip
         self._add_links(session)
         money = self._add_money(session, cue)
         template = self._add_text(session, money["contract_id"])
@@ -273,6 +278,7 @@ class House(World):
             **money,
             **hiring,
             **references,
+            **voice,
             **roster,
         }
         queue_of(session).enqueue(

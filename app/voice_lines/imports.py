@@ -1,0 +1,277 @@
+"""A script becomes voice lines, each with a cue per language: all of them, or none."""
+
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.kit.db import new_id
+from app.projects.models import Project
+from app.projects.service import project_access
+from app.sound_lists.queries import lock_list, stem_owners
+from app.sound_lists.rules import NEW_CUE, folded
+from app.sound_lists.save_edits import Edit, row_faults, save, whole_facts
+from app.sound_lists.sheets import Sheet
+from app.voice_lines import queries
+from app.voice_lines.models import Character, VoiceLine, VoiceSettings, VoiceText, VoiceTextVersion
+from app.voice_lines.rules import CATEGORY, merged_order, stem_in
+from app.voice_lines.schemas import LineChange, ScriptColumn, ScriptFault, ScriptRead, ScriptRow
+from app.voice_lines.script_rows import Column, KnownLines, RowFault, SpokenRow, Words, columns_of, spoken_rows
+
+SAMPLES = 3
+
+
+@dataclass
+class NewText:
+    """A line in a language that the project has no text for yet."""
+
+    plan: "LinePlan"
+    language: str
+    cue_id: UUID | None = None  # of a cue that owns the name already
+    edit: Edit | None = None  # of a cue to add
+
+
+@dataclass
+class LinePlan:
+    """What a row of the script does: adds a line, or changes one."""
+
+    spoken: SpokenRow
+    line: VoiceLine | None
+    changes: list[LineChange] = field(default_factory=list)
+    changed_texts: list[tuple[VoiceText, str]] = field(default_factory=list)
+    new_texts: list[NewText] = field(default_factory=list)
+
+
+def import_script(
+    session: Session,
+    actor: Actor,
+    project_id: UUID,
+    sheet: Sheet,
+    *,
+    language: str,
+    mapping: Mapping[str, str] | None,
+    dry_run: bool,
+) -> ScriptRead:
+    """Return what a script changes, and apply it if it has no errors and it is no dry run."""
+    access = project_access(session, actor, project_id)
+    access.ensure_may_speak()
+    project = access.project
+    lock_list(session, project.id)
+    lines = queries.lines_of(session, project.id)
+    texts = {(text.line_id, text.language): text for text in queries.texts_of(session, project.id)}
+    columns = columns_of(sheet, language, mapping or {}, {of for _, of in texts})
+    spoken, faults = spoken_rows(sheet, columns, _known(lines, texts, language), language)
+    by_key = {line.folded: line for line in lines}
+    delivered = queries.cues_with_takes(session, project.id)
+    plans = [_plan(row, by_key.get(folded(row.key)), texts, delivered) for row in spoken]
+    faults += _add_cues_to(session, project, plans)
+    imports = not dry_run and not faults
+    missing = [line.key for line in lines if line.id not in {plan.line.id for plan in plans if plan.line}]
+    answer = _answer(sheet, columns, plans, faults, missing=missing, imported=imports)
+    if imports:
+        writer = _Writer(session, project, actor.person)
+        if not lines:
+            writer.set_original_language(language)
+        writer.write(plans, lines)
+    return answer
+
+
+def _known(lines: Sequence[VoiceLine], texts: Mapping[tuple[UUID, str], VoiceText], language: str) -> KnownLines:
+    by_words: dict[Words, list[str]] = defaultdict(list)
+    for line in lines:
+        text = texts.get((line.id, language))
+        by_words[line.character.folded, line.scene, text.text if text else ""].append(line.key)
+    return KnownLines({line.folded: line.file_name for line in lines}, by_words)
+
+
+def _plan(
+    row: SpokenRow, line: VoiceLine | None, texts: Mapping[tuple[UUID, str], VoiceText], delivered: set[UUID]
+) -> LinePlan:
+    plan = LinePlan(row, line)
+    if line is not None:
+        facts = {"scene": (line.scene, row.scene), "direction": (line.direction, row.direction)}
+        facts["character"] = (line.character.name, row.character)
+        for name, (before, after) in facts.items():
+            same = folded(before) == folded(after or "") if name == "character" else before == after
+            if after is not None and not same:
+                plan.changes.append(LineChange(field=name, before=before, after=after, makes_stale=False))
+    for language, text in row.texts.items():
+        known = texts.get((line.id, language)) if line else None
+        if known is None:
+            plan.new_texts.append(NewText(plan, language))
+            if line is not None:
+                plan.changes.append(LineChange(field=language, before="", after=text, makes_stale=False))
+        elif known.text != text:
+            plan.changed_texts.append((known, text))
+            stale = known.cue_id in delivered
+            plan.changes.append(LineChange(field=language, before=known.text, after=text, makes_stale=stale))
+    return plan
+
+
+def _add_cues_to(session: Session, project: Project, plans: Sequence[LinePlan]) -> list[RowFault]:
+    """Give each new text the cue that owns its name, or a cue to add; return what is wrong with names."""
+    new = [one for plan in plans for one in plan.new_texts]
+    stems = {id(one): stem_in(one.language, one.plan.spoken.file_name) for one in new}
+    owners = stem_owners(session, project.id, {folded(stem) for stem in stems.values()}) if new else {}
+    pinned = {text.cue_id for text in queries.texts_of(session, project.id)}
+    rows: dict[int, NewText] = {}
+    faults = []
+    for place, one in enumerate(new, start=1):
+        stem, row = stems[id(one)], one.plan.spoken.row
+        owner = owners.get(folded(stem))
+        if owner is not None and owner[0] in pinned:
+            faults.append(RowFault(row, "file_name", f'the file name "{stem}" belongs to another voice line already'))
+        elif owner is not None:
+            one.cue_id = owner[0]
+            pinned.add(owner[0])
+        else:
+            one.edit = Edit(place, whole_facts(_cue_facts(one, stem), NEW_CUE))
+            rows[place] = one
+    of_cues = row_faults(session, project, [one.edit for one in rows.values() if one.edit])
+    return faults + [RowFault(rows[fault.row].plan.spoken.row, "file_name", fault.message) for fault in of_cues]
+
+
+def _cue_facts(one: NewText, stem: str) -> dict[str, str]:
+    spoken = one.plan.spoken
+    description = f"Voice line {spoken.key} of {spoken.character}, {one.language}: its text is with the voice lines."
+    return {
+        "name": stem,
+        "file_name": stem,
+        "category": CATEGORY,
+        "description": description,
+        "use": spoken.scene or "",
+    }
+
+
+class _Writer:
+    """Writes what was planned; the list is locked."""
+
+    def __init__(self, session: Session, project: Project, person_id: UUID) -> None:
+        self._session = session
+        self._project = project
+        self._person_id = person_id
+        self._of = {"studio_id": project.studio_id, "project_id": project.id}
+        self._characters = {one.folded: one for one in queries.characters_of(session, project.id)}
+
+    def set_original_language(self, language: str) -> None:
+        """Take the language of the first script for the original one, where nobody has set it."""
+        if queries.settings_of(self._session, self._project.id) is None:
+            self._session.add(VoiceSettings(**self._of, original_language=language))
+
+    def write(self, plans: Sequence[LinePlan], lines: Sequence[VoiceLine]) -> None:
+        """Add and change characters, lines, cues and texts, and put the lines in order."""
+        self._add_characters(plans)
+        placed = [(plan, plan.line or self._new_line(plan.spoken)) for plan in plans]
+        for plan, line in placed:
+            self._change_line(line, plan.spoken)
+        ordered = merged_order([line.id for line in lines], [line.id for _, line in placed])
+        places = {line_id: place for place, line_id in enumerate(ordered, start=1)}
+        for line in (*lines, *(line for _, line in placed)):
+            line.position = places[line.id]
+        self._session.flush()
+        self._add_cues([one for plan in plans for one in plan.new_texts if one.edit])
+        for plan, line in placed:
+            self._write_texts(plan, line)
+        self._session.flush()
+
+    def _add_characters(self, plans: Sequence[LinePlan]) -> None:
+        for plan in plans:
+            key = folded(plan.spoken.character)
+            if key not in self._characters:
+                character = Character(**self._of, name=plan.spoken.character, folded=key)
+                self._characters[key] = character
+                self._session.add(character)
+        self._session.flush()
+
+    def _new_line(self, spoken: SpokenRow) -> VoiceLine:
+        named = {"key": spoken.key, "folded": folded(spoken.key), "file_name": spoken.file_name}
+        line = VoiceLine(**self._of, **named, id=new_id(), scene="", direction="", position=0)
+        line.character_id = self._characters[folded(spoken.character)].id
+        self._session.add(line)
+        return line
+
+    def _change_line(self, line: VoiceLine, spoken: SpokenRow) -> None:
+        line.character_id = self._characters[folded(spoken.character)].id
+        if spoken.scene is not None:
+            line.scene = spoken.scene
+        if spoken.direction is not None:
+            line.direction = spoken.direction
+
+    def _add_cues(self, new: Sequence[NewText]) -> None:
+        edits = [one.edit for one in new if one.edit]
+        for one, cue in zip(new, save(self._session, self._project, self._person_id, edits), strict=True):
+            one.cue_id = cue.id
+
+    def _write_texts(self, plan: LinePlan, line: VoiceLine) -> None:
+        for one in plan.new_texts:
+            if one.cue_id is None:
+                raise LookupError("a text without a cue")
+            of_it = {"line_id": line.id, "language": one.language, "cue_id": one.cue_id}
+            text = VoiceText(**self._of, **of_it, id=new_id(), text=plan.spoken.texts[one.language], newest_number=1)
+            self._session.add_all([text, _version(text, self._person_id)])
+        for known, words in plan.changed_texts:
+            self._session.add(new_version(known, words, self._person_id))
+
+
+def new_version(text: VoiceText, words: str, person_id: UUID) -> VoiceTextVersion:
+    """Give a text new words, and return the version to add."""
+    text.text = words
+    text.newest_number += 1
+    return _version(text, person_id)
+
+
+def _version(text: VoiceText, person_id: UUID) -> VoiceTextVersion:
+    of = {"studio_id": text.studio_id, "project_id": text.project_id, "text_id": text.id}
+    return VoiceTextVersion(**of, number=text.newest_number, text=text.text, written_by=person_id)
+
+
+def _answer(
+    sheet: Sheet,
+    columns: Sequence[Column],
+    plans: Sequence[LinePlan],
+    faults: Sequence[RowFault],
+    *,
+    missing: list[str],
+    imported: bool,
+) -> ScriptRead:
+    rows = [_row_read(plan) for plan in plans]
+    names = {column.meaning: column.name for column in columns}
+    samples = {column.place: dict.fromkeys(cells[column.place][:200] for _, cells in sheet.rows) for column in columns}
+    return ScriptRead(
+        header_row=sheet.header_row,
+        columns=[
+            ScriptColumn(
+                name=one.name, meaning=one.meaning, samples=[text for text in samples[one.place] if text][:SAMPLES]
+            )
+            for one in columns
+        ],
+        rows=rows,
+        errors=[
+            ScriptFault(row=one.row, column=names.get(one.field or "", one.field), message=one.message)
+            for one in sorted(faults, key=lambda fault: fault.row)
+        ],
+        added=sum(row.action == "add" for row in rows),
+        changed=sum(row.action == "change" for row in rows),
+        same=sum(row.action == "same" for row in rows),
+        cues_added=sum(one.edit is not None for plan in plans for one in plan.new_texts),
+        stale=sum(change.makes_stale for row in rows for change in row.changes),
+        not_in_script=missing,
+        imported=imported,
+    )
+
+
+def _row_read(plan: LinePlan) -> ScriptRow:
+    spoken = plan.spoken
+    return ScriptRow(
+        row=spoken.row,
+        action="add" if plan.line is None else "change" if plan.changes else "same",
+        key=spoken.key,
+        character=spoken.character,
+        scene=spoken.scene or (plan.line.scene if plan.line else ""),
+        text=next(iter(spoken.texts.values()), ""),
+        languages=list(spoken.texts),
+        changes=plan.changes,
+    )

@@ -1,0 +1,238 @@
+"""Voice lines as they are shown: each with its text, its take, what is said before and after, and its state."""
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from typing import NamedTuple
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.projects.service import ProjectAccess
+from app.sound_lists.rules import CueState, label
+from app.voice_lines import queries
+from app.voice_lines.models import Casting, VoiceLine, VoiceText
+from app.voice_lines.rules import (
+    DEFAULT_LANGUAGE,
+    DEFAULT_TOLERANCE_PERCENT,
+    PICK_UPS,
+    LineState,
+    Standing,
+    TakeFacts,
+    approved_duration_s,
+    is_length_off,
+    length_percent,
+    path_in,
+    reason_of,
+    standing_of,
+)
+from app.voice_lines.schemas import (
+    CharacterBrief,
+    LineCue,
+    LineTake,
+    PickUpsRead,
+    SpokenBeside,
+    StateCount,
+    VoiceLineRead,
+    VoiceLines,
+)
+
+PAGE = 200
+NOT_TRANSLATED = Standing(LineState.NO_TEXT)
+
+
+class _Said(NamedTuple):
+    """The texts of one language, and what was delivered of them."""
+
+    texts: Mapping[UUID, VoiceText]  # by line
+    standings: Mapping[UUID, Standing]  # by line
+
+
+class ScriptReader:
+    """Reads the script of one project, as one person sees it."""
+
+    def __init__(self, session: Session, access: ProjectAccess) -> None:
+        self._session = session
+        self._access = access
+        self._project = access.project
+        settings = queries.settings_of(session, access.project.id)
+        self.original_language = settings.original_language if settings else DEFAULT_LANGUAGE
+        self.tolerance_percent = settings.tolerance_percent if settings else DEFAULT_TOLERANCE_PERCENT
+
+    @cached_property
+    def lines(self) -> Sequence[VoiceLine]:
+        """The lines in the order of the script."""
+        return queries.lines_of(self._session, self._project.id)
+
+    @cached_property
+    def languages(self) -> list[str]:
+        """The languages that the script has texts in, the original first."""
+        found = queries.languages_of(self._session, self._project.id)
+        return sorted(found, key=lambda language: (language != self.original_language, language))
+
+    def in_language(self, language: str) -> list[VoiceLineRead]:
+        """Return every line in one language."""
+        said = self._said(language)
+        wanted = [standing.take.id for standing in said.standings.values() if standing.take]
+        requested = queries.requested_changes(self._session, wanted)
+        returned = [one.take.id for one in said.standings.values() if one.take and one.state is LineState.RETURNED]
+        errors = queries.first_errors(self._session, returned)
+        reads = []
+        for line, (before, after) in zip(self.lines, _neighbours(self.lines), strict=True):
+            standing = said.standings.get(line.id, NOT_TRANSLATED)
+            take_id = standing.take.id if standing.take else None
+            reason = reason_of(
+                standing,
+                requested=requested.get(take_id, "") if take_id else "",
+                error=errors.get(take_id, "") if take_id else "",
+            )
+            reads.append(
+                self._read(line, language, said.texts.get(line.id), standing, reason, before=before, after=after)
+            )
+        return reads
+
+    def page(
+        self, language: str, *, state: LineState | None, character_id: UUID | None, search: str, start: int
+    ) -> VoiceLines:
+        """Return the lines of one language that fit a filter, from a place on."""
+        every = self.in_language(language)
+        counts = Counter(one.state for one in every)
+        words = search.casefold().split()
+        found = [
+            one
+            for one in every
+            if (state is None or one.state is state)
+            and (character_id is None or one.character.id == character_id)
+            and all(word in _searched(one) for word in words)
+        ]
+        return VoiceLines(
+            language=language,
+            lines=found[start : start + PAGE],
+            next=start + PAGE if len(found) > start + PAGE else None,
+            total=len(found),
+            counts=[StateCount(state=one, lines=counts[one]) for one in LineState if counts[one]],
+            may_change=may_change(self._access),
+        )
+
+    def pick_ups(self, language: str | None, character_id: UUID | None) -> PickUpsRead:
+        """Return what the next session records: by language, then character, in the order of the script."""
+        languages = [language] if language else self.languages
+        found = [one for each in languages for one in self.in_language(each) if one.state in PICK_UPS]
+        if character_id is not None:
+            found = [one for one in found if one.character.id == character_id]
+        order = {language: place for place, language in enumerate(languages)}
+        found.sort(key=lambda one: (order[one.language], one.character.name.casefold()))  # stable: keeps the script's
+        return PickUpsRead(lines=found, languages=list(dict.fromkeys(one.language for one in found)))
+
+    def of_cue(self, cue_id: UUID) -> VoiceLineRead | None:
+        """Return the line that a cue is for."""
+        text = queries.text_of_cue(self._session, cue_id)
+        if text is None:
+            return None
+        return next(one for one in self.in_language(text.language) if one.id == text.line_id)
+
+    @cached_property
+    def _original(self) -> dict[UUID, VoiceText]:
+        texts = queries.texts_of(self._session, self._project.id, {self.original_language})
+        return {text.line_id: text for text in texts}
+
+    @cached_property
+    def _original_lengths(self) -> dict[UUID, float | None]:
+        """How long the approved take of each line is in the original language, whoever made it."""
+        cues = [text.cue_id for text in self._original.values()]
+        takes = queries.takes_of(self._session, self._project.id, cues, None)
+        return {line_id: approved_duration_s(takes[text.cue_id]) for line_id, text in self._original.items()}
+
+    @cached_property
+    def _castings(self) -> dict[tuple[UUID, str], Casting]:
+        castings = queries.castings_of(self._session, self._project.id)
+        return {(one.character_id, one.language): one for one in castings}
+
+    def _said(self, language: str) -> _Said:
+        texts = {text.line_id: text for text in queries.texts_of(self._session, self._project.id, {language})}
+        versions = queries.versions_of(self._session, [text.id for text in texts.values()])
+        cues = [text.cue_id for text in texts.values()]
+        takes = queries.takes_of(self._session, self._project.id, cues, self._access.only_designer_id)
+        standings = {
+            line_id: standing_of(takes[text.cue_id], versions[text.id], is_cut=text.cue.state is CueState.CUT)
+            for line_id, text in texts.items()
+        }
+        return _Said(texts, standings)
+
+    def _read(
+        self,
+        line: VoiceLine,
+        language: str,
+        text: VoiceText | None,
+        standing: Standing,
+        reason: str,
+        *,
+        before: VoiceLine | None,
+        after: VoiceLine | None,
+    ) -> VoiceLineRead:
+        take, casting = standing.take, self._castings.get((line.character_id, language))
+        original_s = self._original_lengths.get(line.id)
+        is_translation = language != self.original_language
+        percent = length_percent(take.duration_s if take else None, original_s) if is_translation else None
+        original = self._original.get(line.id)
+        return VoiceLineRead(
+            id=line.id,
+            key=line.key,
+            character=CharacterBrief.model_validate(line.character),
+            scene=line.scene,
+            direction=line.direction,
+            language=language,
+            text=text.text if text else None,
+            text_version=text.newest_number if text else None,
+            original_text=original.text if original else None,
+            before=self._beside(before),
+            after=self._beside(after),
+            path=path_in(language, line.file_name),
+            cue=self._cue(text),
+            state=standing.state,
+            reason=reason,
+            take=_take(take),
+            recorded_text=standing.recorded_text,
+            original_duration_s=original_s,
+            length_percent=percent,
+            length_is_off=is_length_off(percent, self.tolerance_percent),
+            performer=casting.performer.name if casting and casting.performer else None,
+            directed_by=casting.directed_by if casting else "",
+        )
+
+    def _beside(self, line: VoiceLine | None) -> SpokenBeside | None:
+        """Return a line of the same scene, in the original language, which every session reads."""
+        text = self._original.get(line.id) if line else None
+        return SpokenBeside(character=line.character.name, text=text.text) if line and text else None
+
+    def _cue(self, text: VoiceText | None) -> LineCue | None:
+        if text is None:
+            return None
+        cue = text.cue
+        return LineCue(id=cue.id, number=cue.number, label=label(self._project.cue_prefix, cue.number), name=cue.name)
+
+
+def may_change(access: ProjectAccess) -> bool:
+    """Whether a person may change the script."""
+    return access.is_producer or access.is_liaison or access.is_approver
+
+
+def _take(take: TakeFacts | None) -> LineTake | None:
+    if take is None:
+        return None
+    return LineTake(id=take.id, number=take.number, state=take.state, duration_s=take.duration_s)
+
+
+def _searched(line: VoiceLineRead) -> str:
+    said = (line.key, line.character.name, line.scene, line.text, line.original_text, line.direction)
+    return " ".join(part for part in said if part).casefold()
+
+
+def _neighbours(lines: Sequence[VoiceLine]) -> list[tuple[VoiceLine | None, VoiceLine | None]]:
+    """Return the lines before and after each line, where they are in its scene."""
+    found = []
+    for place, line in enumerate(lines):
+        before = lines[place - 1] if place and lines[place - 1].scene == line.scene else None
+        after = lines[place + 1] if place + 1 < len(lines) and lines[place + 1].scene == line.scene else None
+        found.append((before, after))
+    return found

@@ -1,0 +1,117 @@
+"""Scripts as people send them, in sheets or as text: bytes in, a head and numbered rows of text out.
+
+All of it runs in a child process (`app.kit.parsing`). A text is read like Fountain: a scene heading, a name in capitals
+with the lines below it, directions in brackets; `[[maya_010]]` beside the name is the id of the line.
+"""
+
+import re
+from collections.abc import Iterator
+
+from app.sound_lists.sheets import MAX_BYTES, MAX_CHARACTERS, MAX_ROWS, Rows, decoded, parse_bytes, parse_text
+from app.voice_lines.errors import ScriptUnreadable
+from app.voice_lines.script_columns import script_heads_in
+
+COLUMNS = ("key", "character", "scene", "direction", "text")
+MAX_CHARACTER_CHARS = 120
+_BONEYARD = re.compile(r"/\*.*?\*/", re.DOTALL)
+_NOTE = re.compile(r"\[\[([^\[\]\n]{0,200})\]\]")
+_TITLE_PAGE = re.compile(r"(title|credit|authors?|source|draft date|contact|copyright|notes|revision):", re.IGNORECASE)
+_HEADING = re.compile(r"(int|ext|est|int\.?/ext|i/e)[. ]", re.IGNORECASE)
+_SCENE_NUMBER = re.compile(r"\s*#[^#\n]{1,20}#$")
+_EXTENSION = re.compile(r"\(([^()]{0,60})\)")
+_CONTINUED = re.compile(r"cont(inue|['’.]?)d?\.?", re.IGNORECASE)
+
+
+def read_script_bytes(data: bytes, is_sheet: bool) -> tuple[int | None, tuple[str, ...], Rows]:
+    """Return the fields of a sheet of the lines in a CSV or XLSX file, or in the bytes of a text."""
+    if is_sheet:
+        return parse_bytes(data, script_heads_in)
+    if len(data) > MAX_BYTES:
+        raise ScriptUnreadable(f"a file may have {MAX_BYTES:,} bytes; this one has {len(data):,}")
+    if data.startswith((b"PK\x03\x04", b"\xd0\xcf\x11\xe0", b"%PDF-")):
+        raise ScriptUnreadable("this is not plain text; save the script as text, or send a sheet as CSV or XLSX")
+    return _read_text(decoded(data))
+
+
+def read_script_text(text: str, is_sheet: bool, is_pasted: bool) -> tuple[int | None, tuple[str, ...], Rows]:
+    """Return the fields of a sheet of the lines in CSV text, in pasted cells, or in a script."""
+    return parse_text(text, is_pasted, script_heads_in) if is_sheet else _read_text(text)
+
+
+def _read_text(text: str) -> tuple[int | None, tuple[str, ...], Rows]:
+    if len(text) > min(MAX_BYTES, MAX_CHARACTERS):
+        raise ScriptUnreadable(f"a text may have {MAX_BYTES:,} characters; this one has {len(text):,}")
+    if (place := text.find("\0")) >= 0:
+        line = text.count("\n", 0, place) + 1
+        raise ScriptUnreadable(f"line {line}: this is not text: it holds zero bytes; save it as UTF-8")
+    rows: Rows = []
+    for row in _spoken(_lines_of(text)):
+        rows.append(row)
+        if len(rows) > MAX_ROWS:
+            raise ScriptUnreadable(f"a script may have {MAX_ROWS:,} lines of dialogue; this one has more")
+    if not rows:
+        raise ScriptUnreadable(
+            "no dialogue was found; wanted a name in capitals on a line of its own, with its text on the next line"
+        )
+    return None, COLUMNS, rows
+
+
+def _lines_of(text: str) -> list[str]:
+    plain = text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
+    plain = _BONEYARD.sub(lambda found: "\n" * found[0].count("\n"), plain)
+    lines = [line.strip() for line in plain.split("\n")]
+    first = next((place for place, line in enumerate(lines) if line), 0)
+    if lines and _TITLE_PAGE.match(lines[first]):
+        while first < len(lines) and lines[first]:
+            lines[first] = ""
+            first += 1
+    return lines
+
+
+def _spoken(lines: list[str]) -> Iterator[tuple[int, list[str]]]:
+    """Yield the number of each line that names a speaker, with the cells of what is spoken."""
+    scene, place = "", 0
+    while place < len(lines):
+        line = lines[place]
+        follows_blank = place == 0 or not lines[place - 1] or _heading_in(lines[place - 1]) is not None
+        place += 1
+        heading = _heading_in(line) if follows_blank else None
+        if heading is not None:
+            scene = heading
+        elif follows_blank and place < len(lines) and lines[place] and _names_a_speaker(line):
+            number, block = place, []
+            while place < len(lines) and lines[place]:
+                block.append(lines[place])
+                place += 1
+            yield number, _cells(line, scene, block)
+
+
+def _heading_in(line: str) -> str | None:
+    if line.startswith("#"):
+        return line.lstrip("#").strip()
+    if line.startswith(".") and line[1:2].isalnum():
+        return _SCENE_NUMBER.sub("", line[1:].strip())
+    return _SCENE_NUMBER.sub("", line) if _HEADING.match(line) else None
+
+
+def _names_a_speaker(line: str) -> bool:
+    name = _EXTENSION.sub("", _NOTE.sub("", line)).strip(" ^")
+    if not name or len(name) > MAX_CHARACTER_CHARS or name.startswith((">", "!", "~", "=")):
+        return False
+    if name.startswith("@"):
+        return len(name) > 1
+    return any(letter.isalpha() for letter in name) and name == name.upper() and name[-1] not in ":.!?…"
+
+
+def _cells(line: str, scene: str, block: list[str]) -> list[str]:
+    note = _NOTE.search(line)
+    rest = _NOTE.sub("", line).strip(" ^")
+    directions = [one.strip() for one in _EXTENSION.findall(rest) if one and not _CONTINUED.fullmatch(one.strip())]
+    spoken = []
+    for part in (_NOTE.sub("", one).strip() for one in block):
+        if part.startswith("(") and part.endswith(")"):
+            directions.append(part[1:-1].strip())
+        elif part:
+            spoken.append(part.removeprefix("~").strip())
+    name = _EXTENSION.sub("", rest).strip(" ^").removeprefix("@").strip()
+    return [note[1].strip() if note else "", name, scene, "; ".join(directions), " ".join(spoken)]
