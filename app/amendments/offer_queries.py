@@ -4,8 +4,8 @@ from collections.abc import Collection, Sequence
 from datetime import datetime
 from uuid import UUID
 
-from sqlalchemy import Row, func, select
-from sqlalchemy.orm import Session, joinedload
+from sqlalchemy import Row, func, or_, select
+from sqlalchemy.orm import Session, contains_eager, joinedload
 
 from app.accounts.models import Person
 from app.agreements.models import Contract
@@ -14,6 +14,7 @@ from app.deliveries.models import Take
 from app.kit.in_array import in_array
 from app.money.models import WorkLog
 from app.projects.models import Spec
+from app.references.models import Reference, ReferenceVersion
 from app.reviews.models import Feedback, Round
 from app.sound_lists.models import Cue, CueChange, Question, Revision
 
@@ -94,6 +95,24 @@ def rounds_beyond(
         .join(Person, Person.id == Feedback.sent_by)
         .where(in_array(Round.cue_id, cue_ids), Round.number > included)
         .order_by(Round.number, Round.cue_id)
+    ).all()
+
+
+def references_since(session: Session, contract: Contract, since: datetime) -> Sequence[ReferenceVersion]:
+    """Return the newest versions of references to a cue or a category that others than the designer added since."""
+    return session.scalars(
+        select(ReferenceVersion)
+        .join(ReferenceVersion.reference)
+        .where(
+            Reference.project_id == contract.project_id,
+            Reference.removed_at.is_(None),
+            or_(Reference.cue_id.is_not(None), Reference.category.is_not(None)),
+            ReferenceVersion.number == Reference.newest_number,
+            ReferenceVersion.added_at > since,
+            ReferenceVersion.added_by != contract.designer_id,
+        )
+        .options(contains_eager(ReferenceVersion.reference), joinedload(ReferenceVersion.author))
+        .order_by(ReferenceVersion.id)
     ).all()
 
 

@@ -17,6 +17,7 @@ class OfferKind(StrEnum):
     SPEC = "spec"  # another version applies to cues of the contract
     ANSWERED = "answered"  # after the day on which the cue was due
     ADDED = "added"  # to the list, in the contract's categories
+    REFERENCE = "reference"  # added after work on a cue began
     CUT = "cut"  # from the list, and no clause says what is owed
 
 

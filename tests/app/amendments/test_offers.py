@@ -371,3 +371,33 @@ def test_the_day_after_a_late_answer(asked: int, due: int, answered: int, moved:
         (AT + timedelta(days=due)).date(), AT + timedelta(days=asked), AT + timedelta(days=answered)
     )
     assert found == (None if moved is None else (AT + timedelta(days=moved)).date())
+
+
+def refer(order: Order, **facts: Any) -> str:
+    """Put a link on the board as the producer, and return the reference's id."""
+    body = {"url": "https://example.com/clank", "caption": "The clank we mean", **facts}
+    answer = order.world.producer.post(f"/v1/projects/{order.world.project_id}/references", json=body)
+    assert answer.status_code == 201, answer.text
+    return str(answer.json()["id"])
+
+
+@pytest.mark.both_databases
+def test_a_reference_after_work_on_its_cue_began(order: Order) -> None:
+    refer(order, cue_id=str(order.cues[0]))
+    assert offers(order) == [], "work on the cue has not begun"
+    order.take(order.cues[0])
+    reference = refer(order, cue_id=str(order.cues[0]))
+    (offer,) = offers(order, order.world.designer)
+    assert "The reference The clank we mean was added after work on" in offer["text"]
+    assert (offer["kind"], offer["who"], offer["change"]["kind"]) == ("reference", "Producer", "reprice_cue")
+    settle(order, offer, price_minor=20_000)
+    newer = {"url": "https://example.com/another"}
+    added = order.world.producer.post(f"/v1/references/{reference}/versions", json=newer)
+    assert added.status_code == 201, added.text
+    assert kinds(order) == ["reference"], "a new version asks again"
+
+
+def test_a_reference_for_the_project_or_another_category_offers_nothing(order: Order) -> None:
+    order.take(order.cues[0])
+    refer(order)
+    assert offers(order) == []
