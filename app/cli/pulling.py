@@ -18,3 +18,9 @@ def pull(context: typer.Context) -> None:
 def why(context: typer.Context) -> None:
     """Say which cue, approval, contract and sources a file has."""
     raise typer.Exit(main(["why", *context.args]))
+
+
+@cli.command(context_settings=OPTIONS_OF_CLIENT)
+def adopt(context: typer.Context) -> None:
+    """Send a folder of shipped sounds, to become cues with approved takes."""
+    raise typer.Exit(main(["adopt", *context.args]))

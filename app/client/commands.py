@@ -6,6 +6,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from app.client.adopting import adopt
 from app.client.errors import REFUSED, UNREACHABLE, Refusal, ServerUnreachable
 from app.client.pulling import pull
 from app.client.terminal import shown, warn
@@ -45,7 +46,7 @@ def main(arguments: Sequence[str]) -> int:
 
 
 def parser() -> argparse.ArgumentParser:
-    """Return the parser of both commands."""
+    """Return the parser of the commands."""
     whole = argparse.ArgumentParser(prog="soundlist", allow_abbrev=False)
     commands = whole.add_subparsers(dest="command", required=True)
     pulling = commands.add_parser(
@@ -68,6 +69,19 @@ def parser() -> argparse.ArgumentParser:
     pulling.add_argument(
         "--changelist", action="store_true", help="draft a description with the cues; with --p4, make the changelist"
     )
+    adopting = commands.add_parser(
+        "adopt",
+        help="send a folder of shipped sounds, to become cues with approved takes",
+        description="Send a folder of shipped sounds. A producer or the approver then adopts it on the page that is "
+        "printed, and each sound becomes an approved take of a cue.",
+        allow_abbrev=False,
+    )
+    adopting.set_defaults(run=adopt, target=None)
+    adopting.add_argument("folder", type=Path, help="the folder of the game's sounds")
+    adopting.add_argument("--server", metavar="URL", help="the server; else as soundlist.toml says")
+    adopting.add_argument("--project", metavar="ID", help="the project; else as soundlist.toml says")
+    adopting.add_argument("--allow-http", action="store_true", help="send the token unencrypted to another machine")
+    adopting.add_argument("--dry-run", action="store_true", help="print what would become of each file; send no sound")
     asking = commands.add_parser(
         "why",
         help="say which cue, approval, contract and sources a file has",

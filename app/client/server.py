@@ -5,6 +5,7 @@ import json
 import time
 import urllib.error
 import urllib.request
+from base64 import b64encode
 from collections.abc import Mapping
 from typing import Any
 from urllib.parse import quote, urlencode, urljoin, urlsplit
@@ -41,7 +42,22 @@ class Server:
         given = {name: value for name, value in params.items() if value is not None}
         query = f"?{urlencode(given)}" if given else ""
         url = f"{self.source.server}/v1/projects/{quote(self.source.project)}/{path}{query}"
-        content = self._read(url)
+        return self._json(self._read(url))
+
+    def send_to_project(self, path: str, body: Any) -> Any:
+        """Send JSON to the project's API, and return the answer."""
+        url = f"{self.source.server}/v1/projects/{quote(self.source.project)}/{path}"
+        content = json.dumps(body).encode()
+        return self._json(self._read(url, {"Content-Type": "application/json"}, content))
+
+    def upload(self, content: bytes, metadata: Mapping[str, str]) -> None:
+        """Send a whole file to where its metadata says."""
+        named = ",".join(f"{name} {b64encode(value.encode()).decode()}" for name, value in metadata.items())
+        headers = {"Tus-Resumable": "1.0.0", "Upload-Length": str(len(content)), "Upload-Metadata": named}
+        headers["Content-Type"] = "application/offset+octet-stream"
+        self._read(f"{self.source.server}/v1/uploads", headers, content)
+
+    def _json(self, content: bytes) -> Any:
         if len(content) > MAX_JSON_BYTES:
             raise Refusal(f"the answer of {self.source.server} is too large to be a list of sounds")
         try:
@@ -49,10 +65,10 @@ class Server:
         except ValueError:
             raise Refusal(f"{self.source.server} did not answer as Soundlist does; is the address right?") from None
 
-    def _read(self, url: str) -> bytes:
+    def _read(self, url: str, headers: Mapping[str, str] | None = None, body: bytes | None = None) -> bytes:
         for delay_s in (*RETRY_DELAYS_S, None):
             try:
-                with self.open(url) as answer:
+                with self.open(url, headers, body) as answer:
                     return answer.read(MAX_JSON_BYTES + 1)
             except (ServerUnreachable, *CUT) as error:
                 if delay_s is None:
@@ -60,12 +76,17 @@ class Server:
                 wait(delay_s, error)
         raise AssertionError("the last try returns or raises")
 
-    def open(self, url: str, headers: Mapping[str, str] | None = None) -> http.client.HTTPResponse:
-        """Return an open answer; raise Refusal where the server refuses, ServerUnreachable where it does not answer."""
+    def open(
+        self, url: str, headers: Mapping[str, str] | None = None, body: bytes | None = None
+    ) -> http.client.HTTPResponse:
+        """Return an open answer, to a POST where there is a body.
+
+        Raise Refusal where the server refuses, ServerUnreachable where it does not answer.
+        """
         origin = _origin(self.source.server)
         for _ in range(MAX_REDIRECTS + 1):
             own = {"Authorization": f"Bearer {self.source.token}"} if _origin(url) == origin else {}
-            request = urllib.request.Request(url, headers={**(headers or {}), **own})  # noqa: S310 - http or https
+            request = urllib.request.Request(url, body, headers={**(headers or {}), **own})  # noqa: S310 - http or https
             try:
                 answer: http.client.HTTPResponse = self._opener.open(request, timeout=TIMEOUT_S)
                 return answer
@@ -73,6 +94,8 @@ class Server:
                 with error:
                     if error.code not in REDIRECTS or "location" not in error.headers:
                         raise _refused(error) from None
+                    if body is not None:  # what is sent goes to the server that was named, and nowhere else
+                        raise Refusal(f"{self.source.server} redirects what is sent; name the other address") from None
                     url = _next(url, error.headers["location"])
             except CUT as error:
                 raise ServerUnreachable(_reason(error)) from None

@@ -110,6 +110,10 @@ class Client:
         """Ask where a file comes from, and remember what was printed."""
         return self._run(["why", name, *self.source, *options])
 
+    def adopt(self, folder: Path, *options: str) -> int:
+        """Send a folder to be adopted, and remember what was printed."""
+        return self._run(["adopt", str(folder), *self.source, *options])
+
     def _run(self, arguments: list[str]) -> int:
         self._capsys.readouterr()
         try:

@@ -1,0 +1,118 @@
+"""`soundlist adopt`: sends a folder of shipped sounds, and prints what becomes of each file."""
+
+import argparse
+import hashlib
+import os
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+from app.client.errors import DONE, Refusal
+from app.client.headers import HEAD_BYTES, format_of
+from app.client.server import Server
+from app.client.settings import read_source
+from app.client.terminal import Progress, say, shown
+
+SOUNDS = frozenset(
+    {".wav", ".wave", ".bwf", ".flac", ".aif", ".aiff", ".aifc", ".caf", ".w64"}
+    | {".ogg", ".oga", ".opus", ".mp3", ".m4a", ".wma"}
+)
+MAX_FILES = 10_000
+SENT_AT_ONCE = 4
+SHOWN = 20  # lines of each kind
+BLOCK_BYTES = 1 << 20
+
+
+def adopt(options: argparse.Namespace) -> int:
+    """Send a folder, or say with `--dry-run` what would become of it; return the exit code."""
+    root: Path = options.folder
+    if not root.is_dir():
+        raise Refusal(f"{root} is no folder; name the one that holds the game's sounds")
+    root = root.resolve()
+    source = read_source(
+        root, None, server=options.server, project=options.project, target=None, allow_http=options.allow_http
+    )
+    files = {path: root / path for path in _sounds(root)}
+    if not files:
+        raise Refusal(f"{root} holds no sounds")
+    if len(files) > MAX_FILES:
+        raise Refusal(f"{root} holds {len(files):,} sounds; adopt folders with at most {MAX_FILES:,}, one by one")
+    with ThreadPoolExecutor(SENT_AT_ONCE) as pool:
+        listed = list(pool.map(lambda item: _listed(*item), files.items()))
+    body = {"folder": root.name or "Sounds", "files": listed}
+    server = Server(source)
+    if options.dry_run:
+        _print_plan(server.send_to_project("adoption-plan", body))
+        say("Nothing was sent.")
+        return DONE
+    opened = server.send_to_project("adoptions", body)
+    _print_plan(opened["plan"])
+    sent = _send(server, opened, files)
+    say(f"{sent} files were sent. A producer or the approver adopts them here:")
+    say(f"{source.server}/projects/{source.project}/sound-list/adopt?adoption={opened['id']}")
+    return DONE
+
+
+def _sounds(root: Path) -> Iterator[str]:
+    """Yield the paths of sounds, with slashes; hidden files and what links lead to are left out."""
+    for folder, names, files in os.walk(root):
+        names[:] = sorted(name for name in names if not name.startswith("."))
+        for name in sorted(files):
+            path = Path(folder, name)
+            if path.suffix.lower() in SOUNDS and not name.startswith(".") and not path.is_symlink():
+                yield path.relative_to(root).as_posix()
+
+
+def _listed(path: str, place: Path) -> dict[str, Any]:
+    digest, size = hashlib.sha256(), 0
+    with place.open("rb") as file:
+        head = file.read(HEAD_BYTES)
+        block = head
+        while block:
+            digest.update(block)
+            size += len(block)
+            block = file.read(BLOCK_BYTES)
+    return {"path": path, "sha256": digest.hexdigest(), "size_bytes": size, **format_of(head)._asdict()}
+
+
+def _send(server: Server, opened: dict[str, Any], files: dict[str, Path]) -> int:
+    """Send what the server does not have yet; return how many files that were."""
+    missing = [path for path in opened["missing"] if path in files]
+    progress = Progress(len(missing), sum(files[path].stat().st_size for path in missing))
+
+    def send(path: str) -> None:
+        content = files[path].read_bytes()
+        server.upload(content, {"adoption_id": opened["id"], "file_name": path.rpartition("/")[2]})
+        progress.add_bytes(len(content))
+        progress.add_file()
+
+    try:
+        with ThreadPoolExecutor(SENT_AT_ONCE) as pool:
+            list(pool.map(send, missing))
+    finally:
+        progress.end()
+    return len(missing)
+
+
+def _print_plan(plan: dict[str, Any]) -> None:
+    categories = plan["categories"]
+    say(
+        f"{plan['files']} files become {len(plan['cues'])} cues in {len(categories)} categories, "
+        f"{plan['sets']} of them sets"
+    )
+    for name, count in categories.items():
+        say(f"  {shown(name) or 'no category':<24}  {count}")
+    _print_files("unusual", [(one["path"], one["message"]) for one in plan["oddities"]])
+    _print_files("the same bytes", [(paths[0], "also " + ", ".join(paths[1:])) for paths in plan["duplicates"]])
+    _print_files("not adopted", [(one["path"], one["message"]) for one in plan["skipped"]])
+
+
+def _print_files(head: str, found: list[tuple[str, str]]) -> None:
+    if not found:
+        return
+    say(f"{head}: {len(found)}")
+    for path, message in found[:SHOWN]:
+        say(f"  {shown(path)}: {shown(message)}")
+    if len(found) > SHOWN:
+        say(f"  and {len(found) - SHOWN} more")
