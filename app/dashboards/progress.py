@@ -12,7 +12,7 @@ from app.accounts.rules import Actor
 from app.conformance.models import CheckRun
 from app.conformance.set_findings import findings_of_sets
 from app.dashboards import progress_queries, schemas
-from app.dashboards.progress_queries import CueGroup, ListRow, ShownTake
+from app.dashboards.progress_queries import CueGroup, ListRow, NeedGroup, ShownTake
 from app.dashboards.rules import CueStatus, cue_status, statuses_of, variation_status
 from app.deliveries.schemas import CueBrief
 from app.deliveries.sum_rules import VariationFact
@@ -22,7 +22,7 @@ from app.projects.service import ProjectAccess, project_access
 from app.renders.thumbs import thumbs
 from app.sound_lists.models import Cue
 from app.sound_lists.queries import stems_by_cue
-from app.sound_lists.rules import label
+from app.sound_lists.rules import Need, label
 from app.sound_lists.service import page_of
 
 LATELY = timedelta(days=7)
@@ -47,6 +47,17 @@ def counted(likes: Sequence[CueGroup]) -> dict[CueStatus, int]:
     for like in likes:
         counts[status_of(like)] += like.cues
     return dict(counts)
+
+
+def completion(groups: Sequence[NeedGroup]) -> list[schemas.NeedCompletion]:
+    """Return how many cues of each need are accepted, the most needed first; a need without cues is left out."""
+    cues: Counter[Need] = Counter()
+    accepted: Counter[Need] = Counter()
+    for group in groups:
+        cues[group.need] += group.cues
+        if all(status is CueStatus.ACCEPTED for status in statuses_of(group.facts, group.variations)):
+            accepted[group.need] += group.cues
+    return [schemas.NeedCompletion(need=need, accepted=accepted[need], cues=cues[need]) for need in Need if cues[need]]
 
 
 def list_counts(session: Session, actor: Actor, project_id: UUID) -> schemas.ListCounts:

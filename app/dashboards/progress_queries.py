@@ -20,7 +20,7 @@ from app.kit.in_array import in_array
 from app.renders.models import Picture
 from app.reviews.models import Round
 from app.sound_lists.models import Cue, Question
-from app.sound_lists.rules import CueState
+from app.sound_lists.rules import CueState, Need
 
 DECIDED = 50
 Ts = TypeVarTuple("Ts")
@@ -77,6 +77,25 @@ def cue_groups(session: Session, project_id: UUID, viewer_id: UUID) -> list[CueG
         counts[state, variations, placeholder, False, facts] -= 1
         counts[state, variations, placeholder, True, facts] += 1
     return [CueGroup(*alike, cues) for alike, cues in counts.items() if cues]
+
+
+class NeedGroup(NamedTuple):
+    """The number of cues of a list that are equal in their need and in all facts of their status."""
+
+    need: Need
+    state: CueState
+    variations: int
+    placeholder: bool
+    facts: str | None
+    cues: int
+
+
+def need_groups(session: Session, project_id: UUID, viewer_id: UUID) -> list[NeedGroup]:
+    """Return the numbers of cues that are not cut by need and status in a view."""
+    alike = (Cue.need, Cue.state, Cue.variations, Cue.placeholder, CueSums.facts)
+    query = select(*alike, func.count()).join(CueSums, _of_view(viewer_id), isouter=True).select_from(Cue)
+    query = query.where(Cue.project_id == project_id, Cue.state != CueState.CUT).group_by(*alike)
+    return [NeedGroup._make(row) for row in session.execute(query)]
 
 
 def _is_asked() -> ColumnElement[bool]:

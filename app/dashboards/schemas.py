@@ -25,6 +25,7 @@ from app.money.schemas import (
 )
 from app.projects.rules import EngagementKind
 from app.reviews.schemas import CommentRead
+from app.sound_lists.rules import Need
 
 
 class MyStudio(Schema):
@@ -246,6 +247,14 @@ class Step(Schema):
     status: CueStatus
 
 
+class NeedCompletion(Schema):
+    """How far the cues of one need are; cut ones are not counted."""
+
+    need: Need
+    accepted: int
+    cues: int
+
+
 class PaletteSound(Schema):
     """One sound of the palette."""
 
@@ -271,6 +280,7 @@ class Overview(Schema):
     steps: list[Step] = Field(description="Of the first 500 cues of the list.")
     cues: int
     counts: dict[CueStatus, int]
+    needs: list[NeedCompletion] = Field(description="The most needed first; a need without cues is left out.")
     builds: list[BuildBrief]
     palette: list[PaletteSound]
     lately: list[Activity]

@@ -14,7 +14,7 @@ from app.accounts.schemas import PersonBrief
 from app.builds.models import Build
 from app.conformance.models import CheckRun
 from app.dashboards import progress_queries, queries, schemas
-from app.dashboards.progress import counted, preview_url, status_of, viewer_of, worst_in
+from app.dashboards.progress import completion, counted, preview_url, status_of, viewer_of, worst_in
 from app.dashboards.questions import asked_questions, brief
 from app.dashboards.rules import CueStatus
 from app.deliveries.models import Take
@@ -136,6 +136,7 @@ def overview(session: Session, actor: Actor, project_id: UUID) -> schemas.Overvi
         steps=[schemas.Step(cue=brief(project, row), palette=row.palette, status=status_of(row)) for row in steps],
         cues=sum(counts.values()),
         counts=counts,
+        needs=completion(progress_queries.need_groups(session, project_id, viewer_id)),
         builds=[_build(build) for build in builds],
         palette=[
             schemas.PaletteSound(

@@ -18,7 +18,7 @@ from app.projects.rules import EngagementKind
 from app.projects.schemas import ResolvedSpec
 from app.projects.service import ensure_speaks_in, invitation_by_secret, project_access
 from app.projects.specs import read_spec
-from app.sound_lists import export, queries, questions, revisions, service
+from app.sound_lists import export, queries, questions, revisions, service, workbook
 from app.sound_lists.clarity_endpoints import router as clarity_router
 from app.sound_lists.errors import (
     ColumnUnknown,
@@ -106,9 +106,29 @@ def export_sound_list(
 ) -> Response:
     """Return the list as the CSV that `audio-checks check --list` and spreadsheets read."""
     project = project_access(session, actor, project_id).project
-    text = export.sound_list_csv(queries.cues_of(session, project.id), project.cue_prefix)
+    columns = queries.own_columns(session, project.id)
+    text = export.sound_list_csv(queries.cues_of(session, project.id), columns, project.cue_prefix)
     headers = {"Content-Disposition": 'attachment; filename="sounds.csv"'}
     return Response(text, media_type="text/csv; charset=utf-8", headers=headers)
+
+
+@router.get(
+    "/projects/{project_id}/sound-list.xlsx",
+    response_class=Response,
+    responses={
+        **problems(ProjectNotFound),
+        200: {"content": {workbook.MEDIA_TYPE: {"schema": {"type": "string", "format": "binary"}}}},
+    },
+)
+def export_workbook(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT, build=Scope.LIST_READ)
+) -> Response:
+    """Return the list as a workbook with every field and column, which an import reads back without a difference."""
+    project = project_access(session, actor, project_id).project
+    columns = queries.own_columns(session, project.id)
+    content = workbook.sound_list_workbook(queries.cues_of(session, project.id), columns, project.cue_prefix)
+    headers = {"Content-Disposition": 'attachment; filename="sounds.xlsx"'}
+    return Response(content, media_type=workbook.MEDIA_TYPE, headers=headers)
 
 
 @router.post(

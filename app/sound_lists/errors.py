@@ -47,5 +47,17 @@ class ColumnUnknown(Invalid):
     """The mapping names a column that the sheet does not have, or one field twice."""
 
 
+class ColumnsChanged(Conflict):
+    """Another person changed the columns since they were read."""
+
+
+class ColumnsInvalid(Invalid):
+    """A column cannot be as it was sent; nothing was changed."""
+
+
+class MatrixInvalid(Invalid):
+    """The line makes no cues, or too many."""
+
+
 class OrderInvalid(Invalid):
     """The new order names a cue twice or one of another list."""

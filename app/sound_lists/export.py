@@ -6,10 +6,12 @@ from datetime import date
 
 import audio_checks
 from app.sound_lists.models import Cue
-from app.sound_lists.rules import label, spreadsheet_safe
+from app.sound_lists.own_column_rules import Column, key_of
+from app.sound_lists.rules import NEW_CUE, label, spreadsheet_safe
 from app.sound_lists.service import cue_facts
 
 OWN_COLUMNS = (
+    "need",
     "playback_priority",
     "due_on",
     "placeholder",
@@ -17,19 +19,30 @@ OWN_COLUMNS = (
 )  # in the export, besides those that every tool knows
 
 
-def sound_list_csv(cues: Sequence[Cue], cue_prefix: str) -> str:
+def sound_list_csv(cues: Sequence[Cue], columns: Sequence[Column], cue_prefix: str) -> str:
     """Return the list as the CSV that spreadsheets, CI and our own import read; no cell is a formula."""
-    own = [column for column in OWN_COLUMNS if any(getattr(cue, column) for cue in cues)]
-    extras: dict[str, str] = {}  # the first spelling of a column, by the one that readers compare
-    for column in (column for cue in cues for column in cue.extra):
-        extras.setdefault(column.lower(), column)
+    own = [column for column in OWN_COLUMNS if any(getattr(cue, column) != NEW_CUE[column] for cue in cues)]
+    extras = value_columns(cues, columns)
     return audio_checks.write_sound_list(_exported(cue, cue_prefix, own, extras) for cue in cues)
+
+
+def value_columns(cues: Sequence[Cue], columns: Sequence[Column]) -> dict[str, str]:
+    """Return the columns that cues have values in, the project's own first: each name by its `key_of`."""
+    names = {key_of(column.name): column.name for column in columns}
+    for name in (name for cue in cues for name in cue.extra):
+        names.setdefault(key_of(name), name)
+    return names
+
+
+def values_by_key(cue: Cue) -> dict[str, str]:
+    """Return a cue's values by the `key_of` their columns."""
+    return {key_of(name): text for name, text in cue.extra.items()}
 
 
 def _exported(cue: Cue, cue_prefix: str, own: Sequence[str], extras: Mapping[str, str]) -> audio_checks.CueFacts:
     more = {"description": cue.description, "use": cue.use, "trigger": cue.trigger}
     more |= {column: _plain(getattr(cue, column)) for column in own}
-    values = {column.lower(): text for column, text in cue.extra.items()}
+    values = values_by_key(cue)
     more |= {column: values.get(key, "") for key, column in extras.items()}
     return replace(
         cue_facts(cue),
@@ -39,7 +52,7 @@ def _exported(cue: Cue, cue_prefix: str, own: Sequence[str], extras: Mapping[str
     )
 
 
-def _plain(value: bool | int | date | None) -> str:
+def _plain(value: bool | int | date | str | None) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     return "" if value is None else str(value)

@@ -1,6 +1,6 @@
 """A spreadsheet becomes rows of the list: all of them, or none."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, field
 from typing import Any
 from uuid import UUID
@@ -14,14 +14,17 @@ from app.sound_lists import queries
 from app.sound_lists.columns import Head, head_of, is_day_first, looks_like, read_cell, says_loop
 from app.sound_lists.errors import ColumnUnknown
 from app.sound_lists.models import Cue
-from app.sound_lists.rules import NEW_CUE, CueState, Facts, label, read_label, tidy_line, tidy_text, typed_text
-from app.sound_lists.save_edits import Edit, RowFault, row_faults, save, whole_facts
-from app.sound_lists.schemas import FieldChange, ImportColumn, ImportFault, ImportField, ImportRead, ImportRow
+from app.sound_lists.own_column_rules import Column as OwnColumn
+from app.sound_lists.own_column_rules import by_key, kept_name, key_of, read_value
+from app.sound_lists.rules import NEW_CUE, CueState, Facts, label, read_label, tidy_text, typed_text
+from app.sound_lists.save_edits import Edit, RowFault, row_faults, save, whole_facts, with_fitted_values
+from app.sound_lists.schemas import FieldChange, ImportColumn, ImportFault, ImportRead, ImportRow
 from app.sound_lists.sheets import Sheet
 
 SAMPLES = 3
 MISMAPPED = 3  # wrong cells of one column, from which on they are one fault
 KEPT: frozenset[str] = frozenset({"extra", "ignore"})
+OWN = "own:"  # before the name of a column of the project's own
 
 
 @dataclass(frozen=True)
@@ -31,8 +34,8 @@ class Column:
     place: int
     name: str
     samples: tuple[str, ...]
-    guess: ImportField | None
-    field: ImportField
+    guess: str | None
+    field: str
     unit_s: float
     day_first: bool | None  # whether 4/5/2026 is in May; None where no cell of the column shows it
 
@@ -51,7 +54,7 @@ def import_sheet(
     project_id: UUID,
     sheet: Sheet,
     *,
-    mapping: Mapping[str, ImportField] | None,
+    mapping: Mapping[str, str] | None,
     match: str,
     dry_run: bool,
 ) -> ImportRead:
@@ -60,8 +63,13 @@ def import_sheet(
     access.ensure_may_speak()
     project = access.project
     queries.lock_list(session, project.id)
-    columns = _columns(sheet, project.cue_prefix, mapping or {})
-    plan = _plan(session, project, sheet, columns, match)
+    cues = queries.cues_of(session, project.id)
+    own = by_key(queries.own_columns(session, project.id))
+    kept = {key_of(name) for cue in cues for name in cue.extra}
+    columns = _columns(sheet, _Known(project.cue_prefix, own, kept), mapping or {})
+    plan = _plan(cues, project, sheet, columns, match, own)
+    plan.edits, unfit = with_fitted_values(session, project, plan.edits)
+    plan.faults += unfit
     failed = {fault.row for fault in plan.faults}
     plan.faults += row_faults(session, project, [edit for edit in plan.edits if edit.row not in failed])
     plan.faults = list(_by_column(plan.faults, columns, sheet))
@@ -100,18 +108,29 @@ def _names(sheet: Sheet, columns: Sequence[Column]) -> dict[int, str]:
     return {} if place is None else {row: cells[place] for row, cells in sheet.rows}
 
 
-def _columns(sheet: Sheet, cue_prefix: str, mapping: Mapping[str, ImportField]) -> list[Column]:
+@dataclass(frozen=True)
+class _Known:
+    """What the columns of a sheet may be, besides the fields."""
+
+    cue_prefix: str
+    own: Mapping[str, OwnColumn]
+    kept: Set[str]  # names under which cues keep values, own columns or not
+
+
+def _columns(sheet: Sheet, known: _Known, mapping: Mapping[str, str]) -> list[Column]:
     if unknown := [name for name in mapping if name not in sheet.columns]:
         raise ColumnUnknown(f'the sheet has no column "{unknown[0]}"; it has {", ".join(sheet.columns)}')
     chosen = {wanted for wanted in mapping.values() if wanted not in KEPT}
     for wanted in sorted(chosen):
+        if wanted.startswith(OWN) and key_of(wanted.removeprefix(OWN)) not in known.own:
+            raise ColumnUnknown(f'the list has no column of its own called "{wanted.removeprefix(OWN)}"')
         if len(names := [name for name, given in mapping.items() if given == wanted]) > 1:
-            raise ColumnUnknown(f"two columns are mapped to {wanted}: {', '.join(names)}")
+            raise ColumnUnknown(f"two columns are mapped to {wanted.removeprefix(OWN)}: {', '.join(names)}")
     taken: set[str] = set()
     columns = []
     for place, name in enumerate(sheet.columns):
         cells = [cells[place] for _, cells in sheet.rows]
-        guess, head = _guessed(sheet, place, name, cells, cue_prefix, taken)
+        guess, head = _guessed(sheet, place, name, cells, known, taken)
         if guess:
             taken.add(guess)
         free = guess if guess and guess not in chosen else "extra"
@@ -130,19 +149,25 @@ def _columns(sheet: Sheet, cue_prefix: str, mapping: Mapping[str, ImportField]) 
 
 
 def _guessed(
-    sheet: Sheet, place: int, name: str, cells: Sequence[str], cue_prefix: str, taken: set[str]
-) -> tuple[ImportField | None, Head]:
-    head = head_of(name)
+    sheet: Sheet, place: int, name: str, cells: Sequence[str], known: _Known, taken: set[str]
+) -> tuple[str | None, Head]:
+    guess: str | None
+    head, key = head_of(name), key_of(typed_text(name))
     if sheet.header_row is None:
         head = Head(("name", "description")[place] if place < 2 else None)
-    guess: Any = head.field
+    elif not head.is_ours and key in known.own:
+        guess = f"{OWN}{known.own[key].name}"
+        return (None if guess in taken else guess), head
+    elif not head.is_ours and key in known.kept:
+        return None, head
+    guess = head.field
     if guess == "category" and says_loop(cells):
         guess = "loop"
     if guess is None or guess in taken:
         return None, head
     filled = [cell for cell in cells if cell]
     if guess == "number":
-        fits = 2 * sum(read_label(cue_prefix, cell) is not None for cell in filled) >= len(filled)
+        fits = 2 * sum(read_label(known.cue_prefix, cell) is not None for cell in filled) >= len(filled)
     else:
         fits = looks_like(guess, cells, head.unit_s)
     return (guess if fits or head.is_ours else None), head
@@ -178,13 +203,20 @@ class _Finder:
         return None
 
 
-def _plan(session: Session, project: Project, sheet: Sheet, columns: Sequence[Column], match: str) -> Plan:
+def _plan(
+    cues: Sequence[Cue],
+    project: Project,
+    sheet: Sheet,
+    columns: Sequence[Column],
+    match: str,
+    own: Mapping[str, OwnColumn],
+) -> Plan:
     plan = Plan()
-    finder = _Finder(queries.cues_of(session, project.id), project.cue_prefix, match)
+    finder = _Finder(cues, project.cue_prefix, match)
     seen: dict[UUID, int] = {}
     for row, cells in sheet.rows:
         given: Facts = {}
-        faults = list(_read_row(project.cue_prefix, columns, row, cells, given))
+        faults = list(_read_row(project.cue_prefix, columns, own, row, cells, given))
         number = given.pop("number", None)
         if not faults:
             try:
@@ -220,7 +252,12 @@ def _by_column(faults: Sequence[RowFault], columns: Sequence[Column], sheet: She
 
 
 def _read_row(
-    cue_prefix: str, columns: Sequence[Column], row: int, cells: Sequence[str], given: Facts
+    cue_prefix: str,
+    columns: Sequence[Column],
+    own: Mapping[str, OwnColumn],
+    row: int,
+    cells: Sequence[str],
+    given: Facts,
 ) -> Iterator[RowFault]:
     """Add a row's values to `given`, and yield the cells that cannot be read."""
     extra: dict[str, str] = {}
@@ -229,7 +266,13 @@ def _read_row(
         if column.field == "ignore":
             continue
         if column.field == "extra":
-            extra[_own_name(typed_text(column.name))] = tidy_text(text)
+            extra[kept_name(typed_text(column.name))] = tidy_text(text)
+        elif column.field.startswith(OWN):
+            into = own[key_of(column.field.removeprefix(OWN))]
+            try:
+                extra[into.name] = read_value(into, text, column.day_first)
+            except ValueError as error:
+                yield RowFault(row, column.field, str(error))
         elif column.field == "number":
             given["number"] = read_label(cue_prefix, text) if text else None
             if text and given["number"] is None:
@@ -242,18 +285,19 @@ def _read_row(
     given["extra"] = extra
 
 
-def _own_name(column: str) -> str:
-    """Return the name under which a column of the writer's own is kept; never that of a field."""
-    name = tidy_line(column)
-    return f"{name} (own)" if name.lower() in {*NEW_CUE, "number"} else name
+def _with_values(before: Mapping[str, str], given: Mapping[str, str]) -> dict[str, str]:
+    """Return a cue's values by column after some were given, each under the spelling that the cue has already."""
+    spelled = {key_of(name): name for name in before}
+    merged = {**before, **{spelled.get(key_of(name), name): text for name, text in given.items()}}
+    return {name: text for name, text in merged.items() if text}
 
 
 def _edit(cue_prefix: str, row: int, given: Facts, cue: Cue | None, number: int | None) -> tuple[Edit, RowFault | None]:
-    if given.get("state", "") is None:  # an empty cell leaves the state as it is
-        del given["state"]
+    for fact in ("state", "need"):
+        if given.get(fact, "") is None:  # an empty cell leaves it as it is
+            del given[fact]
     before = {fact: getattr(cue, fact) for fact in NEW_CUE} if cue else NEW_CUE
-    extra = {**before["extra"], **given["extra"]}
-    facts = whole_facts({**given, "extra": {name: text for name, text in extra.items() if text}}, before)
+    facts = whole_facts({**given, "extra": _with_values(before["extra"], given["extra"])}, before)
     edit = Edit(row, facts, cue, None if cue else number)
     if cue is None or facts == edit.before:
         return edit, None

@@ -2,7 +2,8 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from enum import StrEnum
-from typing import Protocol
+from typing import NamedTuple
+from uuid import UUID
 
 from app.sound_lists.columns import EMPTY, MAX_FIGURE_CHARS, number_text, read_cell, read_number
 from app.sound_lists.rules import NEW_CUE, folded, tidy_line, tidy_text
@@ -24,12 +25,13 @@ class ColumnKind(StrEnum):
     DATE = "date"
 
 
-class Column(Protocol):
+class Column(NamedTuple):
     """A column of the project's own."""
 
+    id: UUID | None  # None: not saved yet
     name: str
     kind: ColumnKind
-    choices: list[str]
+    choices: Sequence[str] = ()  # of a choice, in the order shown
 
 
 def key_of(name: str) -> str:

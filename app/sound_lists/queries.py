@@ -10,7 +10,8 @@ from sqlalchemy.orm import Session, joinedload, selectinload
 
 from app.kit.in_array import in_array
 from app.projects.models import Project
-from app.sound_lists.models import Cue, CueChange, Question, Revision, Stem
+from app.sound_lists.models import Cue, CueChange, OwnColumn, Question, Revision, Stem
+from app.sound_lists.own_column_rules import Column
 from app.sound_lists.rules import CueState, folded
 
 IDS_AT_ONCE = 500  # SQLite takes 32,766 variables in a statement, older ones 999
@@ -36,6 +37,13 @@ def category_counts(session: Session, project_id: UUID) -> Sequence[Row[str, int
     """Return the categories of the cues that are not cut, by name, with the number of their cues."""
     of_project = select(Cue.category, func.count()).where(Cue.project_id == project_id, Cue.state != CueState.CUT)
     return session.execute(of_project.group_by(Cue.category).order_by(Cue.category)).all()
+
+
+def own_columns(session: Session, project_id: UUID) -> list[Column]:
+    """Return the columns of the project's own, in order."""
+    query = select(OwnColumn.id, OwnColumn.name, OwnColumn.kind, OwnColumn.choices)
+    query = query.where(OwnColumn.project_id == project_id).order_by(OwnColumn.position)
+    return [Column._make(row) for row in session.execute(query)]
 
 
 def words_of_cues(session: Session, project_id: UUID) -> Sequence[Row[str, str, str, str, str, str]]:

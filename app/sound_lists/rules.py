@@ -68,8 +68,10 @@ LINES = {"name": 200, "file_name": 200, "category": 60}
 TEXTS = {"description": 10_000, "use": 2_000, "trigger": 2_000}
 MAX_EXTRA_COLUMNS = 100
 MAX_EXTRA_CHARS = 2_000
+MAX_EXTRA_NAME_CHARS = 100
+DURATION_DECIMALS = 6  # as many as an import reads
 
-_UNSEEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff]")
+_UNSEEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff\ufffe\uffff]")
 _NOT_IN_FILE_NAMES = re.compile(r'[<>:"/\\|?*]')
 _DEVICE_NAME = re.compile(r"(con|prn|aux|nul|com[0-9]|lpt[0-9])(\..*)?", re.IGNORECASE)
 FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
@@ -115,6 +117,8 @@ def tidy(facts: Mapping[str, Any]) -> Facts:
         kept[field] = tidy_text(kept[field])
     if "category" in kept:  # the spec names categories by slugs, and [categories.ui] is meant for "UI" as well
         kept["category"] = kept["category"].lower().replace(" ", "-")
+    if kept.get("duration_s") is not None:
+        kept["duration_s"] = round(kept["duration_s"], DURATION_DECIMALS)
     if kept.get("name") == "" and kept.get("file_name"):
         kept["name"] = audio_checks.stems_of("", kept["file_name"], 1)[0]
     return kept
@@ -137,6 +141,11 @@ def faults_of(facts: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
     if len(facts["extra"]) > MAX_EXTRA_COLUMNS:
         yield "extra", f"{len(facts['extra'])} columns of your own; at most {MAX_EXTRA_COLUMNS} are kept"
     for column, text in facts["extra"].items():
+        if not 0 < len(column) <= MAX_EXTRA_NAME_CHARS:
+            yield (
+                "extra",
+                f"a column of your own has a name of 1 to {MAX_EXTRA_NAME_CHARS} characters, not {len(column)}",
+            )
         if len(text) > MAX_EXTRA_CHARS:
             yield column, f"{len(text)} characters; at most {MAX_EXTRA_CHARS} are kept"
 

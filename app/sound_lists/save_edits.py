@@ -1,7 +1,7 @@
 """Saves rows as revisions of a list: reserves names, records changes, publishes events."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import date
 from typing import Any
 from uuid import UUID
@@ -17,6 +17,7 @@ from app.kit.events import publish
 from app.projects.models import Project
 from app.sound_lists import queries
 from app.sound_lists.models import Cue, CueChange, Revision, Stem
+from app.sound_lists.own_column_rules import by_key, fitted
 from app.sound_lists.rules import (
     CHECKED_FACTS,
     NAMING_FACTS,
@@ -81,6 +82,17 @@ def whole_facts(given: Mapping[str, Any], before: Mapping[str, Any] = NEW_CUE) -
     facts["reverb"] = Reverb(facts["reverb"]) if facts["reverb"] else None
     facts["extra"] = dict(facts["extra"])
     return tidy(facts)
+
+
+def with_fitted_values(session: Session, project: Project, edits: Sequence[Edit]) -> tuple[list[Edit], list[RowFault]]:
+    """Return rows with their values as the project's own columns keep them, and the values that do not fit."""
+    columns = by_key(queries.own_columns(session, project.id))
+    kept, faults = [], []
+    for edit in edits:
+        extra, wrong = fitted(columns, edit.facts["extra"])
+        kept.append(replace(edit, facts={**edit.facts, "extra": extra}))
+        faults += [RowFault(edit.row, column, message) for column, message in wrong]
+    return kept, faults
 
 
 def row_faults(session: Session, project: Project, edits: Sequence[Edit]) -> list[RowFault]:

@@ -222,16 +222,19 @@ ImportField = Literal[
 ]
 
 
+OwnField = Annotated[str, Field(pattern=r"^own:.", max_length=80, description="A column of the list's own, by name.")]
+
+
 class ImportAsk(Schema):
     """A spreadsheet, and how to read it."""
 
     format: Literal["csv", "xlsx", "paste"]
     content_base64: str | None = Field(None, max_length=7_100_000, description="The file's bytes; for csv and xlsx.")
     text: str | None = Field(None, max_length=5_300_000, description="What was pasted, or a CSV as text.")
-    mapping: dict[str, ImportField] | None = Field(
+    mapping: dict[str, ImportField | OwnField] | None = Field(
         None,
-        description="Column → field; `extra` keeps a column as it is, `ignore` leaves it out. Columns not named here "
-        "are read as guessed.",
+        description="Column → field; `own:Mood` is the list's own column Mood, `extra` keeps a column as it is, "
+        "`ignore` leaves it out. Columns not named here are read as guessed.",
     )
     dry_run: bool = Field(description="Only say what would happen.")
     match: Literal["number", "name", "add"] = Field(
@@ -244,8 +247,10 @@ class ImportColumn(Schema):
 
     name: str
     samples: list[str]
-    guess: ImportField | None = Field(description="What its head and cells look like; null: nothing we know.")
-    field: ImportField
+    guess: ImportField | OwnField | None = Field(
+        description="What its head and cells look like; null: nothing we know."
+    )
+    field: ImportField | OwnField
 
 
 class ImportRow(Schema):

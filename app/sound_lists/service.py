@@ -163,7 +163,8 @@ def cut_cue(session: Session, actor: Actor, cue: Cue, reason: str) -> None:
 
 def _save_or_raise(session: Session, access: ProjectAccess, edits: Sequence[Edit]) -> list[Cue]:
     queries.lock_list(session, access.project.id)
-    if faults := save_edits.row_faults(session, access.project, edits):
+    edits, unfit = save_edits.with_fitted_values(session, access.project, edits)
+    if faults := unfit or save_edits.row_faults(session, access.project, edits):
         places = [
             f"row {fault.row}: {fault.field}" if len(edits) > 1 or not edits[0].cue else str(fault.field)
             for fault in faults

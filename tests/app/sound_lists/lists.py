@@ -38,6 +38,19 @@ def page_of(world: World, path: str = "sound-list", by: TestClient | None = None
     return page
 
 
+def columns_of(world: World) -> dict[str, Any]:
+    """The columns of the project's own, and their edition."""
+    return page_of(world, "sound-list/columns", by=world.designer)
+
+
+def set_columns(world: World, columns: list[dict[str, Any]]) -> dict[str, Any]:
+    body = {"columns": columns, "edition": columns_of(world)["edition"]}
+    answer = world.producer.put(f"/v1/projects/{world.project_id}/sound-list/columns", json=body)
+    assert answer.status_code == 200, answer.text
+    found: dict[str, Any] = answer.json()
+    return found
+
+
 def cut(world: World, cue_id: object, reason: str) -> None:
     actor = Actor(person_id=world.approver_id, roles={world.studio_id: frozenset({Role.LIAISON})})
 
