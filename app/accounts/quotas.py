@@ -23,6 +23,7 @@ class QuotaKind(StrEnum):
     TOKENS = "tokens"
     OPEN_UPLOADS = "open_uploads"
     REFERENCE_BYTES = "reference_bytes"
+    REEL_BYTES = "reel_bytes"
 
 
 DEFAULTS: Mapping[QuotaKind, int] = {
@@ -33,6 +34,7 @@ DEFAULTS: Mapping[QuotaKind, int] = {
     QuotaKind.TOKENS: 1_000,
     QuotaKind.OPEN_UPLOADS: 10_000,
     QuotaKind.REFERENCE_BYTES: 200_000_000_000,
+    QuotaKind.REEL_BYTES: 50_000_000_000,
 }
 NOUNS: Mapping[QuotaKind, str] = {
     QuotaKind.MASTER_BYTES: "bytes of masters",
@@ -42,6 +44,7 @@ NOUNS: Mapping[QuotaKind, str] = {
     QuotaKind.TOKENS: "tokens",
     QuotaKind.OPEN_UPLOADS: "unfinished uploads",
     QuotaKind.REFERENCE_BYTES: "bytes of references",
+    QuotaKind.REEL_BYTES: "bytes of reels on the roster",
 }
 
 
@@ -69,7 +72,7 @@ def ensure_room(
     with bypass_row_policies(session):  # a designer sees their own work only, and the limit counts all work
         has = used(session, studio_id)
     if has + added > maximum:
-        is_storage = kind in (QuotaKind.MASTER_BYTES, QuotaKind.REFERENCE_BYTES)
+        is_storage = kind in (QuotaKind.MASTER_BYTES, QuotaKind.REFERENCE_BYTES, QuotaKind.REEL_BYTES)
         refusal = StorageQuotaReached if is_storage else QuotaReached
         raise refusal(
             f"the studio has {has:,} {NOUNS[kind]} and may have {maximum:,}; this would add {added:,}",

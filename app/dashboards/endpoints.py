@@ -8,9 +8,12 @@ from fastapi import Query
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.dashboards import finding, money, next_steps, progress, schemas, service
+from app.dashboards.designer_work import own_work, work_of_entry
 from app.dashboards.desk import Desk
 from app.dashboards.pace import pace
 from app.dashboards.pace_schemas import Pace
+from app.dashboards.work_schemas import WorkFigures
+from app.hiring.errors import RosterEntryNotFound
 from app.kit.http import BadCursor, DbSession, Page, Route, Router, problems
 from app.money.errors import MilestoneNotFound
 from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
@@ -73,6 +76,20 @@ def read_next_steps(project_id: UUID, session: DbSession, actor: Actor = allows(
 def read_pace(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> Pace:
     """Return how a project goes: the work's pace beside the studio's own, for both parties."""
     return pace(session, actor, project_id)
+
+
+@router.get("/roster/{roster_entry_id}/work", responses=problems(RosterEntryNotFound, TeamNeeded))
+def read_roster_work(
+    roster_entry_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)
+) -> WorkFigures | None:
+    """Return what is known of a designer on file from work for this studio; null where there was none."""
+    return work_of_entry(session, actor, roster_entry_id)
+
+
+@router.get("/me/work")
+def read_own_work(session: DbSession, actor: Actor = allows(Audience.PERSON)) -> list[WorkFigures]:
+    """Return what each studio that the caller works or worked for knows from that work."""
+    return own_work(session, actor)
 
 
 @router.get("/projects/{project_id}/desk", responses=problems(ProjectNotFound, DesignerNeeded))

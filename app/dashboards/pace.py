@@ -1,10 +1,12 @@
 """How a project goes, seen by both sides: the work's pace beside the studio's own."""
 
 from collections import defaultdict
+from collections.abc import Sequence
 from datetime import date, datetime
 from statistics import median
 from uuid import UUID
 
+from sqlalchemy import Row
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
@@ -38,12 +40,7 @@ def pace(session: Session, actor: Actor, project_id: UUID) -> Pace:
     access.ensure_party()
     designer_id = access.only_designer_id
     listed = pace_queries.cues(session, project_id, designer_id)
-    decided = _decided(session, project_id, designer_id)
-    nothing: Decided = (0, None, {})
-    by_cue = {
-        cue_id: _cue_pace(decided.get(cue_id, nothing), variations, due_on)
-        for cue_id, _, _, variations, due_on in listed
-    }
+    by_cue = _cue_paces(session, project_id, designer_id, listed)
     every, now = list(by_cue.values()), clock.now()
     worn = [
         WornCue(cue_id=cue_id, label=label(access.project.cue_prefix, number), name=name, rounds=by_cue[cue_id].rounds)
@@ -79,6 +76,25 @@ def pace(session: Session, actor: Actor, project_id: UUID) -> Pace:
             for total in paid.totals
         ],
     )
+
+
+def cue_paces(session: Session, project_id: UUID, designer_id: UUID) -> dict[UUID, CuePace]:
+    """Return what was decided of each cue of a project that a designer sent something for."""
+    return _cue_paces(session, project_id, designer_id, pace_queries.cues(session, project_id, designer_id))
+
+
+def _cue_paces(
+    session: Session,
+    project_id: UUID,
+    designer_id: UUID | None,
+    listed: Sequence[Row[UUID, int, str, int, date | None]],
+) -> dict[UUID, CuePace]:
+    decided = _decided(session, project_id, designer_id)
+    nothing: Decided = (0, None, {})
+    return {
+        cue_id: _cue_pace(decided.get(cue_id, nothing), variations, due_on)
+        for cue_id, _, _, variations, due_on in listed
+    }
 
 
 Decided = tuple[int, datetime | None, dict[int, datetime]]  # rounds, the first of them, approvals by variation

@@ -54,6 +54,13 @@ def days_late(cues: Collection[CuePace]) -> float | None:
     return median(late) if len(late) >= FEW else None
 
 
+def on_time_share(cues: Collection[CuePace]) -> float | None:
+    """Return which share of the accepted cues with a day was accepted by it; None: too few."""
+    dated = [cue for cue in cues if cue.accepted_at is not None and cue.due_on is not None]
+    on_time = sum(cue.accepted_at.date() <= cue.due_on for cue in dated if cue.accepted_at and cue.due_on)
+    return on_time / len(dated) if len(dated) >= FEW else None
+
+
 def median_hours(spans: Sequence[tuple[datetime, datetime]]) -> float | None:
     """Return how many hours something took, half of the time longer; None: it happened too seldom."""
     hours = [(ended - began).total_seconds() / 3600 for began, ended in spans if ended >= began]

@@ -141,7 +141,7 @@ async def begin_upload(
         str | None,
         Header(
             description="In Base64: `file_name`, `sha256` if known; `delivery_id`, and `take_id` of what a dry stem is "
-            "for; or `project_id` of a reference; or `adoption_id`."
+            "for; or `project_id` of a reference; or `adoption_id`; or `roster_entry_id` of a reel."
         ),
     ] = None,
     upload_checksum: Annotated[str | None, Header()] = None,

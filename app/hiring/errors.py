@@ -93,3 +93,11 @@ class RosterInvalid(Invalid):
 
 class CalendarUnreadable(Invalid):
     """The file is no readable calendar, or it is too large."""
+
+
+class ReelFull(Conflict):
+    """The reel has as many sounds as it may have."""
+
+
+class NoSound(Invalid):
+    """The file is no sound that browsers play."""

@@ -1,5 +1,7 @@
 """Postings, bids and comparisons as each caller may see them."""
 
+from collections.abc import Sequence
+from datetime import date
 from typing import Any
 from uuid import UUID
 
@@ -12,11 +14,14 @@ from app.hiring import bids, comparison, queries
 from app.hiring.access import PostingAccess, today_of
 from app.hiring.models import Bid, Candidate, Posting, Score
 from app.hiring.postings import posting_seen
+from app.hiring.roster import entries_of_bidders
+from app.hiring.roster_rules import Busy, clashes
 from app.hiring.rules import amount_minor, hourly_rate_minor, missing_lines, takes_bids, total_minor
 from app.hiring.schemas import (
     AskedLine,
     BidComparison,
     BidContent,
+    BusyRangeWrite,
     CandidateRead,
     Clash,
     ComparedBid,
@@ -166,12 +171,21 @@ def _scores(score: Score) -> PersonScores:
     return PersonScores(person=PersonBrief.model_validate(score.person), scores=score.scores, note=score.note)
 
 
+def _busy_in(
+    busy: Sequence[Busy], days: tuple[date | None, date | None], available_from_on: date | None
+) -> list[BusyRangeWrite]:
+    return [BusyRangeWrite(**vars(one)) for one in clashes(busy, *days, available_from_on)]
+
+
 def comparison_read(session: Session, actor: Actor, posting_id: UUID) -> BidComparison:
     """Return the bids of a posting on the same lines."""
     posting, sent = comparison.compared_bids(session, actor, posting_id)
     scores = comparison.scores_seen(session, actor, posting, sent)
+    proven = [bid.designer.email for bid in sent if bid.designer.email_proof is not None]
+    on_file = entries_of_bidders(session, actor, posting.studio_id, proven)
     compared = []
     for bid in sent:
+        entry, busy = on_file.get(bid.designer.email, (None, []))
         content = BidContent.model_validate(bid.sent)
         lines = (bid.sent or {})["lines"]
         whole = total_minor(lines)
@@ -195,6 +209,12 @@ def comparison_read(session: Session, actor: Actor, posting_id: UUID) -> BidComp
                 and rate < posting.rate_floor_minor,
                 over_budget_minor=whole - posting.budget_minor if posting.budget_minor is not None else None,
                 days_late=late if late is not None and late > 0 else None,
+                roster_entry_id=entry.id if entry else None,
+                busy=_busy_in(
+                    busy,
+                    (content.from_on or posting.work_from_on, content.to_on or posting.work_to_on),
+                    entry.available_from_on if entry else None,
+                ),
                 own_scores=_scores(own) if own else None,
                 others=[_scores(one) for one in others] if others is not None else None,
                 scored_by=count,

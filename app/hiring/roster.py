@@ -32,6 +32,8 @@ from app.projects.service import project_access
 from app.references.errors import ReferenceInvalid
 from app.references.rules import host_of
 
+READERS = frozenset({Role.PRODUCER, Role.LIAISON})
+
 
 @dataclass(frozen=True)
 class RosterAccess:
@@ -50,7 +52,7 @@ def roster_access(session: Session, actor: Actor, studio_id: UUID) -> RosterAcce
     """Return the caller's place at a studio's roster; raise TeamNeeded for its other members."""
     ensure_member_of(actor, studio_id)
     roles = actor.roles_in(studio_id)
-    if not roles & {Role.PRODUCER, Role.LIAISON}:
+    if not roles & READERS:
         raise TeamNeeded("only a producer or an audio lead of the studio can do this")
     return RosterAccess(session.get_one(Studio, studio_id), is_producer=Role.PRODUCER in roles)
 
@@ -75,6 +77,17 @@ def known_of(entry: RosterEntry) -> Known:
     """Return what a search can find of an entry; a rate is none of it."""
     texts = (entry.name, entry.email, entry.equipment, entry.credits, entry.referees, entry.notes)
     return Known(texts, entry.specialities, entry.services, entry.languages)
+
+
+def entries_of_bidders(
+    session: Session, actor: Actor, studio_id: UUID, emails: Sequence[str]
+) -> dict[str, tuple[RosterEntry, list[Busy]]]:
+    """Return by address who is on file, with the days that are taken; nobody to those who do not see the roster."""
+    if not actor.roles_in(studio_id) & READERS:
+        return {}
+    entries = roster_queries.entries_of_addresses(session, studio_id, emails)
+    ranges = roster_queries.ranges_of(session, [entry.id for entry in entries.values()])
+    return {email: (entry, busy_of(ranges.get(entry.id, []))) for email, entry in entries.items()}
 
 
 def busy_of(ranges: Iterable[BusyRange]) -> list[Busy]:
@@ -111,19 +124,23 @@ def remove_entry(session: Session, actor: Actor, entry_id: UUID) -> None:
     roster_queries.drop_entry(session, entry_id)
 
 
-def put_facts(entry: RosterEntry, facts: Mapping[str, Any]) -> None:
-    """Set columns of an entry; raise RosterInvalid for a link that is no https address."""
-    for place, link in enumerate(facts.get("links", ())):
+def ensure_links(links: Sequence[Mapping[str, str]]) -> None:
+    """Raise RosterInvalid for a link that is no plain https address."""
+    for place, link in enumerate(links):
         try:
             host_of(link["url"])
         except ReferenceInvalid as error:
             raise RosterInvalid(
                 error.message, errors=[FieldProblem(where=f"links.{place}.url", message=error.message)]
             ) from None
+
+
+def put_facts(entry: RosterEntry, facts: Mapping[str, Any]) -> None:
+    """Set columns of an entry, which counts as a change of one that is kept already."""
     for name, value in facts.items():
         is_list = name in ("specialities", "services", "languages")
         setattr(entry, name, tidy_values(value) if is_list else value)
-    if entry.revision is not None and entry.id is not None:
+    if entry.id is not None:
         entry.revision += 1
     entry.changed_at = clock.now()
 
@@ -145,6 +162,7 @@ def _put(session: Session, access: RosterAccess, entry: RosterEntry, facts: Mapp
         raise AlreadyOnRoster(
             f"{facts['email']} {message}", errors=[FieldProblem(where="email", message=message)], fix="open that entry"
         )
+    ensure_links(facts["links"])
     put_facts(entry, facts)
 
 

@@ -5,17 +5,20 @@ from datetime import date
 from typing import Annotated, Any, TypeAlias
 from uuid import UUID
 
-from fastapi import Depends, Query, Request
+from fastapi import Depends, Query, Request, Response
 
 from app.accounts.errors import BadAddress, StudioNotFound, TooManyAttempts
 from app.accounts.policies import allows
 from app.accounts.request_limits import RateLimitedRoute, ensure_invitation_allowed
 from app.accounts.rules import Actor, Audience
-from app.hiring import postings, roster
+from app.hiring import postings, reel, roster
 from app.hiring.errors import (
     AlreadyOnRoster,
     CalendarUnreadable,
+    NoSound,
     PostingNotFound,
+    ReelFull,
+    ReelSoundNotFound,
     RosterEntryChanged,
     RosterEntryNotFound,
     RosterFull,
@@ -31,6 +34,7 @@ from app.hiring.roster_schemas import (
     BusyRangesWrite,
     CalendarFile,
     PostingChoice,
+    ReelSoundAdd,
     RosterEntryChange,
     RosterEntryRead,
     RosterEntryWrite,
@@ -41,15 +45,20 @@ from app.hiring.roster_schemas import (
 )
 from app.hiring.schemas import PostingRead
 from app.kit import clock
+from app.kit.blob_response import WHILE_ASKED, blob_response
 from app.kit.bodies import LARGE_BODY_BYTES
-from app.kit.http import BadCursor, DbSession, Router, problems
+from app.kit.http import BadCursor, CurrentRuntime, DbSession, Router, problems
 from app.kit.parsing_queue import ParsingBusy, parse_request
+from app.kit.storage import BlobMissing
+from app.kit.uploads import UploadNotFound, UploadUnfinished
 from app.projects.errors import ProducerNeeded, TeamNeeded
 from app.sound_lists.errors import ColumnUnknown, SheetUnreadable
 from app.sound_lists.sheets import Sheet
 
 router = Router(prefix="/v1", tags=["roster"], route_class=RateLimitedRoute)
 TEAM: Actor = allows(Audience.TEAM)
+# What strangers sent runs nothing and loads nothing in a browser that opens it.
+LOCKED = {"Content-Security-Policy": "default-src 'none'; sandbox", "X-Content-Type-Options": "nosniff"}
 SentSheet: TypeAlias = tuple[RosterImportAsk, Sheet]
 SentCalendar: TypeAlias = tuple[CalendarFile, list[Range]]
 Text = Annotated[str, Query(max_length=200)]
@@ -209,3 +218,43 @@ def invite_from_roster(posting_id: UUID, body: RosterInvite, session: DbSession,
         ensure_invitation_allowed(session, actor)
     roster.invite_from_roster(session, actor, posting_id, body.entry_ids)
     return posting_read(session, actor, posting_id)
+
+
+@router.post(
+    "/roster/{roster_entry_id}/reel",
+    status_code=201,
+    responses=problems(
+        RosterEntryNotFound, TeamNeeded, NoSound, ReelFull, UploadNotFound, UploadUnfinished, BlobMissing
+    ),
+)
+def add_reel_sound(
+    roster_entry_id: UUID, body: ReelSoundAdd, session: DbSession, runtime: CurrentRuntime, actor: Actor = TEAM
+) -> RosterEntryRead:
+    """Add a finished upload to the reel of a designer on file."""
+    reel.add_sound(session, actor, roster_entry_id, upload_id=body.upload_id, title=body.title, store=runtime.store)
+    return entry_read(session, actor, roster_entry_id)
+
+
+@router.delete("/reel-sounds/{reel_sound_id}", responses=problems(ReelSoundNotFound, TeamNeeded))
+def remove_reel_sound(reel_sound_id: UUID, session: DbSession, actor: Actor = TEAM) -> RosterEntryRead:
+    """Remove a sound from its reel."""
+    return entry_read(session, actor, reel.remove_sound(session, actor, reel_sound_id))
+
+
+@router.get(
+    "/reel-sounds/{reel_sound_id}/file",
+    response_class=Response,
+    responses={
+        200: {"content": {"application/octet-stream": {}}},
+        **problems(ReelSoundNotFound, TeamNeeded, BlobMissing),
+    },
+)
+def get_reel_sound(
+    reel_sound_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = TEAM
+) -> Response:
+    """Send a sound of a reel as it was uploaded, parts of it by Range."""
+    sound = reel.sound_seen(session, actor, reel_sound_id)
+    headers = LOCKED | {"Cache-Control": WHILE_ASKED}
+    return blob_response(
+        request, runtime.store, sound.studio_id, sound.sha256, media_type=sound.media_type, headers=headers
+    )

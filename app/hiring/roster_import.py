@@ -11,7 +11,7 @@ from app.accounts.rules import Actor
 from app.hiring import roster_queries
 from app.hiring.errors import RosterInvalid
 from app.hiring.models import RosterEntry
-from app.hiring.roster import RosterAccess, put_facts, roster_access
+from app.hiring.roster import RosterAccess, ensure_links, put_facts, roster_access
 from app.hiring.roster_columns import MAX_CELL_CHARS, RosterField, field_of, read_cell
 from app.hiring.roster_rules import MAX_ENTRIES
 from app.hiring.roster_schemas import RosterImportColumn, RosterImportFault, RosterImportRead, RosterImportRow
@@ -167,7 +167,7 @@ def _find_entries(session: Session, studio_id: UUID, rows: Sequence[PlannedRow])
             message = f"row {first[email]} has the same address"
             planned.faults.append(RosterImportFault(row=planned.row, column="email", message=message))
         try:
-            put_facts(RosterEntry(), {"links": planned.facts.get("links", [])})
+            ensure_links(planned.facts.get("links", []))
         except RosterInvalid as error:
             planned.faults.append(RosterImportFault(row=planned.row, column="links", message=error.message))
 

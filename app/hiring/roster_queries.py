@@ -15,7 +15,6 @@ from app.hiring.rules import PostingState
 from app.projects.models import Engagement, Project
 
 MAX_POSTINGS = 100
-MAX_SOUNDS = 20  # of one reel
 
 
 def entries_of(session: Session, studio_id: UUID) -> Sequence[RosterEntry]:

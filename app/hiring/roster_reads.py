@@ -22,7 +22,6 @@ from app.hiring.roster_rules import (
 )
 from app.hiring.roster_schemas import (
     BusyRangeRead,
-    BusyRangeWrite,
     PostingChoice,
     ReelSoundRead,
     RosterEntryRead,
@@ -31,6 +30,7 @@ from app.hiring.roster_schemas import (
     RosterRow,
     ValueCount,
 )
+from app.hiring.schemas import BusyRangeWrite
 from app.kit.http import bad_cursor, uuid_cursor
 
 PAGE = 100
@@ -94,10 +94,7 @@ def _rate(access: RosterAccess, entry: RosterEntry) -> RosterRate | None:
 
 
 def _clashes(busy: Sequence[Busy], days: tuple[date | None, date | None], from_on: date | None) -> list[BusyRangeWrite]:
-    return [
-        BusyRangeWrite(from_on=one.from_on, to_on=one.to_on, kind=one.kind, note=one.note)
-        for one in clashes(busy, *days, from_on)
-    ]
+    return [BusyRangeWrite(**vars(one)) for one in clashes(busy, *days, from_on)]
 
 
 def _row(

@@ -8,15 +8,13 @@ from pydantic import Field, StringConstraints
 
 from app.accounts.schemas import Email, Line, PersonBrief, Prose
 from app.hiring.roster_columns import RosterField
-from app.hiring.roster_rules import MAX_RANGES, BusyKind, Exclusivity, RateUnit, RosterService, WeekState
+from app.hiring.roster_rules import MAX_RANGES, Exclusivity, RateUnit, RosterService, WeekState
 from app.hiring.rules import PostingState
-from app.hiring.schemas import Currency, Minor, Revision
+from app.hiring.schemas import BusyRangeWrite, Currency, Day, Minor, Revision
 from app.kit.http import Schema
 
 Word = Annotated[Line, Field(max_length=60)]
 Words = Annotated[list[Word], Field(max_length=30)]
-Note = Annotated[str, StringConstraints(strip_whitespace=True, max_length=200, pattern="^[^\\x00]*$")]
-Day = Annotated[date, Field(ge=date(2000, 1, 1), le=date(2999, 12, 31))]
 
 
 class RosterLink(Schema):
@@ -61,15 +59,6 @@ class RosterEntryChange(RosterEntryWrite):
     """An entry as it should be."""
 
     revision: Revision = Field(description="The revision that was read.")
-
-
-class BusyRangeWrite(Schema):
-    """Days that are taken."""
-
-    from_on: Day
-    to_on: Day = Field(description="The last day.")
-    kind: BusyKind = BusyKind.BOOKED
-    note: Note = ""
 
 
 class BusyRangesWrite(Schema):

@@ -7,6 +7,7 @@ from uuid import UUID
 from pydantic import Field, StringConstraints
 
 from app.accounts.schemas import Email, Line, PersonBrief, Prose
+from app.hiring.roster_rules import BusyKind
 from app.hiring.rules import (
     DEFAULT_HEADINGS,
     AskedScope,
@@ -25,6 +26,17 @@ Revision = Annotated[int, Field(ge=0, le=LARGEST_NUMBER)]
 Key = Annotated[str, StringConstraints(strip_whitespace=False, max_length=200, pattern="^[^\\x00]*$")]
 Asked = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=2000, pattern="^[^\\x00]*$")]
 Heading = Annotated[Line, Field(max_length=60)]
+Note = Annotated[str, StringConstraints(strip_whitespace=True, max_length=200, pattern="^[^\\x00]*$")]
+Day = Annotated[date, Field(ge=date(2000, 1, 1), le=date(2999, 12, 31))]
+
+
+class BusyRangeWrite(Schema):
+    """Days that are taken."""
+
+    from_on: Day
+    to_on: Day = Field(description="The last day.")
+    kind: BusyKind = BusyKind.BOOKED
+    note: Note = ""
 
 
 class PostingAdd(Schema):
@@ -297,6 +309,10 @@ class ComparedBid(Schema):
     is_below_floor: bool
     over_budget_minor: int | None = Field(description="Below zero: under it. Null where no budget is named.")
     days_late: int | None = Field(description="How many days after the posting's last day the work ends.")
+    roster_entry_id: UUID | None = Field(description="The designer on the studio's roster; null where they are not.")
+    busy: list[BusyRangeWrite] = Field(
+        description="By the roster: what is taken in the days of the bid, or of the posting where the bid names none."
+    )
     own_scores: PersonScores | None
     others: list[PersonScores] | None = Field(description="Null until the caller has given every score of their own.")
     scored_by: int = Field(description="How many people have scored it.")

@@ -13,10 +13,12 @@ from app.agreements.models import ContractVersion, Seal
 from app.builds.models import PackedFile, PlaceholderFile
 from app.conformance.models import Fix
 from app.deliveries.models import Archive, DryStem, Take
+from app.hiring.models import ReelSound
 from app.kit.db import Base
 from app.operations.schemas import KeptFiles, KeptKind, StorageRead
 from app.references.models import ReferenceVersion
 from app.renders.models import MasterExport, Picture, Reel, Render
+from app.voice_lines.models import Release
 
 Sums = Select[UUID, str, int, int | None]
 
@@ -40,6 +42,8 @@ KEPT = (
     Source(KeptKind.EXPORTS, MasterExport.studio_id, MasterExport.sha256, MasterExport.file_bytes),
     Source(KeptKind.PLACEHOLDER_FILES, PlaceholderFile.studio_id, PlaceholderFile.sha256, PlaceholderFile.file_bytes),
     Source(KeptKind.REFERENCES, ReferenceVersion.studio_id, ReferenceVersion.sha256, ReferenceVersion.file_bytes),
+    Source(KeptKind.ROSTER_REELS, ReelSound.studio_id, ReelSound.sha256, ReelSound.file_bytes),
+    Source(KeptKind.DOCUMENTS, Release.studio_id, Release.sha256, Release.file_bytes),
     *(
         Source(KeptKind.REFERENCES, ReferenceVersion.studio_id, sha256, size_bytes)
         for sha256, size_bytes in (

@@ -11,6 +11,7 @@ from app.accounts.quotas import DEFAULTS, QuotaKind, limits_of
 from app.accounts.rules import Actor
 from app.accounts.service import ensure_producer_of
 from app.deliveries.queries import kept_master_bytes, open_uploads
+from app.hiring.roster_queries import kept_reel_bytes
 from app.kit.db import bypass_row_policies
 from app.operations import queries
 from app.operations.schemas import QuotaRead, StudioQuotas
@@ -26,6 +27,7 @@ USED: Mapping[QuotaKind, Callable[[Session, UUID], int]] = {
     QuotaKind.TOKENS: tokens_of,
     QuotaKind.OPEN_UPLOADS: open_uploads,
     QuotaKind.REFERENCE_BYTES: kept_reference_bytes,
+    QuotaKind.REEL_BYTES: kept_reel_bytes,
 }
 
 

@@ -489,6 +489,54 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/me/invoice-details": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read My Invoice Details
+         * @description Return what the caller's electronic invoices say of them.
+         */
+        get: operations["read_my_invoice_details"];
+        /**
+         * Save My Invoice Details
+         * @description Save what the caller's electronic invoices say of them; invoices that were complete before keep what they say.
+         */
+        put: operations["save_my_invoice_details"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/studios/{studio_id}/invoice-details": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Studio Invoice Details
+         * @description Return what electronic invoices say of the studio.
+         */
+        get: operations["read_studio_invoice_details"];
+        /**
+         * Save Studio Invoice Details
+         * @description Save what electronic invoices say of the studio; invoices that were complete before keep what they say.
+         */
+        put: operations["save_studio_invoice_details"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects": {
         parameters: {
             query?: never;
@@ -1269,6 +1317,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/sound-list.xlsx": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Export Workbook
+         * @description Return the list as a workbook with every field and column, which an import reads back without a difference.
+         */
+        get: operations["export_workbook"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/cues": {
         parameters: {
             query?: never;
@@ -1587,6 +1655,50 @@ export interface paths {
          * @description Remove the cues that the newest revision added, while no work on them has begun.
          */
         post: operations["undo_cue_addition"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/cue-matrix": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Cue Matrix
+         * @description Return the cues that a line makes under the names that the project's spec asks for; nothing is added.
+         */
+        get: operations["read_cue_matrix"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/sound-list/columns": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Columns
+         * @description Return the columns of the project's own, in order.
+         */
+        get: operations["list_columns"];
+        /**
+         * Replace Columns
+         * @description Set all columns of the project's own; one that is left out is removed, and its values stay with the cues.
+         */
+        put: operations["replace_columns"];
+        post?: never;
         delete?: never;
         options?: never;
         head?: never;
@@ -2177,6 +2289,222 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/studios/{studio_id}/roster": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Roster
+         * @description Return the designers whom a studio has on file, by name.
+         */
+        get: operations["list_roster"];
+        put?: never;
+        /**
+         * Add To Roster
+         * @description Put a designer on file; nobody is mailed.
+         */
+        post: operations["add_to_roster"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/studios/{studio_id}/roster/import": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Import Into Roster
+         * @description Read a sheet of designers into the roster, matched by address; with an error in any row nothing is imported.
+         */
+        post: operations["import_into_roster"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/roster/{roster_entry_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Roster Entry
+         * @description Return a designer on file.
+         */
+        get: operations["read_roster_entry"];
+        /**
+         * Change Roster Entry
+         * @description Change what is on file of a designer.
+         */
+        put: operations["change_roster_entry"];
+        post?: never;
+        /**
+         * Remove From Roster
+         * @description Remove a designer from the file, with everything that was noted of them.
+         */
+        delete: operations["remove_from_roster"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/roster/{roster_entry_id}/busy": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Set Roster Busy
+         * @description Replace the days that were typed as taken; those of a calendar file stay.
+         */
+        put: operations["set_roster_busy"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/roster/{roster_entry_id}/calendar": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Read Roster Calendar
+         * @description Read the taken days of the coming year from a calendar file; no title of an event is kept.
+         */
+        put: operations["read_roster_calendar"];
+        post?: never;
+        /**
+         * Drop Roster Calendar
+         * @description Remove the days that came from a calendar file.
+         */
+        delete: operations["drop_roster_calendar"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/roster/{roster_entry_id}/postings": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Postings To Ask About
+         * @description Return the drafts and open postings that a designer on file can be asked about, newest first.
+         */
+        get: operations["list_postings_to_ask_about"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/postings/{posting_id}/roster-candidates": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Invite From Roster
+         * @description Ask people on file for a bid, each with a personal link: by mail at once, or when the posting opens.
+         */
+        post: operations["invite_from_roster"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/roster/{roster_entry_id}/reel": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Add Reel Sound
+         * @description Add a finished upload to the reel of a designer on file.
+         */
+        post: operations["add_reel_sound"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/reel-sounds/{reel_sound_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Remove Reel Sound
+         * @description Remove a sound from its reel.
+         */
+        delete: operations["remove_reel_sound"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/reel-sounds/{reel_sound_id}/file": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Reel Sound
+         * @description Send a sound of a reel as it was uploaded, parts of it by Range.
+         */
+        get: operations["get_reel_sound"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/bids/{bid_id}/award": {
         parameters: {
             query?: never;
@@ -2665,6 +2993,66 @@ export interface paths {
          * @description Return the dates of contracts as iCalendar, for the holder of the address.
          */
         get: operations["read_calendar"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/invoices/{invoice_id}/electronic-invoice.pdf": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Electronic Invoice Pdf
+         * @description Return an invoice as PDF/A-3 with its XML inside (Factur-X, profile EN 16931).
+         */
+        get: operations["read_electronic_invoice_pdf"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/invoices/{invoice_id}/electronic-invoice.xml": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Electronic Invoice Xml
+         * @description Return an invoice as XML (EN 16931, Cross Industry Invoice).
+         */
+        get: operations["read_electronic_invoice_xml"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/journal.csv": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Journal
+         * @description Return invoices and payments as bookings for an accountant: a designer's sales, or a studio's purchases.
+         */
+        get: operations["read_journal"];
         put?: never;
         post?: never;
         delete?: never;
@@ -4855,6 +5243,454 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/voice-script": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Voice Script
+         * @description Return the languages, the characters and the cast of the script.
+         */
+        get: operations["get_voice_script"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/voice-settings": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Change Voice Settings
+         * @description Set the original language, and how far a length may be from the original's before it is marked.
+         */
+        put: operations["change_voice_settings"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/voice-lines": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Voice Lines
+         * @description Return the lines of the script in one language, in the order of the script.
+         */
+        get: operations["list_voice_lines"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/voice-lines/import": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Import Voice Lines
+         * @description Read a script into the project; with an error in any row nothing is imported.
+         */
+        post: operations["import_voice_lines"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/voice-lines.csv": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Export Voice Lines
+         * @description Return the script in all its languages as the CSV that the import reads.
+         */
+        get: operations["export_voice_lines"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/pick-ups": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Pick Ups
+         * @description Return what the next session records, and why: no take yet, returned, change requested, or the text changed.
+         */
+        get: operations["list_pick_ups"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/pick-ups.csv": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Export Pick Ups Csv
+         * @description Return the pick-up list as CSV.
+         */
+        get: operations["export_pick_ups_csv"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/pick-ups.xlsx": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Export Pick Ups Xlsx
+         * @description Return the pick-up list as a workbook, ready to print.
+         */
+        get: operations["export_pick_ups_xlsx"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/cues/{cue_id}/voice-line": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Voice Line Of Cue
+         * @description Return the voice line that a cue is for; null for a cue that is none.
+         */
+        get: operations["get_voice_line_of_cue"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/voice-lines/{voice_line_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        /**
+         * Change Voice Line
+         * @description Change scene or direction of a line.
+         */
+        patch: operations["change_voice_line"];
+        trace?: never;
+    };
+    "/v1/voice-lines/{voice_line_id}/texts/{language}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Change Voice Text
+         * @description Change what is spoken; takes that exist become stale, unless they are said to fit.
+         */
+        put: operations["change_voice_text"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/voice-characters/{voice_character_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        /**
+         * Change Voice Character
+         * @description Say how the voice of a character is meant.
+         */
+        patch: operations["change_voice_character"];
+        trace?: never;
+    };
+    "/v1/voice-characters/{voice_character_id}/castings/{language}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Cast Voice Character
+         * @description Name who speaks a character in a language, who directs the session, and who casts.
+         */
+        put: operations["cast_voice_character"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/voice-releases": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Voice Releases
+         * @description Return performers with their parts and releases, and the approved lines that no release covers.
+         */
+        get: operations["list_voice_releases"];
+        put?: never;
+        /**
+         * Add Voice Release
+         * @description File a finished upload as the signed release of a performer.
+         */
+        post: operations["add_voice_release"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/voice-releases/{voice_release_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Remove Voice Release
+         * @description Take a release off the list; its file and record stay.
+         */
+        delete: operations["remove_voice_release"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/voice-releases/{voice_release_id}/file": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Voice Release File
+         * @description Send the file of a release as it came, to be kept, not shown.
+         */
+        get: operations["get_voice_release_file"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/adoption-plan": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Plan Adoption
+         * @description Return what adopting a folder of shipped files would do; nothing is written.
+         */
+        post: operations["plan_adoption"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/adoptions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Adoptions
+         * @description Return the newest 100 adoptions of a project, those that were undone included.
+         */
+        get: operations["list_adoptions"];
+        put?: never;
+        /**
+         * Open Adoption
+         * @description Open an adoption, for its files to be uploaded; nothing changes in the list until it is adopted.
+         */
+        post: operations["open_adoption"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/adoptions/{adoption_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Adoption
+         * @description Return how far the checks of adopted sounds are, and the odd ones out.
+         */
+        get: operations["get_adoption"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/adoptions/{adoption_id}/plan": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Adoption Plan
+         * @description Return what adopting would do to the list as it is now, and the files that are still to be uploaded.
+         */
+        get: operations["get_adoption_plan"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/adoptions/{adoption_id}/adopt": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Adopt Folder
+         * @description Make cues with approved takes of the uploaded files; their checks follow.
+         */
+        post: operations["adopt_folder"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/adoptions/{adoption_id}/undo": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Undo Adoption
+         * @description Remove what an adoption made while nothing is built on it; the uploaded masters are kept.
+         */
+        post: operations["undo_adoption"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/pack": {
         parameters: {
             query?: never;
@@ -5136,7 +5972,7 @@ export interface paths {
         };
         /**
          * Get Baseline
-         * @description Return what the approver let through, for `audio-checks check --baseline`.
+         * @description Return what the approver let through and the accepted drift, for `--baseline` of `audio-checks`.
          */
         get: operations["get_baseline"];
         put?: never;
@@ -5160,6 +5996,350 @@ export interface paths {
          */
         get: operations["get_ci_lines"];
         put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/audits": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Audits
+         * @description Return the audits of a project, the newest first.
+         */
+        get: operations["list_audits"];
+        put?: never;
+        /**
+         * Post Audit
+         * @description Store what `audio-checks audit` says of each sound of a build.
+         */
+        post: operations["post_audit"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/audits/{audit_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Audit
+         * @description Return one audit, counted, with the files of the game's project that could not be read.
+         */
+        get: operations["get_audit"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/audits/{audit_id}/sounds": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Audited Sounds
+         * @description Return what an audit says of its sounds, in its order.
+         */
+        get: operations["list_audited_sounds"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/sound-history": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Sound History
+         * @description Return what the last 40 builds said of one sound, the newest first.
+         */
+        get: operations["list_sound_history"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/audits/{audit_id}/accepted-drifts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Accept Drift
+         * @description Accept how a sound drifted, with a reason, until it drifts otherwise.
+         */
+        post: operations["accept_drift"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/accepted-drifts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Accepted Drifts
+         * @description Return the accepted drifts of a project with their reasons, the newest first.
+         */
+        get: operations["list_accepted_drifts"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/accepted-drifts/{accepted_drift_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Withdraw Accepted Drift
+         * @description Accept a drift no longer; the record of it stays.
+         */
+        delete: operations["withdraw_accepted_drift"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/audits/{audit_id}/tasks": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Send Sound Back
+         * @description Ask the implementers to bring a sound back to what was approved.
+         */
+        post: operations["send_sound_back"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/game-states": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Game States
+         * @description Return how many cues are in the build, how many were heard in the game, and which never were.
+         */
+        get: operations["get_game_states"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/cues/{cue_id}/game-state": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Mark Cue In Game
+         * @description Set by hand that a cue is in the build or was heard in the game, or take that back.
+         */
+        put: operations["mark_cue_in_game"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/listening-pass": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Listening Pass
+         * @description Return the open listening pass with its cues and notes: all of them to the team, their own to designers.
+         */
+        get: operations["get_listening_pass"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/listening-passes": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Start Listening Pass
+         * @description Begin a listening pass over the newest audited build; the one that is open is continued.
+         */
+        post: operations["start_listening_pass"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/listening-passes/{listening_pass_id}/close": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Close Listening Pass
+         * @description Close a listening pass; its notes and tasks stay.
+         */
+        post: operations["close_listening_pass"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/listening-passes/{listening_pass_id}/notes": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Add Listening Note
+         * @description Write what a cue is like in the game; sent again with the same id, it counts once.
+         */
+        post: operations["add_listening_note"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/listening-notes/{listening_note_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Undo Listening Note
+         * @description Take a note of one's own back, and its task unless that is done.
+         */
+        delete: operations["undo_listening_note"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/game-tasks": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Game Tasks
+         * @description Return what is to be done so that the game plays its sounds as it should, the newest first.
+         */
+        get: operations["list_game_tasks"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/game-tasks/{game_task_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Change Game Task
+         * @description Mark a task as done, or as open again.
+         */
+        put: operations["change_game_task"];
         post?: never;
         delete?: never;
         options?: never;
@@ -5523,6 +6703,46 @@ export interface paths {
          * @description Return how a project goes: the work's pace beside the studio's own, for both parties.
          */
         get: operations["read_pace"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/roster/{roster_entry_id}/work": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Roster Work
+         * @description Return what is known of a designer on file from work for this studio; null where there was none.
+         */
+        get: operations["read_roster_work"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/me/work": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Own Work
+         * @description Return what each studio that the caller works or worked for knows from that work.
+         */
+        get: operations["read_own_work"];
         put?: never;
         post?: never;
         delete?: never;
@@ -6086,6 +7306,52 @@ export interface components {
             accepted_at: string;
         };
         /**
+         * AcceptedDriftRead
+         * @description An accepted drift: why, by whom, and when.
+         */
+        AcceptedDriftRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Path */
+            path: string;
+            status: components["schemas"]["AuditStatus"];
+            played_status: components["schemas"]["AuditStatus"];
+            /** Gain Db */
+            gain_db: number | null;
+            /** Reason */
+            reason: string;
+            accepted_by: components["schemas"]["PersonBrief"];
+            /**
+             * Accepted At
+             * Format: date-time
+             */
+            accepted_at: string;
+        };
+        /**
+         * AcceptedSound
+         * @description A drift that was accepted for one sound, with its reason and day.
+         */
+        AcceptedSound: {
+            /** Path */
+            path: string;
+            /** Status */
+            status: string;
+            /** Played Status */
+            played_status: string;
+            /** Gain Db */
+            gain_db: number | null;
+            /** Reason */
+            reason: string;
+            /**
+             * On
+             * Format: date
+             */
+            on: string;
+        };
+        /**
          * Activity
          * @description Something that happened lately.
          */
@@ -6180,6 +7446,204 @@ export interface components {
          * @enum {string}
          */
         AddressProof: "mail" | "operator";
+        /**
+         * Adopted
+         * @description What one adoption made.
+         */
+        Adopted: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /** Folder */
+            folder: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            adopted_by: components["schemas"]["PersonBrief"] | null;
+            /** Adopted At */
+            adopted_at: string | null;
+            /** Undone At */
+            undone_at: string | null;
+            /** Cues */
+            cues: number;
+            /** Takes */
+            takes: number;
+            /** Skipped */
+            skipped: components["schemas"]["SkippedFileRead"][];
+        };
+        /**
+         * AdoptedSound
+         * @description An adopted sound whose check found something.
+         */
+        AdoptedSound: {
+            /**
+             * Cue Id
+             * Format: uuid
+             */
+            cue_id: string;
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /** Label */
+            label: string;
+            /** File Name */
+            file_name: string;
+            /** Verdict */
+            verdict: string;
+            /** Messages */
+            messages: string[];
+        };
+        /**
+         * AdoptionOpened
+         * @description An adoption with its plan, and what is still to be uploaded.
+         */
+        AdoptionOpened: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /** Folder */
+            folder: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            adopted_by: components["schemas"]["PersonBrief"] | null;
+            /** Adopted At */
+            adopted_at: string | null;
+            /** Undone At */
+            undone_at: string | null;
+            plan: components["schemas"]["AdoptionPlanRead"];
+            /**
+             * Missing
+             * @description A path of each content that is not uploaded yet.
+             */
+            missing: string[];
+        };
+        /**
+         * AdoptionPlanRead
+         * @description What adopting a folder does.
+         */
+        AdoptionPlanRead: {
+            /** Cues */
+            cues: components["schemas"]["PlannedCue"][];
+            /**
+             * Files
+             * @description The number of files that are adopted.
+             */
+            files: number;
+            /**
+             * Sets
+             * @description The number of cues with more than one file.
+             */
+            sets: number;
+            /**
+             * Categories
+             * @description The number of cues of each category.
+             */
+            categories: {
+                [key: string]: number;
+            };
+            /**
+             * Duplicates
+             * @description Adopted files with the same bytes.
+             */
+            duplicates: string[][];
+            /** Oddities */
+            oddities: components["schemas"]["OddFile"][];
+            /** Skipped */
+            skipped: components["schemas"]["SkippedFileRead"][];
+        };
+        /**
+         * AdoptionProgress
+         * @description An adoption, and how far the checks of what it adopted are.
+         */
+        AdoptionProgress: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /** Folder */
+            folder: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            adopted_by: components["schemas"]["PersonBrief"] | null;
+            /** Adopted At */
+            adopted_at: string | null;
+            /** Undone At */
+            undone_at: string | null;
+            /** Takes */
+            takes: number;
+            /** Checked */
+            checked: number;
+            /** Conforming */
+            conforming: number;
+            /**
+             * Rendered
+             * @description Takes whose game files are made or refused.
+             */
+            rendered: number;
+            /**
+             * Odd
+             * @description The first 200 sounds that do not conform or have a warning.
+             */
+            odd: components["schemas"]["AdoptedSound"][];
+        };
+        /**
+         * AdoptionRead
+         * @description An adoption: opened, adopted or undone.
+         */
+        AdoptionRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /** Folder */
+            folder: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            adopted_by: components["schemas"]["PersonBrief"] | null;
+            /** Adopted At */
+            adopted_at: string | null;
+            /** Undone At */
+            undone_at: string | null;
+        };
         /**
          * AdviceRead
          * @description One thing that is unwise about a plan.
@@ -6377,6 +7841,168 @@ export interface components {
          */
         AskedScope: "all" | "categories" | "cues";
         /**
+         * AuditAdd
+         * @description The audit of one build by the game's CI.
+         */
+        AuditAdd: {
+            /** Label */
+            label: string;
+            /**
+             * Commit
+             * @default
+             */
+            commit: string;
+            /**
+             * Target
+             * @default
+             */
+            target: string;
+            report: components["schemas"]["PostedReport"];
+        };
+        /**
+         * AuditRead
+         * @description One audit, and how much of its drift is accepted now.
+         */
+        AuditRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Label */
+            label: string;
+            /** Commit */
+            commit: string;
+            /** Target */
+            target: string;
+            /**
+             * Engine
+             * @description Whose project the levels were read from; empty where files alone were compared.
+             */
+            engine: string;
+            /** Sounds */
+            sounds: number;
+            /**
+             * Drifted
+             * @description Sounds that are not as approved, accepted ones included.
+             */
+            drifted: number;
+            /**
+             * New Drifts
+             * @description Those that the audit before did not have, and that were not accepted.
+             */
+            new_drifts: number;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /**
+             * Before
+             * @description The label of the audit before it, against which new drift is counted.
+             */
+            before: string | null;
+            /** Accepted */
+            accepted: number;
+            /**
+             * Depends
+             * @description Sounds whose level depends on the game's state: no drift, and never the same.
+             */
+            depends: number;
+            /** Unread */
+            unread: components["schemas"]["Unread"][];
+        };
+        /**
+         * AuditStatus
+         * @description What an audit says of a sound: the words of `audio-checks audit`.
+         * @enum {string}
+         */
+        AuditStatus: "same" | "gain" | "trimmed" | "resampled" | "re-encoded" | "changed" | "missing" | "unknown" | "placeholder" | "duplicate" | "converted" | "unapproved" | "unused" | "depends";
+        /**
+         * AuditSummary
+         * @description One audit of a build, counted.
+         */
+        AuditSummary: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Label */
+            label: string;
+            /** Commit */
+            commit: string;
+            /** Target */
+            target: string;
+            /**
+             * Engine
+             * @description Whose project the levels were read from; empty where files alone were compared.
+             */
+            engine: string;
+            /** Sounds */
+            sounds: number;
+            /**
+             * Drifted
+             * @description Sounds that are not as approved, accepted ones included.
+             */
+            drifted: number;
+            /**
+             * New Drifts
+             * @description Those that the audit before did not have, and that were not accepted.
+             */
+            new_drifts: number;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+        };
+        /**
+         * AuditedSoundRead
+         * @description What an audit says of one sound.
+         */
+        AuditedSoundRead: {
+            /** Place */
+            place: number;
+            /** Path */
+            path: string;
+            cue: components["schemas"]["SoundCue"] | null;
+            status: components["schemas"]["AuditStatus"];
+            played_status: components["schemas"]["AuditStatus"];
+            /** Has Drifted */
+            has_drifted: boolean;
+            /**
+             * Is New
+             * @description Whether the audit before did not have this drift.
+             */
+            is_new: boolean;
+            /**
+             * Gain Db
+             * @description File and properties together, against what was approved.
+             */
+            gain_db: number | null;
+            /** File Db */
+            file_db: number | null;
+            /** Property Db */
+            property_db: number | null;
+            /** Message */
+            message: string;
+            /** Moves */
+            moves: components["schemas"]["Move"][];
+            /** Depends */
+            depends: string[];
+            /** Events */
+            events: string[];
+            accepted: components["schemas"]["AcceptedDriftRead"] | null;
+            /**
+             * Task Id
+             * @description The open task that it was sent back by.
+             */
+            task_id: string | null;
+            /** @description The approved sound; the build's own file is not on the server. */
+            sound: components["schemas"]["SoundBrief"] | null;
+        };
+        /**
          * Awaited
          * @description Something that another person is to do, for which the caller waits.
          */
@@ -6406,7 +8032,7 @@ export interface components {
          * @description What another person is to do.
          * @enum {string}
          */
-        AwaitedKind: "join" | "bids" | "nda" | "signature" | "verdicts" | "answer" | "fixes" | "invoice" | "payment";
+        AwaitedKind: "join" | "bids" | "nda" | "signature" | "change_order" | "statement" | "verdicts" | "answer" | "fixes" | "invoice" | "payment";
         /**
          * BandsRead
          * @description The spectrum of a sound, in sixths of an octave.
@@ -6425,7 +8051,7 @@ export interface components {
         };
         /**
          * Baseline
-         * @description The baseline for `audio-checks check --baseline`.
+         * @description The baseline for `audio-checks check --baseline` and `audio-checks audit --baseline`.
          */
         Baseline: {
             /**
@@ -6436,6 +8062,11 @@ export interface components {
             format: 1;
             /** Waived */
             waived: components["schemas"]["WaivedSound"][];
+            /**
+             * Accepted
+             * @description For audits; `check` leaves it alone.
+             */
+            accepted: components["schemas"]["AcceptedSound"][];
         };
         /**
          * BatchAdd
@@ -7211,11 +8842,85 @@ export interface components {
             created_at: string;
         };
         /**
+         * BusyKind
+         * @description How much of a day is taken.
+         * @enum {string}
+         */
+        BusyKind: "booked" | "half_days";
+        /**
+         * BusyRangeRead
+         * @description Days that are taken, and whether a calendar file says so.
+         */
+        BusyRangeRead: {
+            /**
+             * From On
+             * Format: date
+             */
+            from_on: string;
+            /**
+             * To On
+             * Format: date
+             * @description The last day.
+             */
+            to_on: string;
+            /** @default booked */
+            kind: components["schemas"]["BusyKind"];
+            /**
+             * Note
+             * @default
+             */
+            note: string;
+            /** Is From Calendar */
+            is_from_calendar: boolean;
+        };
+        /**
+         * BusyRangeWrite
+         * @description Days that are taken.
+         */
+        BusyRangeWrite: {
+            /**
+             * From On
+             * Format: date
+             */
+            from_on: string;
+            /**
+             * To On
+             * Format: date
+             * @description The last day.
+             */
+            to_on: string;
+            /** @default booked */
+            kind: components["schemas"]["BusyKind"];
+            /**
+             * Note
+             * @default
+             */
+            note: string;
+        };
+        /**
+         * BusyRangesWrite
+         * @description The days that were typed; those of a calendar file stay.
+         */
+        BusyRangesWrite: {
+            /** Ranges */
+            ranges: components["schemas"]["BusyRangeWrite"][];
+        };
+        /**
          * Cadence
          * @description How often news is mailed.
          * @enum {string}
          */
         Cadence: "at_once" | "hourly" | "daily" | "never";
+        /**
+         * CalendarFile
+         * @description A calendar file (.ics) that a designer sent.
+         */
+        CalendarFile: {
+            /** File Name */
+            file_name: string;
+            /** Content Base64 */
+            content_base64: string;
+        };
         /**
          * CalendarLinkMade
          * @description The address of a calendar; its secret is shown this once.
@@ -7386,6 +9091,41 @@ export interface components {
             answer: components["schemas"]["NoteAnswerRead"] | null;
         };
         /**
+         * CastingChange
+         * @description Who speaks, who directs the session, and who casts; an empty name is nobody.
+         */
+        CastingChange: {
+            /**
+             * Performer
+             * @default
+             */
+            performer: string;
+            /**
+             * Directed By
+             * @default
+             */
+            directed_by: string;
+            /**
+             * Cast By
+             * @default
+             */
+            cast_by: string;
+        };
+        /**
+         * CastingRead
+         * @description Who speaks a character in one language.
+         */
+        CastingRead: {
+            /** Language */
+            language: string;
+            /** Performer */
+            performer: string | null;
+            /** Directed By */
+            directed_by: string;
+            /** Cast By */
+            cast_by: string;
+        };
+        /**
          * CategoryApproverName
          * @description The approver of one category.
          */
@@ -7434,6 +9174,18 @@ export interface components {
             files: number;
             /** Left */
             left: number;
+        };
+        /**
+         * CategoryInGame
+         * @description The counts of one category.
+         */
+        CategoryInGame: {
+            /** Category */
+            category: string;
+            /** Cues */
+            cues: number;
+            /** Heard */
+            heard: number;
         };
         /**
          * ChangeOfferRead
@@ -7684,12 +9436,64 @@ export interface components {
             kind: "new" | "changed" | "gone";
         };
         /**
+         * Changelist
+         * @description The change that set a value; its person is not named.
+         */
+        Changelist: {
+            /** Id */
+            id: string;
+            /** On */
+            on: string;
+            /** Subject */
+            subject: string;
+        };
+        /**
          * ChangesSet
          * @description Changes to look at before one proposes them.
          */
         ChangesSet: {
             /** Changes */
             changes: (components["schemas"]["AddCue"] | components["schemas"]["CutCue"] | components["schemas"]["RepriceCue"] | components["schemas"]["AddRound"] | components["schemas"]["MoveDate"] | components["schemas"]["AddWork"])[];
+        };
+        /**
+         * CharacterBrief
+         * @description A character by name.
+         */
+        CharacterBrief: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Name */
+            name: string;
+        };
+        /**
+         * CharacterChange
+         * @description How a voice is meant.
+         */
+        CharacterChange: {
+            /** Notes */
+            notes: string;
+        };
+        /**
+         * CharacterRead
+         * @description A character and its castings.
+         */
+        CharacterRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Name */
+            name: string;
+            /** Notes */
+            notes: string;
+            /** Lines */
+            lines: number;
+            /** Castings */
+            castings: components["schemas"]["CastingRead"][];
         };
         /**
          * CheckDescription
@@ -7900,6 +9704,74 @@ export interface components {
             stands: boolean;
         };
         /**
+         * ColumnKind
+         * @description What the values of a column are.
+         * @enum {string}
+         */
+        ColumnKind: "text" | "number" | "yes_no" | "choice" | "date";
+        /**
+         * ColumnRead
+         * @description A column of the project's own; each cue has its value under this name in `extra`.
+         */
+        ColumnRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Name */
+            name: string;
+            kind: components["schemas"]["ColumnKind"];
+            /**
+             * Choices
+             * @description Of a choice, in the order shown.
+             */
+            choices: string[];
+        };
+        /**
+         * ColumnWanted
+         * @description A column as it is wanted.
+         */
+        ColumnWanted: {
+            /**
+             * Id
+             * @description Of a column that is there, perhaps under another name; null: a new one.
+             */
+            id?: string | null;
+            /** Name */
+            name: string;
+            /** @default text */
+            kind: components["schemas"]["ColumnKind"];
+            /** Choices */
+            choices?: string[];
+        };
+        /**
+         * ColumnsRead
+         * @description The columns of the project's own, in order.
+         */
+        ColumnsRead: {
+            /** Columns */
+            columns: components["schemas"]["ColumnRead"][];
+            /**
+             * Edition
+             * @description Send it back with a change, so that two editors notice each other.
+             */
+            edition: string;
+        };
+        /**
+         * ColumnsSet
+         * @description All columns of the project's own in their order; one that is left out is removed, and its values are kept.
+         */
+        ColumnsSet: {
+            /** Columns */
+            columns: components["schemas"]["ColumnWanted"][];
+            /**
+             * Edition
+             * @description The edition that was read.
+             */
+            edition: string;
+        };
+        /**
          * CommentAdd
          * @description Advice on a take, at a time in the sound or on the whole of it.
          */
@@ -8010,6 +9882,16 @@ export interface components {
              * @description How many days after the posting's last day the work ends.
              */
             days_late: number | null;
+            /**
+             * Roster Entry Id
+             * @description The designer on the studio's roster; null where they are not.
+             */
+            roster_entry_id: string | null;
+            /**
+             * Busy
+             * @description By the roster: what is taken in the days of the bid, or of the posting where the bid names none.
+             */
+            busy: components["schemas"]["BusyRangeWrite"][];
             own_scores: components["schemas"]["PersonScores"] | null;
             /**
              * Others
@@ -8447,6 +10329,8 @@ export interface components {
              * @enum {string}
              */
             state: "concept" | "prototype" | "locked";
+            /** @default must */
+            need: components["schemas"]["Need"];
             /** Playback Priority */
             playback_priority?: number | null;
             /** Due On */
@@ -8559,6 +10443,8 @@ export interface components {
             /** Variations */
             variations: number;
             state: components["schemas"]["CueState"];
+            /** @description How much the game needs it: without a must it cannot ship. */
+            need: components["schemas"]["Need"];
             /** Playback Priority */
             playback_priority: number | null;
             /**
@@ -8648,6 +10534,34 @@ export interface components {
              * @description What the file would be called; null without a variation.
              */
             becomes: string | null;
+        };
+        /**
+         * CueInGame
+         * @description Whether a cue is in the build, and was heard in the game; and who says so.
+         */
+        CueInGame: {
+            cue: components["schemas"]["SoundCue"];
+            /** Category */
+            category: string;
+            /** In Build */
+            in_build: ("audit" | "hand") | null;
+            /** Heard */
+            heard: ("pass" | "hand") | null;
+        };
+        /**
+         * CueMark
+         * @description A state of a cue in the game that a person sets by hand.
+         * @enum {string}
+         */
+        CueMark: "in-build" | "heard";
+        /**
+         * CueMarking
+         * @description A state set by hand, or taken back.
+         */
+        CueMarking: {
+            mark: components["schemas"]["CueMark"];
+            /** Is Set */
+            is_set: boolean;
         };
         /**
          * CueMoneyRead
@@ -8749,6 +10663,8 @@ export interface components {
              * @enum {string}
              */
             state: "concept" | "prototype" | "locked";
+            /** @default must */
+            need: components["schemas"]["Need"];
             /** Playback Priority */
             playback_priority?: number | null;
             /** Due On */
@@ -8858,6 +10774,8 @@ export interface components {
             /** Variations */
             variations: number;
             state: components["schemas"]["CueState"];
+            /** @description How much the game needs it: without a must it cannot ship. */
+            need: components["schemas"]["Need"];
             /** Playback Priority */
             playback_priority: number | null;
             /**
@@ -8939,6 +10857,47 @@ export interface components {
          * @enum {string}
          */
         CueStatus: "to_make" | "checking" | "to_review" | "returned" | "unjudged" | "question" | "change_requested" | "partly_accepted" | "accepted" | "placeholder" | "cut";
+        /**
+         * CueToHear
+         * @description One cue of a listening pass, with how the build plays it.
+         */
+        CueToHear: {
+            cue: components["schemas"]["SoundCue"];
+            /** Category */
+            category: string;
+            /** Description */
+            description: string;
+            /**
+             * Events
+             * @description What begins it in the game.
+             */
+            events: string[];
+            /** Files */
+            files: number;
+            /**
+             * Gain Db
+             * @description Against what was approved, of the file that is furthest off.
+             */
+            gain_db: number | null;
+            /** Message */
+            message: string;
+            /** Depends */
+            depends: string[];
+            /** @description The gain that is furthest from the approved one. */
+            move: components["schemas"]["Move"] | null;
+            /**
+             * Suggested Db
+             * @description The change that would bring the approved level back.
+             */
+            suggested_db: number | null;
+            /** @description The approved sound. */
+            sound: components["schemas"]["SoundBrief"] | null;
+            /**
+             * Heard
+             * @description Whether somebody heard it in this pass.
+             */
+            heard: boolean;
+        };
         /**
          * CuesAdd
          * @description Typed or pasted rows, in list order.
@@ -9367,6 +11326,16 @@ export interface components {
             based_on_version: number;
         };
         /**
+         * DriftAccept
+         * @description Why a drift is fine as it is.
+         */
+        DriftAccept: {
+            /** Path */
+            path: string;
+            /** Reason */
+            reason: string;
+        };
+        /**
          * DryStemRead
          * @description A sound without its reverb; the takes of its name are compared with it.
          */
@@ -9592,6 +11561,12 @@ export interface components {
             /** Warning */
             warning: string | null;
         };
+        /**
+         * Exclusivity
+         * @description Whether a designer works on one project alone while it lasts, as they say.
+         * @enum {string}
+         */
+        Exclusivity: "unknown" | "alone" | "several";
         /**
          * ExtraRoundRead
          * @description A round beyond the included ones, and its price.
@@ -9930,6 +11905,20 @@ export interface components {
             used_at: string;
         };
         /**
+         * FolderAsk
+         * @description A folder of shipped files.
+         */
+        FolderAsk: {
+            /**
+             * Folder
+             * @description Its name.
+             * @example Sounds
+             */
+            folder: string;
+            /** Files */
+            files: components["schemas"]["ShippedFileIn"][];
+        };
+        /**
          * FollowUpAdd
          * @description What a designer asks about a question of the brief.
          */
@@ -10155,6 +12144,89 @@ export interface components {
             placeholders: components["schemas"]["OpenGameFile"][];
         };
         /**
+         * GameStates
+         * @description How much of a list is in the build, and how much was never heard in the game.
+         */
+        GameStates: {
+            /**
+             * Cues
+             * @description Cues of the list that are not cut.
+             */
+            cues: number;
+            /** In Build */
+            in_build: number;
+            /** Heard */
+            heard: number;
+            /** Never Heard */
+            never_heard: number;
+            /**
+             * Build
+             * @description The label of the newest audited build.
+             */
+            build: string | null;
+            /** Categories */
+            categories: components["schemas"]["CategoryInGame"][];
+            /**
+             * Unheard
+             * @description The first 200 that were never heard, in list order.
+             */
+            unheard: components["schemas"]["CueInGame"][];
+            /**
+             * May Mark
+             * @description Whether the caller may set a state by hand.
+             */
+            may_mark: boolean;
+        };
+        /**
+         * GameTaskChange
+         * @description Whether a task is done.
+         */
+        GameTaskChange: {
+            /** Is Done */
+            is_done: boolean;
+        };
+        /**
+         * GameTaskRead
+         * @description Something to do so that the game plays a sound as it should.
+         */
+        GameTaskRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            cue: components["schemas"]["SoundCue"] | null;
+            /** Path */
+            path: string;
+            kind: components["schemas"]["TaskKind"];
+            role: components["schemas"]["TaskRole"];
+            /**
+             * Gain Db
+             * @description The change that is suggested.
+             */
+            gain_db: number | null;
+            /**
+             * Where
+             * @description The object and property, or the file.
+             */
+            where: string;
+            /** Text */
+            text: string;
+            asked_by: components["schemas"]["PersonBrief"];
+            /**
+             * Asked At
+             * Format: date-time
+             */
+            asked_at: string;
+            /** Done At */
+            done_at: string | null;
+            /**
+             * May Do
+             * @description Whether the caller may mark it as done.
+             */
+            may_do: boolean;
+        };
+        /**
          * GeneratedSource
          * @description A part of a sound that a machine generated.
          */
@@ -10201,6 +12273,12 @@ export interface components {
          */
         Handoff: "none" | "wwise" | "fmod" | "unity" | "unreal" | "godot";
         /**
+         * HeardAs
+         * @description What a person says of a sound that they heard, or looked for, in the game.
+         * @enum {string}
+         */
+        HeardAs: "too-loud" | "too-soft" | "too-long" | "too-short" | "wrong" | "missing" | "good" | "not-reached";
+        /**
          * HeldBack
          * @description A draft that could not be sent now, and stays a draft.
          */
@@ -10242,6 +12320,12 @@ export interface components {
              * @default false
              */
             by_deemed_acceptance: boolean;
+            /**
+             * By Adoption
+             * @description Whether it was approved by adopting a folder, without a review.
+             * @default false
+             */
+            by_adoption: boolean;
             /** Text */
             text: string;
             /** Start S */
@@ -10303,10 +12387,10 @@ export interface components {
             text?: string | null;
             /**
              * Mapping
-             * @description Column → field; `extra` keeps a column as it is, `ignore` leaves it out. Columns not named here are read as guessed.
+             * @description Column → field; `own:Mood` is the list's own column Mood, `extra` keeps a column as it is, `ignore` leaves it out. Columns not named here are read as guessed.
              */
             mapping?: {
-                [key: string]: "number" | "name" | "file_name" | "category" | "description" | "use" | "trigger" | "duration_s" | "length_locked" | "frame_rate_fps" | "loop" | "reverb" | "variations" | "state" | "playback_priority" | "due_on" | "placeholder" | "palette" | "extra" | "ignore";
+                [key: string]: ("number" | "name" | "file_name" | "category" | "description" | "use" | "trigger" | "duration_s" | "length_locked" | "frame_rate_fps" | "loop" | "reverb" | "variations" | "state" | "need" | "playback_priority" | "due_on" | "placeholder" | "palette" | "extra" | "ignore") | string;
             } | null;
             /**
              * Dry Run
@@ -10334,12 +12418,9 @@ export interface components {
              * Guess
              * @description What its head and cells look like; null: nothing we know.
              */
-            guess: ("number" | "name" | "file_name" | "category" | "description" | "use" | "trigger" | "duration_s" | "length_locked" | "frame_rate_fps" | "loop" | "reverb" | "variations" | "state" | "playback_priority" | "due_on" | "placeholder" | "palette" | "extra" | "ignore") | null;
-            /**
-             * Field
-             * @enum {string}
-             */
-            field: "number" | "name" | "file_name" | "category" | "description" | "use" | "trigger" | "duration_s" | "length_locked" | "frame_rate_fps" | "loop" | "reverb" | "variations" | "state" | "playback_priority" | "due_on" | "placeholder" | "palette" | "extra" | "ignore";
+            guess: ("number" | "name" | "file_name" | "category" | "description" | "use" | "trigger" | "duration_s" | "length_locked" | "frame_rate_fps" | "loop" | "reverb" | "variations" | "state" | "need" | "playback_priority" | "due_on" | "placeholder" | "palette" | "extra" | "ignore") | string | null;
+            /** Field */
+            field: ("number" | "name" | "file_name" | "category" | "description" | "use" | "trigger" | "duration_s" | "length_locked" | "frame_rate_fps" | "loop" | "reverb" | "variations" | "state" | "need" | "playback_priority" | "due_on" | "placeholder" | "palette" | "extra" | "ignore") | string;
         };
         /**
          * ImportFault
@@ -10521,6 +12602,124 @@ export interface components {
             expires_at: string;
             /** Accepted At */
             accepted_at: string | null;
+        };
+        /**
+         * InvoiceDetailsRead
+         * @description What electronic invoices say of a party now.
+         */
+        InvoiceDetailsRead: {
+            /**
+             * Name
+             * @description By which the party trades.
+             * @default
+             */
+            name: string;
+            /**
+             * Street
+             * @default
+             */
+            street: string;
+            /**
+             * Postal Code
+             * @default
+             */
+            postal_code: string;
+            /**
+             * City
+             * @default
+             */
+            city: string;
+            /**
+             * Country Code
+             * @description ISO 3166-1 alpha-2.
+             * @default
+             * @example DE
+             */
+            country_code: string;
+            /**
+             * Vat Id
+             * @description With its country in front.
+             * @default
+             * @example DE123456789
+             */
+            vat_id: string;
+            /**
+             * Tax Number
+             * @description Of the local tax office, where there is no VAT ID.
+             * @default
+             */
+            tax_number: string;
+            /**
+             * Account Number
+             * @description IBAN, or the number of an account without one.
+             * @default
+             */
+            account_number: string;
+            /**
+             * No Tax Reason
+             * @description Why no tax is charged, where none is.
+             * @default
+             */
+            no_tax_reason: string;
+        };
+        /**
+         * InvoiceDetailsSave
+         * @description What electronic invoices say of a party; a field may stay empty.
+         */
+        InvoiceDetailsSave: {
+            /**
+             * Name
+             * @description By which the party trades.
+             * @default
+             */
+            name: string;
+            /**
+             * Street
+             * @default
+             */
+            street: string;
+            /**
+             * Postal Code
+             * @default
+             */
+            postal_code: string;
+            /**
+             * City
+             * @default
+             */
+            city: string;
+            /**
+             * Country Code
+             * @description ISO 3166-1 alpha-2.
+             * @default
+             * @example DE
+             */
+            country_code: string;
+            /**
+             * Vat Id
+             * @description With its country in front.
+             * @default
+             * @example DE123456789
+             */
+            vat_id: string;
+            /**
+             * Tax Number
+             * @description Of the local tax office, where there is no VAT ID.
+             * @default
+             */
+            tax_number: string;
+            /**
+             * Account Number
+             * @description IBAN, or the number of an account without one.
+             * @default
+             */
+            account_number: string;
+            /**
+             * No Tax Reason
+             * @description Why no tax is charged, where none is.
+             * @default
+             */
+            no_tax_reason: string;
         };
         /**
          * InvoiceDraft
@@ -10755,7 +12954,7 @@ export interface components {
          * @description The kind of a stored file.
          * @enum {string}
          */
-        KeptKind: "masters" | "dry_stems" | "archives" | "game_files" | "drawings" | "fixes" | "reels" | "exports" | "placeholder_files" | "references" | "documents";
+        KeptKind: "masters" | "dry_stems" | "archives" | "game_files" | "drawings" | "fixes" | "reels" | "exports" | "placeholder_files" | "references" | "roster_reels" | "documents";
         /**
          * KitRead
          * @description A kind of game to start a list from.
@@ -11069,11 +13268,70 @@ export interface components {
             };
         };
         /**
+         * LineChange
+         * @description What an import changes of a line.
+         */
+        LineChange: {
+            /**
+             * Field
+             * @description `character`, `scene`, `direction`, or the language of the text.
+             */
+            field: string;
+            /** Before */
+            before: string;
+            /** After */
+            after: string;
+            /**
+             * Makes Stale
+             * @description Takes were delivered of the text before.
+             */
+            makes_stale: boolean;
+        };
+        /**
+         * LineCue
+         * @description The cue that takes of a line belong to.
+         */
+        LineCue: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Number */
+            number: number;
+            /** Label */
+            label: string;
+            /** Name */
+            name: string;
+        };
+        /**
          * LineKind
          * @description Why a line of the ledger was written.
          * @enum {string}
          */
         LineKind: "deposit" | "accepted" | "held_back" | "cut" | "extra_round" | "worked_day" | "extra_work" | "late_interest" | "bonus" | "tax" | "reversed" | "paid" | "refunded";
+        /**
+         * LineState
+         * @description What a line in one language has come to.
+         * @enum {string}
+         */
+        LineState: "no_text" | "no_take" | "stale" | "returned" | "change_requested" | "in_review" | "approved" | "cut";
+        /**
+         * LineTake
+         * @description The take that a line is judged by.
+         */
+        LineTake: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Number */
+            number: number;
+            state: components["schemas"]["TakeState"];
+            /** Duration S */
+            duration_s: number | null;
+        };
         /**
          * ListComparison
          * @description The changes of the list between two revisions.
@@ -11111,6 +13369,113 @@ export interface components {
             cues: components["schemas"]["CueProgress"][];
             /** Next */
             next: string | null;
+        };
+        /**
+         * ListeningNoteAdd
+         * @description What a person says of a cue; sent again with the same id it counts once.
+         */
+        ListeningNoteAdd: {
+            /**
+             * Id
+             * Format: uuid
+             * @description Made where the note is written.
+             */
+            id: string;
+            /**
+             * Cue Id
+             * Format: uuid
+             */
+            cue_id: string;
+            said: components["schemas"]["HeardAs"];
+            /** Amount Db */
+            amount_db?: number | null;
+            /**
+             * Text
+             * @default
+             */
+            text: string;
+            /**
+             * Written At
+             * @description When the key was pressed, where it is sent later.
+             */
+            written_at?: string | null;
+        };
+        /**
+         * ListeningNoteRead
+         * @description A note of a listening pass.
+         */
+        ListeningNoteRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            cue: components["schemas"]["SoundCue"];
+            said: components["schemas"]["HeardAs"];
+            /** Amount Db */
+            amount_db: number | null;
+            /** Text */
+            text: string;
+            written_by: components["schemas"]["PersonBrief"];
+            /**
+             * Written At
+             * Format: date-time
+             */
+            written_at: string;
+            /** Is Mine */
+            is_mine: boolean;
+            /** Task Id */
+            task_id: string | null;
+            /** @description Whose task it became. */
+            role: components["schemas"]["TaskRole"] | null;
+            /** Is Done */
+            is_done: boolean;
+        };
+        /**
+         * ListeningNow
+         * @description The open listening pass, and the build that a new one would begin with.
+         */
+        ListeningNow: {
+            listening_pass: components["schemas"]["ListeningPassRead"] | null;
+            newest_audit: components["schemas"]["AuditSummary"] | null;
+        };
+        /**
+         * ListeningPassRead
+         * @description A listening pass as the caller sees it: designers their own cues.
+         */
+        ListeningPassRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            audit: components["schemas"]["AuditSummary"];
+            /**
+             * Started At
+             * Format: date-time
+             */
+            started_at: string;
+            /**
+             * Is Newest
+             * @description Whether no newer build was audited.
+             */
+            is_newest: boolean;
+            /**
+             * People
+             * @description How many people wrote notes in it.
+             */
+            people: number;
+            /** Heard */
+            heard: number;
+            /** Cues */
+            cues: components["schemas"]["CueToHear"][];
+            /**
+             * Notes
+             * @description The newest first; what was taken back is left out.
+             */
+            notes: components["schemas"]["ListeningNoteRead"][];
+            /** May Close */
+            may_close: boolean;
         };
         /**
          * LossLevels
@@ -11448,6 +13813,39 @@ export interface components {
             file_bytes: number;
         };
         /**
+         * MatrixRead
+         * @description The cues that a line makes; nothing is added.
+         */
+        MatrixRead: {
+            /** Rows */
+            rows: components["schemas"]["MatrixRow"][];
+        };
+        /**
+         * MatrixRow
+         * @description A cue that the line makes, under the name that the project's spec asks for.
+         */
+        MatrixRow: {
+            /** Name */
+            name: string;
+            /**
+             * File Name
+             * @description Empty where it is that of the name.
+             */
+            file_name: string;
+            /**
+             * Stems
+             * @description The file names, without ending, that its variations will own.
+             */
+            stems: string[];
+            /** Variations */
+            variations: number;
+            /**
+             * Owner
+             * @description The cue that owns one of these file names already; null for none.
+             */
+            owner: string | null;
+        };
+        /**
          * MayRead
          * @description What the caller may do with the contract now.
          */
@@ -11775,6 +14173,23 @@ export interface components {
             reason: string;
         };
         /**
+         * Move
+         * @description A gain that is another than when the sound was approved.
+         */
+        Move: {
+            /** Object */
+            object: string;
+            /** Property */
+            property: string;
+            /** File */
+            file: string;
+            /** Approved Db */
+            approved_db: number;
+            /** Gain Db */
+            gain_db: number;
+            changelist: components["schemas"]["Changelist"] | null;
+        };
+        /**
          * MoveDate
          * @description Another date of a milestone.
          */
@@ -11901,6 +14316,23 @@ export interface components {
             portable: boolean;
         };
         /**
+         * Need
+         * @description How much the game needs a cue: without a "must" it cannot ship.
+         * @enum {string}
+         */
+        Need: "must" | "should" | "wish";
+        /**
+         * NeedCompletion
+         * @description How far the cues of one need are; cut ones are not counted.
+         */
+        NeedCompletion: {
+            need: components["schemas"]["Need"];
+            /** Accepted */
+            accepted: number;
+            /** Cues */
+            cues: number;
+        };
+        /**
          * NewPassword
          * @description The password to be.
          */
@@ -11985,7 +14417,7 @@ export interface components {
          * @description What a person is the one to do, in the order in which it is shown.
          * @enum {string}
          */
-        NextStepKind: "add_cues" | "write_brief" | "invite_designer" | "answer_candidates" | "compare_bids" | "send_nda" | "sign_contract" | "change_contract" | "pay_invoice" | "invoice_deposit" | "deposit_due" | "fix" | "match" | "answer_questions" | "answer_follow_ups" | "agree_days" | "agree_round" | "send_changes" | "review" | "send_contract" | "invoice_due" | "name_approver" | "make";
+        NextStepKind: "add_cues" | "write_brief" | "invite_designer" | "answer_candidates" | "compare_bids" | "send_nda" | "sign_contract" | "change_contract" | "sign_change_order" | "agree_statement" | "pay_invoice" | "invoice_deposit" | "deposit_due" | "fix" | "match" | "answer_questions" | "answer_follow_ups" | "agree_days" | "agree_round" | "send_changes" | "review" | "send_contract" | "propose_changes" | "invoice_due" | "name_approver" | "make";
         /**
          * NextSteps
          * @description What the caller is to do in a project, the first thing first, and for whom they wait.
@@ -12060,6 +14492,21 @@ export interface components {
             ends_on: string | null;
         };
         /**
+         * OddFile
+         * @description A file with something unusual, and what.
+         */
+        OddFile: {
+            /** Path */
+            path: string;
+            /**
+             * Code
+             * @enum {string}
+             */
+            code: "renamed" | "numbering" | "format";
+            /** Message */
+            message: string;
+        };
+        /**
          * OfferDismiss
          * @description What a party wants no change order for, and why.
          */
@@ -12090,7 +14537,7 @@ export interface components {
          * @description What changed since a contract was signed, so that a change order is offered.
          * @enum {string}
          */
-        OfferKind: "round" | "described" | "needed" | "spec" | "answered" | "added" | "cut";
+        OfferKind: "round" | "described" | "needed" | "spec" | "answered" | "added" | "reference" | "cut";
         /**
          * OfferedChange
          * @description What the form begins with where a change order is offered; what is null is for the party to say.
@@ -12232,6 +14679,11 @@ export interface components {
             counts: {
                 [key: string]: number;
             };
+            /**
+             * Needs
+             * @description The most needed first; a need without cues is left out.
+             */
+            needs: components["schemas"]["NeedCompletion"][];
             /** Builds */
             builds: components["schemas"]["BuildBrief"][];
             /** Palette */
@@ -12416,6 +14868,20 @@ export interface components {
          * @enum {string}
          */
         PackState: "sealing" | "sealed" | "refused";
+        /** Page[AuditSummary] */
+        Page_AuditSummary_: {
+            /** Items */
+            items: components["schemas"]["AuditSummary"][];
+            /** Next */
+            next?: string | null;
+        };
+        /** Page[AuditedSoundRead] */
+        Page_AuditedSoundRead_: {
+            /** Items */
+            items: components["schemas"]["AuditedSoundRead"][];
+            /** Next */
+            next?: string | null;
+        };
         /** Page[BatchSummary] */
         Page_BatchSummary_: {
             /** Items */
@@ -12455,6 +14921,13 @@ export interface components {
         Page_DeliveryRead_: {
             /** Items */
             items: components["schemas"]["DeliveryRead"][];
+            /** Next */
+            next?: string | null;
+        };
+        /** Page[GameTaskRead] */
+        Page_GameTaskRead_: {
+            /** Items */
+            items: components["schemas"]["GameTaskRead"][];
             /** Next */
             next?: string | null;
         };
@@ -12724,6 +15197,28 @@ export interface components {
             bands?: components["schemas"]["BandsRead"] | null;
         };
         /**
+         * PerformerRead
+         * @description A performer, what they speak, and their releases.
+         */
+        PerformerRead: {
+            /** Name */
+            name: string;
+            /**
+             * Parts
+             * @description Characters with the language.
+             */
+            parts: string[];
+            /** Approved Lines */
+            approved_lines: number;
+            /** Releases */
+            releases: components["schemas"]["ReleaseRead"][];
+            /**
+             * Warning
+             * @description Empty where every approved line has a release that is valid today.
+             */
+            warning: string;
+        };
+        /**
          * PerformerSource
          * @description A person who is heard in a sound.
          */
@@ -12782,6 +15277,19 @@ export interface components {
             };
             /** Note */
             note: string;
+        };
+        /**
+         * PickUpsRead
+         * @description What the next session records, by language and character.
+         */
+        PickUpsRead: {
+            /** Lines */
+            lines: components["schemas"]["VoiceLineRead"][];
+            /**
+             * Languages
+             * @description With something to record.
+             */
+            languages: string[];
         };
         /**
          * PinnedCue
@@ -12958,6 +15466,23 @@ export interface components {
             milestones: components["schemas"]["MilestoneSet"][];
         };
         /**
+         * PlannedCue
+         * @description A cue that adopting adds.
+         */
+        PlannedCue: {
+            /** Name */
+            name: string;
+            /** File Name */
+            file_name: string;
+            /** Category */
+            category: string;
+            /**
+             * Paths
+             * @description A file for each variation, in order.
+             */
+            paths: string[];
+        };
+        /**
          * PlannedCueSet
          * @description A cue of a planned milestone; prices, where given, are the weights of its shares.
          */
@@ -12971,6 +15496,137 @@ export interface components {
             price_minor?: number | null;
             /** Estimate Min */
             estimate_min?: number | null;
+        };
+        /**
+         * PostedChangelist
+         * @description The change that set a value; no person is named.
+         */
+        PostedChangelist: {
+            /** Id */
+            id: string;
+            /** On */
+            on: string;
+            /** Subject */
+            subject: string;
+        };
+        /**
+         * PostedDepends
+         * @description What else changes a level.
+         */
+        PostedDepends: {
+            /** On */
+            on: string;
+            /** What */
+            what: string;
+        };
+        /**
+         * PostedMatch
+         * @description An approved sound that a file holds.
+         */
+        PostedMatch: {
+            /** Cue */
+            cue: string | null;
+            /** Take */
+            take: string | null;
+            /** Path */
+            path: string;
+        };
+        /**
+         * PostedMove
+         * @description A gain that is another than when the sound was approved.
+         */
+        PostedMove: {
+            /** Object */
+            object: string;
+            /** Property */
+            property: string;
+            /** File */
+            file: string;
+            /** Approved Db */
+            approved_db: number;
+            /** Gain Db */
+            gain_db: number;
+            changelist?: components["schemas"]["PostedChangelist"] | null;
+        };
+        /**
+         * PostedPlay
+         * @description One way in which the game plays a sound.
+         */
+        PostedPlay: {
+            /** Drift Db */
+            drift_db: number | null;
+            /** Used */
+            used?: boolean | null;
+            /** Events */
+            events: string[];
+            /** Moved */
+            moved: components["schemas"]["PostedMove"][];
+            /** Depends */
+            depends: components["schemas"]["PostedDepends"][];
+        };
+        /**
+         * PostedProject
+         * @description The project that the levels were read from.
+         */
+        PostedProject: {
+            /** Engine */
+            engine: string;
+            /** Unread */
+            unread: components["schemas"]["PostedUnread"][];
+        };
+        /**
+         * PostedReport
+         * @description A report of `audio-checks audit`, as its JSON format has it.
+         */
+        PostedReport: {
+            /**
+             * Schema Version
+             * @constant
+             */
+            schema_version: 1;
+            tool: components["schemas"]["ReportTool"];
+            /** Files */
+            files: components["schemas"]["PostedSound"][];
+            project?: components["schemas"]["PostedProject"] | null;
+        };
+        /**
+         * PostedSound
+         * @description What the audit says of one sound.
+         */
+        PostedSound: {
+            /** Path */
+            path: string;
+            status: components["schemas"]["AuditStatus"];
+            /** Gain Db */
+            gain_db: number | null;
+            /** Approved */
+            approved: string | null;
+            /** Message */
+            message: string;
+            /** Matches */
+            matches: components["schemas"]["PostedMatch"][];
+            /** @default same */
+            played_status: components["schemas"]["AuditStatus"];
+            /**
+             * Plays
+             * @default []
+             */
+            plays: components["schemas"]["PostedPlay"][];
+        };
+        /**
+         * PostedUnread
+         * @description A file of the game's project that could not be read.
+         */
+        PostedUnread: {
+            /** File */
+            file: string;
+            /**
+             * Line
+             * @default 0
+             */
+            line: number;
+            /** Message */
+            message: string;
         };
         /**
          * PostingAdd
@@ -13108,6 +15764,35 @@ export interface components {
              * @description The revision that was read.
              */
             revision: number;
+        };
+        /**
+         * PostingChoice
+         * @description A posting that a designer on file can be asked about.
+         */
+        PostingChoice: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /** Project Name */
+            project_name: string;
+            /** Title */
+            title: string;
+            state: components["schemas"]["PostingState"];
+            /** Work From On */
+            work_from_on: string | null;
+            /** Work To On */
+            work_to_on: string | null;
+            /** Clashes */
+            clashes: components["schemas"]["BusyRangeWrite"][];
+            /** Is Asked */
+            is_asked: boolean;
         };
         /**
          * PostingJoined
@@ -13688,7 +16373,7 @@ export interface components {
          * @description The limited resources.
          * @enum {string}
          */
-        QuotaKind: "master_bytes" | "cues" | "projects" | "people" | "tokens" | "open_uploads" | "reference_bytes";
+        QuotaKind: "master_bytes" | "cues" | "projects" | "people" | "tokens" | "open_uploads" | "reference_bytes" | "reel_bytes";
         /**
          * QuotaRead
          * @description One limit of a studio, and what it has of that.
@@ -13712,6 +16397,12 @@ export interface components {
             /** Max */
             max: number | null;
         };
+        /**
+         * RateUnit
+         * @description What a rate counts.
+         * @enum {string}
+         */
+        RateUnit: "hour" | "day";
         /**
          * ReadChangeRead
          * @description A change that a document makes, as it is proposed by `RedlineAdd`.
@@ -14076,6 +16767,38 @@ export interface components {
             file_url: string | null;
         };
         /**
+         * ReelSoundAdd
+         * @description A finished upload that becomes a sound of the reel.
+         */
+        ReelSoundAdd: {
+            /**
+             * Upload Id
+             * Format: uuid
+             */
+            upload_id: string;
+            /** Title */
+            title: string;
+        };
+        /**
+         * ReelSoundRead
+         * @description A sound of a reel; play it from /v1/reel-sounds/{id}/file.
+         */
+        ReelSoundRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Title */
+            title: string;
+            /** File Name */
+            file_name: string;
+            /** Media Type */
+            media_type: string;
+            /** File Bytes */
+            file_bytes: number;
+        };
+        /**
          * ReelTake
          * @description One take of a reel.
          */
@@ -14290,11 +17013,92 @@ export interface components {
             added_by: components["schemas"]["PersonBrief"];
         };
         /**
+         * ReleaseAdd
+         * @description A signed release: a finished upload, its dates, and what it says of synthetic use.
+         */
+        ReleaseAdd: {
+            /** Performer */
+            performer: string;
+            /**
+             * Upload Id
+             * Format: uuid
+             * @description Of an upload into this project, `project_id` in its metadata.
+             */
+            upload_id: string;
+            /**
+             * Valid From
+             * Format: date
+             */
+            valid_from: string;
+            /**
+             * Valid Until
+             * @description Its last day; null: without an end.
+             */
+            valid_until?: string | null;
+            synthetic_use: components["schemas"]["SyntheticUse"];
+            /**
+             * Note
+             * @default
+             */
+            note: string;
+        };
+        /**
          * ReleaseClause
          * @description When an accepted cue's share becomes due.
          * @enum {string}
          */
         ReleaseClause: "per_cue" | "on_completion";
+        /**
+         * ReleaseRead
+         * @description A release of a performer.
+         */
+        ReleaseRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** File Name */
+            file_name: string;
+            /** File Bytes */
+            file_bytes: number;
+            /**
+             * Valid From
+             * Format: date
+             */
+            valid_from: string;
+            /** Valid Until */
+            valid_until: string | null;
+            /**
+             * Is Valid
+             * @description Today.
+             */
+            is_valid: boolean;
+            synthetic_use: components["schemas"]["SyntheticUse"];
+            /** Note */
+            note: string;
+            /**
+             * Added At
+             * Format: date-time
+             */
+            added_at: string;
+            added_by: components["schemas"]["PersonBrief"];
+        };
+        /**
+         * ReleasesRead
+         * @description The releases of a project by performer.
+         */
+        ReleasesRead: {
+            /** Performers */
+            performers: components["schemas"]["PerformerRead"][];
+            /**
+             * Lines Without Performer
+             * @description Approved lines of characters for whom no performer is named.
+             */
+            lines_without_performer: number;
+            /** May Change */
+            may_change: boolean;
+        };
         /**
          * RenderSoundRead
          * @description One game file of a take at the current spec, or the reason why there is none.
@@ -14681,6 +17485,429 @@ export interface components {
             roles: components["schemas"]["Role"][];
         };
         /**
+         * RosterEntryChange
+         * @description An entry as it should be.
+         */
+        RosterEntryChange: {
+            /** Name */
+            name: string;
+            /** Email */
+            email: string;
+            /**
+             * Specialities
+             * @description Such as weapons, creatures, ambience.
+             */
+            specialities?: string[];
+            /** Services */
+            services?: components["schemas"]["RosterService"][];
+            /** Languages */
+            languages?: string[];
+            /**
+             * Equipment
+             * @default
+             */
+            equipment: string;
+            /**
+             * Credits
+             * @default
+             */
+            credits: string;
+            /**
+             * Referees
+             * @description Who can speak for their work.
+             * @default
+             */
+            referees: string;
+            /** Links */
+            links?: components["schemas"]["RosterLink"][];
+            /** @default unknown */
+            exclusivity: components["schemas"]["Exclusivity"];
+            /**
+             * Weekly Hours
+             * @description How many hours a week they can give, as they say.
+             */
+            weekly_hours?: number | null;
+            /** Available From On */
+            available_from_on?: string | null;
+            /**
+             * Notes
+             * @default
+             */
+            notes: string;
+            /** @description Read and written by producers; null from others leaves it as it is. */
+            rate?: components["schemas"]["RosterRate"] | null;
+            /**
+             * Revision
+             * @description The revision that was read.
+             */
+            revision: number;
+        };
+        /**
+         * RosterEntryRead
+         * @description A designer on file.
+         */
+        RosterEntryRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Studio Id
+             * Format: uuid
+             */
+            studio_id: string;
+            /** Name */
+            name: string;
+            /** Email */
+            email: string;
+            /** Specialities */
+            specialities: string[];
+            /** Services */
+            services: components["schemas"]["RosterService"][];
+            /** Languages */
+            languages: string[];
+            /** Equipment */
+            equipment: string;
+            /** Credits */
+            credits: string;
+            /** Referees */
+            referees: string;
+            /** Links */
+            links: components["schemas"]["RosterLink"][];
+            exclusivity: components["schemas"]["Exclusivity"];
+            /** Weekly Hours */
+            weekly_hours: number | null;
+            /** Available From On */
+            available_from_on: string | null;
+            /** Notes */
+            notes: string;
+            /** @description For producers only. */
+            rate: components["schemas"]["RosterRate"] | null;
+            /** May See Rate */
+            may_see_rate: boolean;
+            /** Revision */
+            revision: number;
+            /**
+             * Free From On
+             * Format: date
+             */
+            free_from_on: string;
+            /**
+             * First Week On
+             * Format: date
+             */
+            first_week_on: string;
+            /** Weeks */
+            weeks: components["schemas"]["WeekState"][];
+            /** Busy */
+            busy: components["schemas"]["BusyRangeRead"][];
+            /**
+             * Calendar Name
+             * @description The calendar file that was read last.
+             */
+            calendar_name: string | null;
+            /** Calendar Read At */
+            calendar_read_at: string | null;
+            /**
+             * Calendar To On
+             * @description Its events were followed to this day.
+             */
+            calendar_to_on: string | null;
+            /** Reel */
+            reel: components["schemas"]["ReelSoundRead"][];
+            /** @description The account with this proven address, where it works or worked for the studio. */
+            designer: components["schemas"]["PersonBrief"] | null;
+            /**
+             * Added At
+             * Format: date-time
+             */
+            added_at: string;
+            /**
+             * Changed At
+             * Format: date-time
+             */
+            changed_at: string;
+        };
+        /**
+         * RosterEntryWrite
+         * @description A designer to keep on file.
+         */
+        RosterEntryWrite: {
+            /** Name */
+            name: string;
+            /** Email */
+            email: string;
+            /**
+             * Specialities
+             * @description Such as weapons, creatures, ambience.
+             */
+            specialities?: string[];
+            /** Services */
+            services?: components["schemas"]["RosterService"][];
+            /** Languages */
+            languages?: string[];
+            /**
+             * Equipment
+             * @default
+             */
+            equipment: string;
+            /**
+             * Credits
+             * @default
+             */
+            credits: string;
+            /**
+             * Referees
+             * @description Who can speak for their work.
+             * @default
+             */
+            referees: string;
+            /** Links */
+            links?: components["schemas"]["RosterLink"][];
+            /** @default unknown */
+            exclusivity: components["schemas"]["Exclusivity"];
+            /**
+             * Weekly Hours
+             * @description How many hours a week they can give, as they say.
+             */
+            weekly_hours?: number | null;
+            /** Available From On */
+            available_from_on?: string | null;
+            /**
+             * Notes
+             * @default
+             */
+            notes: string;
+            /** @description Read and written by producers; null from others leaves it as it is. */
+            rate?: components["schemas"]["RosterRate"] | null;
+        };
+        /**
+         * RosterField
+         * @description What a column can be read as.
+         * @enum {string}
+         */
+        RosterField: "name" | "email" | "specialities" | "services" | "languages" | "equipment" | "credits" | "referees" | "links" | "exclusivity" | "weekly_hours" | "available_from_on" | "rate" | "notes" | "ignore";
+        /**
+         * RosterImportAsk
+         * @description A sheet of designers, and how to read it.
+         */
+        RosterImportAsk: {
+            /**
+             * Format
+             * @enum {string}
+             */
+            format: "csv" | "xlsx" | "paste";
+            /**
+             * Content Base64
+             * @description The file's bytes; for csv and xlsx.
+             */
+            content_base64?: string | null;
+            /**
+             * Text
+             * @description What was pasted, or a CSV as text.
+             */
+            text?: string | null;
+            /**
+             * Mapping
+             * @description Column → field; columns not named here are read as guessed.
+             */
+            mapping?: {
+                [key: string]: components["schemas"]["RosterField"];
+            } | null;
+            /**
+             * Dry Run
+             * @description Only say what would happen.
+             */
+            dry_run: boolean;
+        };
+        /**
+         * RosterImportColumn
+         * @description A column of the sheet, and what it is read as.
+         */
+        RosterImportColumn: {
+            /** Name */
+            name: string;
+            /** Samples */
+            samples: string[];
+            field: components["schemas"]["RosterField"];
+        };
+        /**
+         * RosterImportFault
+         * @description The error in one cell.
+         */
+        RosterImportFault: {
+            /** Row */
+            row: number;
+            /** Column */
+            column: string | null;
+            /** Message */
+            message: string;
+        };
+        /**
+         * RosterImportRead
+         * @description The content of a sheet, its errors, and whether it was imported: all of it or nothing.
+         */
+        RosterImportRead: {
+            /** Header Row */
+            header_row: number | null;
+            /** Columns */
+            columns: components["schemas"]["RosterImportColumn"][];
+            /** Rows */
+            rows: components["schemas"]["RosterImportRow"][];
+            /** Errors */
+            errors: components["schemas"]["RosterImportFault"][];
+            /** Added */
+            added: number;
+            /** Changed */
+            changed: number;
+            /** Same */
+            same: number;
+            /** Imported */
+            imported: boolean;
+        };
+        /**
+         * RosterImportRow
+         * @description The result for one row; an empty cell leaves what is on file.
+         */
+        RosterImportRow: {
+            /**
+             * Row
+             * @description Its number in the sheet, as the spreadsheet shows it.
+             */
+            row: number;
+            /**
+             * Action
+             * @enum {string}
+             */
+            action: "add" | "change" | "same";
+            /** Name */
+            name: string;
+            /** Email */
+            email: string;
+            /**
+             * Changed
+             * @description What it changes of a person who is on file.
+             */
+            changed: components["schemas"]["RosterField"][];
+        };
+        /**
+         * RosterInvite
+         * @description People on file to ask for a bid.
+         */
+        RosterInvite: {
+            /** Entry Ids */
+            entry_ids: string[];
+        };
+        /**
+         * RosterLink
+         * @description An address where work of a designer can be heard or read.
+         */
+        RosterLink: {
+            /**
+             * Title
+             * @default
+             */
+            title: string;
+            /** Url */
+            url: string;
+        };
+        /**
+         * RosterRate
+         * @description What a designer asks for, as the studio knows it.
+         */
+        RosterRate: {
+            /** Amount Minor */
+            amount_minor: number;
+            /** Currency */
+            currency: string;
+            unit: components["schemas"]["RateUnit"];
+        };
+        /**
+         * RosterRead
+         * @description One page of the roster by name, and what it can be filtered by.
+         */
+        RosterRead: {
+            /** Items */
+            items: components["schemas"]["RosterRow"][];
+            /** Next */
+            next: string | null;
+            /**
+             * Found
+             * @description How many match the search, on all pages.
+             */
+            found: number;
+            /** Total */
+            total: number;
+            /**
+             * First Week On
+             * Format: date
+             * @description The Monday of the first week that is shown.
+             */
+            first_week_on: string;
+            /** Specialities */
+            specialities: components["schemas"]["ValueCount"][];
+            /** Services */
+            services: components["schemas"]["ValueCount"][];
+            /** Languages */
+            languages: components["schemas"]["ValueCount"][];
+        };
+        /**
+         * RosterRow
+         * @description A designer on file, as the list shows them.
+         */
+        RosterRow: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Name */
+            name: string;
+            /** Email */
+            email: string;
+            /** Specialities */
+            specialities: string[];
+            /** Services */
+            services: components["schemas"]["RosterService"][];
+            /** Languages */
+            languages: string[];
+            exclusivity: components["schemas"]["Exclusivity"];
+            /** Weekly Hours */
+            weekly_hours: number | null;
+            /**
+             * Free From On
+             * Format: date
+             * @description The first day from today on that is not booked.
+             */
+            free_from_on: string;
+            /**
+             * Weeks
+             * @description This week and the eleven after it.
+             */
+            weeks: components["schemas"]["WeekState"][];
+            /**
+             * Clashes
+             * @description What is taken in the days that were asked about.
+             */
+            clashes: components["schemas"]["BusyRangeWrite"][];
+            /** @description For producers only. */
+            rate: components["schemas"]["RosterRate"] | null;
+            /** Reel */
+            reel: components["schemas"]["ReelSoundRead"][];
+            /**
+             * Works Here
+             * @description Whether a designer with this proven address works, or worked, for the studio.
+             */
+            works_here: boolean;
+        };
+        /**
+         * RosterService
+         * @description What a designer does besides making sounds.
+         * @enum {string}
+         */
+        RosterService: "composes" | "directs" | "supplies_talent" | "narration" | "field_recording" | "implements";
+        /**
          * RoundRead
          * @description One sending, counted once for a cue or set; `number` is null where it is not counted, with the reason.
          */
@@ -14738,6 +17965,135 @@ export interface components {
              * @default
              */
             note: string;
+        };
+        /**
+         * ScriptAsk
+         * @description A script, and how to read it.
+         */
+        ScriptAsk: {
+            /**
+             * Format
+             * @description `script`: text in which a name in capitals stands above what is spoken.
+             * @enum {string}
+             */
+            format: "csv" | "xlsx" | "paste" | "script";
+            /**
+             * Content Base64
+             * @description The file's bytes.
+             */
+            content_base64?: string | null;
+            /**
+             * Text
+             * @description The text, or what was pasted.
+             */
+            text?: string | null;
+            /**
+             * Language
+             * @description Of the text, where no column names its language.
+             * @default en
+             */
+            language: string;
+            /**
+             * Mapping
+             * @description Column → `key`, `character`, `scene`, `direction`, `file_name`, `text`, `ignore` or a language.
+             */
+            mapping?: {
+                [key: string]: string;
+            } | null;
+            /**
+             * Dry Run
+             * @description Only say what would happen.
+             */
+            dry_run: boolean;
+        };
+        /**
+         * ScriptColumn
+         * @description A column of the sheet, and what it is read as: a field, a language, or `ignore`.
+         */
+        ScriptColumn: {
+            /** Name */
+            name: string;
+            /** Samples */
+            samples: string[];
+            /** Meaning */
+            meaning: string;
+        };
+        /**
+         * ScriptFault
+         * @description The error in one row.
+         */
+        ScriptFault: {
+            /** Row */
+            row: number;
+            /** Column */
+            column: string | null;
+            /** Message */
+            message: string;
+        };
+        /**
+         * ScriptRead
+         * @description The content of a script, its errors, and whether it was imported: all of it or nothing.
+         */
+        ScriptRead: {
+            /** Header Row */
+            header_row: number | null;
+            /** Columns */
+            columns: components["schemas"]["ScriptColumn"][];
+            /** Rows */
+            rows: components["schemas"]["ScriptRow"][];
+            /** Errors */
+            errors: components["schemas"]["ScriptFault"][];
+            /** Added */
+            added: number;
+            /** Changed */
+            changed: number;
+            /** Same */
+            same: number;
+            /**
+             * Cues Added
+             * @description One for each line and language that is new.
+             */
+            cues_added: number;
+            /**
+             * Stale
+             * @description Texts with takes that were made from another text.
+             */
+            stale: number;
+            /**
+             * Not In Script
+             * @description Lines of the project that the script does not have. They stay.
+             */
+            not_in_script: string[];
+            /** Imported */
+            imported: boolean;
+        };
+        /**
+         * ScriptRow
+         * @description The result for one row.
+         */
+        ScriptRow: {
+            /**
+             * Row
+             * @description Its number in the sheet, or of its line in the text.
+             */
+            row: number;
+            /**
+             * Action
+             * @enum {string}
+             */
+            action: "add" | "change" | "same";
+            /** Key */
+            key: string;
+            /** Character */
+            character: string;
+            /** Scene */
+            scene: string;
+            /** Text */
+            text: string;
+            /** Languages */
+            languages: string[];
+            /** Changes */
+            changes: components["schemas"]["LineChange"][];
         };
         /**
          * SealedPackRead
@@ -14970,6 +18326,29 @@ export interface components {
             shipped_on: string;
         };
         /**
+         * ShippedFileIn
+         * @description A file of the folder, as the client found it.
+         */
+        ShippedFileIn: {
+            /**
+             * Path
+             * @description Relative to the folder.
+             * @example ui/click.wav
+             */
+            path: string;
+            /** Sha256 */
+            sha256: string;
+            /** Size Bytes */
+            size_bytes: number;
+            /**
+             * Sample Rate Hz
+             * @description As its header says.
+             */
+            sample_rate_hz?: number | null;
+            /** Bit Depth */
+            bit_depth?: number | null;
+        };
+        /**
          * ShortlistWrite
          * @description Whether a bid is on the shortlist.
          */
@@ -15147,6 +18526,21 @@ export interface components {
             tries: number;
         };
         /**
+         * SkippedFileRead
+         * @description A file that is not adopted, and why.
+         */
+        SkippedFileRead: {
+            /** Path */
+            path: string;
+            /**
+             * Code
+             * @enum {string}
+             */
+            code: "coded" | "no-sound" | "dry-stem" | "name" | "listed";
+            /** Message */
+            message: string;
+        };
+        /**
          * SoundBrief
          * @description The addresses of preview, peaks and spectrum of one stored sound; null if drawing it failed.
          */
@@ -15162,6 +18556,44 @@ export interface components {
             peaks_url: string | null;
             /** Spectrum Url */
             spectrum_url: string | null;
+        };
+        /**
+         * SoundCue
+         * @description The cue that a sound belongs to.
+         */
+        SoundCue: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Label */
+            label: string;
+            /** Name */
+            name: string;
+        };
+        /**
+         * SoundInBuild
+         * @description What one build said of a sound, for its history.
+         */
+        SoundInBuild: {
+            /**
+             * Audit Id
+             * Format: uuid
+             */
+            audit_id: string;
+            /** Label */
+            label: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            status: components["schemas"]["AuditStatus"];
+            played_status: components["schemas"]["AuditStatus"];
+            /** Gain Db */
+            gain_db: number | null;
+            changelist: components["schemas"]["Changelist"] | null;
         };
         /**
          * SoundListRead
@@ -15180,6 +18612,19 @@ export interface components {
              * @description The cursor of the following page, null at the end.
              */
             next: string | null;
+        };
+        /**
+         * SoundSendBack
+         * @description What an implementer should do about a drift.
+         */
+        SoundSendBack: {
+            /** Path */
+            path: string;
+            /**
+             * Text
+             * @default
+             */
+            text: string;
         };
         /**
          * Sources
@@ -15423,6 +18868,16 @@ export interface components {
             warnings: string[];
         };
         /**
+         * SpokenBeside
+         * @description The line before or after, in the same scene.
+         */
+        SpokenBeside: {
+            /** Character */
+            character: string;
+            /** Text */
+            text: string;
+        };
+        /**
          * SpotRead
          * @description The sound around a repair, before and after, by the time of the take.
          */
@@ -15449,6 +18904,15 @@ export interface components {
          * @enum {string}
          */
         Stands: "within" | "above" | "below";
+        /**
+         * StateCount
+         * @description How many lines are in a state.
+         */
+        StateCount: {
+            state: components["schemas"]["LineState"];
+            /** Lines */
+            lines: number;
+        };
         /**
          * StatedCueRead
          * @description A cue in the statement: how far its work is, which part of its price that makes, and by which clause.
@@ -15651,6 +19115,12 @@ export interface components {
              */
             take_ids?: string[] | null;
         };
+        /**
+         * SyntheticUse
+         * @description What a release says of a digital replica of the voice.
+         * @enum {string}
+         */
+        SyntheticUse: "yes" | "no" | "not_asked";
         /**
          * TakeAdd
          * @description A finished upload that becomes a take; without a cue its name says which cue it is for.
@@ -16080,6 +19550,18 @@ export interface components {
             presets: components["schemas"]["PresetRead"][];
         };
         /**
+         * TaskKind
+         * @description What a task asks for.
+         * @enum {string}
+         */
+        TaskKind: "too-loud" | "too-soft" | "too-long" | "too-short" | "wrong" | "missing" | "drift";
+        /**
+         * TaskRole
+         * @description Whose task it is.
+         * @enum {string}
+         */
+        TaskRole: "implementer" | "designer";
+        /**
          * TaxRead
          * @description The tax of one rate on an invoice.
          */
@@ -16401,6 +19883,18 @@ export interface components {
             questions: components["schemas"]["FactQuestion"][];
         };
         /**
+         * Unread
+         * @description A file of the game's project that could not be read; the rest was compared.
+         */
+        Unread: {
+            /** File */
+            file: string;
+            /** Line */
+            line: number;
+            /** Message */
+            message: string;
+        };
+        /**
          * UploadRead
          * @description A file on its way in, or arrived.
          */
@@ -16451,6 +19945,16 @@ export interface components {
             input?: unknown;
             /** Context */
             ctx?: Record<string, never>;
+        };
+        /**
+         * ValueCount
+         * @description A value that people on file have, and how many.
+         */
+        ValueCount: {
+            /** Value */
+            value: string;
+            /** Count */
+            count: number;
         };
         /**
          * VariationProgress
@@ -16556,6 +20060,11 @@ export interface components {
              * @description Whether a clause on silence decided it; then nobody did.
              */
             by_deemed_acceptance: boolean;
+            /**
+             * By Adoption
+             * @description Whether it was approved by adopting a folder, without a review.
+             */
+            by_adoption: boolean;
             /** Withdrawn */
             withdrawn: boolean;
         };
@@ -16637,6 +20146,155 @@ export interface components {
             };
         };
         /**
+         * VoiceLineChange
+         * @description What changes of a line; fields that are left out stay.
+         */
+        VoiceLineChange: {
+            /**
+             * Scene
+             * @default
+             */
+            scene: string;
+            /**
+             * Direction
+             * @default
+             */
+            direction: string;
+        };
+        /**
+         * VoiceLineRead
+         * @description A line of the script in one language.
+         */
+        VoiceLineRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Key */
+            key: string;
+            character: components["schemas"]["CharacterBrief"];
+            /** Scene */
+            scene: string;
+            /** Direction */
+            direction: string;
+            /** Language */
+            language: string;
+            /**
+             * Text
+             * @description Null: not translated yet.
+             */
+            text: string | null;
+            /** Text Version */
+            text_version: number | null;
+            /** Original Text */
+            original_text: string | null;
+            before: components["schemas"]["SpokenBeside"] | null;
+            after: components["schemas"]["SpokenBeside"] | null;
+            /**
+             * Path
+             * @description Where its file is expected: one name, in a folder per language.
+             */
+            path: string;
+            cue: components["schemas"]["LineCue"] | null;
+            state: components["schemas"]["LineState"];
+            /**
+             * Reason
+             * @description Why it must be recorded, or recorded again; empty where it need not.
+             */
+            reason: string;
+            take: components["schemas"]["LineTake"] | null;
+            /**
+             * Recorded Text
+             * @description What a stale take says.
+             */
+            recorded_text: string | null;
+            /**
+             * Original Duration S
+             * @description Of the newest approved take in the original language.
+             */
+            original_duration_s: number | null;
+            /**
+             * Length Percent
+             * @description How much longer the take is than the original's.
+             */
+            length_percent: number | null;
+            /** Length Is Off */
+            length_is_off: boolean;
+            /** Performer */
+            performer: string | null;
+            /** Directed By */
+            directed_by: string;
+        };
+        /**
+         * VoiceLines
+         * @description The script in one language.
+         */
+        VoiceLines: {
+            /** Language */
+            language: string;
+            /** Lines */
+            lines: components["schemas"]["VoiceLineRead"][];
+            /**
+             * Next
+             * @description Of the next page; null on the last.
+             */
+            next: number | null;
+            /** Total */
+            total: number;
+            /**
+             * Counts
+             * @description Of the whole script in this language, whatever is filtered.
+             */
+            counts: components["schemas"]["StateCount"][];
+            /** May Change */
+            may_change: boolean;
+        };
+        /**
+         * VoiceScriptRead
+         * @description What holds for the whole script.
+         */
+        VoiceScriptRead: {
+            /** Original Language */
+            original_language: string;
+            /** Length Tolerance Percent */
+            length_tolerance_percent: number;
+            /** Languages */
+            languages: string[];
+            /** Characters */
+            characters: components["schemas"]["CharacterRead"][];
+            /** Lines */
+            lines: number;
+            /** May Change */
+            may_change: boolean;
+        };
+        /**
+         * VoiceSettingsChange
+         * @description The original language, and how far a length may be from the original's before it is marked.
+         */
+        VoiceSettingsChange: {
+            /** Original Language */
+            original_language: string;
+            /** Length Tolerance Percent */
+            length_tolerance_percent: number;
+        };
+        /**
+         * VoiceTextChange
+         * @description A new text; the version that was read must still be the newest.
+         */
+        VoiceTextChange: {
+            /** Text */
+            text: string;
+            /** Text Version */
+            text_version: number;
+            /**
+             * Takes Fit
+             * @description Takes that exist still fit the new text: they do not become stale.
+             * @default false
+             */
+            takes_fit: boolean;
+        };
+        /**
          * WaivedSound
          * @description Codes that the approver let through for one sound, found by the hash of its samples.
          */
@@ -16681,6 +20339,12 @@ export interface components {
              */
             created_at: string;
         };
+        /**
+         * WeekState
+         * @description How a week of a designer looks: a booked day makes it partly booked, booked working days make it booked.
+         * @enum {string}
+         */
+        WeekState: "free" | "half_days" | "partly" | "booked";
         /**
          * WithApprover
          * @description A cue that waits for its verdict.
@@ -16803,6 +20467,47 @@ export interface components {
             };
         };
         /**
+         * WorkFigures
+         * @description What is known of a designer from work for one studio; null where too little has happened for a figure.
+         */
+        WorkFigures: {
+            /**
+             * Studio Id
+             * Format: uuid
+             */
+            studio_id: string;
+            /** Studio Name */
+            studio_name: string;
+            /** Projects */
+            projects: components["schemas"]["WorkedProject"][];
+            /** Accepted */
+            accepted: number;
+            /**
+             * On Time
+             * @description Share of accepted cues with a day that were accepted by it.
+             */
+            on_time: number | null;
+            /**
+             * Days Late
+             * @description Half of them later; below zero: early.
+             */
+            days_late: number | null;
+            /**
+             * First Pass
+             * @description Share of the decided cues that were accepted as they came first.
+             */
+            first_pass: number | null;
+            /** Rounds Per Cue */
+            rounds_per_cue: number | null;
+            /**
+             * Revision Hours
+             * @description From changes that were sent to the next version, half of the time longer.
+             */
+            revision_hours: number | null;
+            /** @description By how much work exceeded its estimates; for the designer and the studio's producers. */
+            estimates: components["schemas"]["HabitRead"] | null;
+        };
+        /**
          * WorkLogAdd
          * @description Time that went into a cue.
          */
@@ -16870,6 +20575,29 @@ export interface components {
             amount_minor: number;
             /** Agreed At */
             agreed_at: string | null;
+        };
+        /**
+         * WorkedProject
+         * @description A project that a designer is or was engaged on.
+         */
+        WorkedProject: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Name */
+            name: string;
+            /**
+             * Since
+             * Format: date-time
+             */
+            since: string;
+            /**
+             * Accepted
+             * @description Cues of theirs that were accepted.
+             */
+            accepted: number;
         };
         /**
          * WorkerRead
@@ -18197,6 +21925,161 @@ export interface operations {
                 };
             };
             /** @description `time-zone-unknown`, `day-named-twice` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_my_invoice_details: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["InvoiceDetailsRead"];
+                };
+            };
+        };
+    };
+    save_my_invoice_details: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["InvoiceDetailsSave"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["InvoiceDetailsRead"];
+                };
+            };
+            /** @description `bad-invoice-details` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_studio_invoice_details: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["InvoiceDetailsRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    save_studio_invoice_details: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["InvoiceDetailsSave"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["InvoiceDetailsRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-invoice-details` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -20583,6 +24466,46 @@ export interface operations {
             };
         };
     };
+    export_workbook: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet": string;
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
     add_cues: {
         parameters: {
             query?: never;
@@ -21406,6 +25329,151 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_cue_matrix: {
+        parameters: {
+            query: {
+                line: string;
+                category?: string;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MatrixRead"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `matrix-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_columns: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ColumnsRead"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    replace_columns: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ColumnsSet"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ColumnsRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `columns-changed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `columns-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };
@@ -23250,6 +27318,809 @@ export interface operations {
             };
         };
     };
+    list_roster: {
+        parameters: {
+            query?: {
+                /** @description Words that must all be found. */
+                q?: string;
+                speciality?: string;
+                service?: components["schemas"]["RosterService"] | null;
+                language?: string;
+                /** @description With free_to: what is taken in these days is named. */
+                free_from?: string | null;
+                free_to?: string | null;
+                cursor?: string | null;
+            };
+            header?: never;
+            path: {
+                studio_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RosterRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-cursor` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    add_to_roster: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["RosterEntryWrite"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RosterEntryRead"];
+                };
+            };
+            /** @description `team-needed`, `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `already-on-roster`, `roster-full` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-address`, `roster-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    import_into_roster: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["RosterImportAsk"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RosterImportRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `sheet-unreadable`, `column-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `parsing-busy` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_roster_entry: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                roster_entry_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RosterEntryRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `roster-entry-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    change_roster_entry: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                roster_entry_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["RosterEntryChange"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RosterEntryRead"];
+                };
+            };
+            /** @description `team-needed`, `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `roster-entry-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `already-on-roster`, `roster-entry-changed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-address`, `roster-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    remove_from_roster: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                roster_entry_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `roster-entry-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    set_roster_busy: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                roster_entry_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["BusyRangesWrite"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RosterEntryRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `roster-entry-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `roster-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_roster_calendar: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                roster_entry_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["CalendarFile"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RosterEntryRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `roster-entry-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `calendar-unreadable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `parsing-busy` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    drop_roster_calendar: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                roster_entry_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RosterEntryRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `roster-entry-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_postings_to_ask_about: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                roster_entry_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PostingChoice"][];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `roster-entry-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    invite_from_roster: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                posting_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["RosterInvite"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PostingRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-not-found`, `roster-entry-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `wrong-posting-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `too-many-attempts` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    add_reel_sound: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                roster_entry_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ReelSoundAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RosterEntryRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `roster-entry-not-found`, `upload-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `reel-full`, `upload-unfinished` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `no-sound` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `blob-missing` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    remove_reel_sound: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                reel_sound_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RosterEntryRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `reel-sound-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_reel_sound: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                reel_sound_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": unknown;
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `reel-sound-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `blob-missing` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     award_posting: {
         parameters: {
             query?: never;
@@ -24660,6 +29531,165 @@ export interface operations {
                 };
             };
             /** @description `calendar-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_electronic_invoice_pdf: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                invoice_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Factur-X */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/pdf": unknown;
+                };
+            };
+            /** @description `invoice-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `invoice-details-missing` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `no-electronic-invoice`, `document-too-large` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `typesetting-busy` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_electronic_invoice_xml: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                invoice_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description EN 16931, Cross Industry Invoice */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/xml": unknown;
+                };
+            };
+            /** @description `invoice-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `invoice-details-missing` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `no-electronic-invoice` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_journal: {
+        parameters: {
+            query?: {
+                from_on?: string | null;
+                until_on?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Bookings */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/csv": unknown;
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -27637,7 +32667,7 @@ export interface operations {
                 "Tus-Resumable"?: string | null;
                 /** @description How many bytes the whole file has. */
                 "upload-length"?: string | null;
-                /** @description In Base64: `file_name`, `sha256` if known; `delivery_id`, and `take_id` of what a dry stem is for; or `project_id` of a reference. */
+                /** @description In Base64: `file_name`, `sha256` if known; `delivery_id`, and `take_id` of what a dry stem is for; or `project_id` of a reference; or `adoption_id`; or `roster_entry_id` of a reel. */
                 "upload-metadata"?: string | null;
                 "upload-checksum"?: string | null;
             };
@@ -27666,7 +32696,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `designer-needed`, `in-house-designer-needed`, `team-needed` */
+            /** @description `approver-needed`, `designer-needed`, `in-house-designer-needed`, `team-needed` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -27675,7 +32705,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `delivery-not-found`, `project-not-found` */
+            /** @description `adoption-not-found`, `delivery-not-found`, `project-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -27693,7 +32723,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `delivery-closed` */
+            /** @description `adoption-closed`, `delivery-closed` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -31708,6 +36738,1211 @@ export interface operations {
             };
         };
     };
+    get_voice_script: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VoiceScriptRead"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    change_voice_settings: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["VoiceSettingsChange"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VoiceScriptRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `voice-line-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_voice_lines: {
+        parameters: {
+            query?: {
+                /** @description A tag such as de; empty: the original language. */
+                language?: string | null;
+                state?: components["schemas"]["LineState"] | null;
+                /** @description Only those of this character. */
+                character?: string | null;
+                search?: string;
+                /** @description `next` of the page before. */
+                start?: number;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VoiceLines"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `voice-line-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    import_voice_lines: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ScriptAsk"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ScriptRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `script-unreadable`, `voice-line-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `parsing-busy` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    export_voice_lines: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/csv": string;
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_pick_ups: {
+        parameters: {
+            query?: {
+                /** @description Only those of this language. */
+                language?: string | null;
+                /** @description Only those of this character. */
+                character?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PickUpsRead"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `voice-line-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    export_pick_ups_csv: {
+        parameters: {
+            query?: {
+                /** @description Only those of this language. */
+                language?: string | null;
+                /** @description Only those of this character. */
+                character?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/csv": string;
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `voice-line-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    export_pick_ups_xlsx: {
+        parameters: {
+            query?: {
+                /** @description Only those of this language. */
+                language?: string | null;
+                /** @description Only those of this character. */
+                character?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet": string;
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `voice-line-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_voice_line_of_cue: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                cue_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VoiceLineRead"] | null;
+                };
+            };
+            /** @description `cue-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    change_voice_line: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                voice_line_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["VoiceLineChange"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `voice-line-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    change_voice_text: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                voice_line_id: string;
+                language: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["VoiceTextChange"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `voice-line-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `voice-text-changed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `voice-line-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    change_voice_character: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                voice_character_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["CharacterChange"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VoiceScriptRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `character-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    cast_voice_character: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                voice_character_id: string;
+                language: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["CastingChange"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VoiceScriptRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `character-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `voice-line-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_voice_releases: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReleasesRead"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    add_voice_release: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ReleaseAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReleasesRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found`, `upload-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `upload-unfinished` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `voice-line-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    remove_voice_release: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                voice_release_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `release-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_voice_release_file: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                voice_release_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": unknown;
+                };
+            };
+            /** @description `release-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `blob-missing` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    plan_adoption: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["FolderAsk"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AdoptionPlanRead"];
+                };
+            };
+            /** @description `approver-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `path-twice` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_adoptions: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AdoptionRead"][];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    open_adoption: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["FolderAsk"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AdoptionOpened"];
+                };
+            };
+            /** @description `approver-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `path-twice` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_adoption: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                adoption_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AdoptionProgress"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `adoption-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_adoption_plan: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                adoption_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AdoptionOpened"];
+                };
+            };
+            /** @description `approver-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `adoption-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    adopt_folder: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                adoption_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Adopted"];
+                };
+            };
+            /** @description `approver-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `adoption-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `adoption-closed`, `files-missing`, `nothing-to-adopt` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `rows-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    undo_adoption: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                adoption_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AdoptionRead"];
+                };
+            };
+            /** @description `approver-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `adoption-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `addition-in-use`, `adoption-in-use`, `already-undone`, `nothing-to-undo` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
     get_pack: {
         parameters: {
             query?: {
@@ -32696,6 +38931,909 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_audits: {
+        parameters: {
+            query?: {
+                cursor?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_AuditSummary_"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-cursor` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_audit: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["AuditAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AuditSummary"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_audit: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                audit_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AuditRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `audit-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_audited_sounds: {
+        parameters: {
+            query?: {
+                /** @description Only those that are not as approved. */
+                drifted?: boolean;
+                cursor?: string | null;
+            };
+            header?: never;
+            path: {
+                audit_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_AuditedSoundRead_"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `audit-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-cursor` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_sound_history: {
+        parameters: {
+            query?: {
+                /** @description Of the sound in the build. */
+                path?: string;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SoundInBuild"][];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    accept_drift: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                audit_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["DriftAccept"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AcceptedDriftRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `audit-not-found`, `audited-sound-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `nothing-drifted` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_accepted_drifts: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AcceptedDriftRead"][];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    withdraw_accepted_drift: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                accepted_drift_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `accepted-drift-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    send_sound_back: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                audit_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["SoundSendBack"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GameTaskRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `audit-not-found`, `audited-sound-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `nothing-drifted` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_game_states: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GameStates"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    mark_cue_in_game: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                cue_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["CueMarking"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GameStates"];
+                };
+            };
+            /** @description `team-needed`, `implementer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `cue-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_listening_pass: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ListeningNow"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    start_listening_pass: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ListeningNow"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `nothing-to-hear` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    close_listening_pass: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                listening_pass_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `listening-pass-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    add_listening_note: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                listening_pass_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ListeningNoteAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ListeningNoteRead"];
+                };
+            };
+            /** @description `listening-pass-not-found`, `cue-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `listening-pass-closed`, `listening-note-taken` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `listening-note-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    undo_listening_note: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                listening_note_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `listening-note-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_game_tasks: {
+        parameters: {
+            query?: {
+                done?: boolean;
+                cursor?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_GameTaskRead_"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-cursor` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    change_game_task: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                game_task_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["GameTaskChange"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GameTaskRead"];
+                };
+            };
+            /** @description `team-needed`, `implementer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `game-task-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
                 };
             };
         };
@@ -33705,6 +40843,75 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_roster_work: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                roster_entry_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WorkFigures"] | null;
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `roster-entry-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_own_work: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WorkFigures"][];
                 };
             };
         };

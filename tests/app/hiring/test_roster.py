@@ -9,11 +9,16 @@ from fastapi.testclient import TestClient
 from httpx import Response
 
 from app.accounts.models import Person
+from app.accounts.quotas import QuotaKind, set_limit
 from app.accounts.rules import AddressProof
 from app.kit import clock
-from tests.app.hiring.test_postings import add_cues, create, mails_to
+from tests.app.hiring.test_bids import WHOLE, compared, send
+from tests.app.hiring.test_postings import add_cues, create, mails_to, opened
+from tests.support.deliver import BYTES, TUS, metadata
 from tests.support.server import World
+from tests.support.waves import sine, wav_bytes
 
+WAV = wav_bytes(sine(hz=440, seconds=0.1), rate=48_000, bits=16)
 DAY = timedelta(days=1)
 A_PERSON: dict[str, Any] = {
     "name": "Designer A",
@@ -292,3 +297,64 @@ def test_nobody_is_asked_where_one_is_not_on_file(world: World) -> None:
     assert (refused.status_code, refused.json()["code"]) == (404, "roster-entry-not-found")
     assert world.producer.get(f"/v1/postings/{posting['id']}").json()["candidates"] == []
     assert world.stranger.post(path, json={"entry_ids": [entry["id"]]}).status_code == 404
+
+
+def send_sound(world: World, entry: str, content: bytes, by: TestClient | None = None) -> Response:
+    said = metadata(roster_entry_id=entry, file_name="reel.wav")
+    headers = {**TUS, **BYTES, "Upload-Length": str(len(content)), "Upload-Metadata": said}
+    return (by or world.producer).post("/v1/uploads", headers=headers, content=content)
+
+
+def test_a_sound_of_a_reel_is_uploaded_played_and_removed(world: World) -> None:
+    entry = add(world).json()["id"]
+    path = f"/v1/roster/{entry}/reel"
+    sent = send_sound(world, entry, WAV)
+    assert sent.status_code == 201, sent.text
+    upload = sent.headers["location"].rpartition("/")[2]
+    (sound,) = world.producer.post(path, json={"upload_id": upload, "title": "Weapons"}).json()["reel"]
+    assert (sound["title"], sound["media_type"], sound["file_bytes"]) == ("Weapons", "audio/wav", len(WAV))
+    assert roster(world)["items"][0]["reel"] == [sound]
+    played = world.approver.get(f"/v1/reel-sounds/{sound['id']}/file")
+    assert (played.status_code, played.content) == (200, WAV)
+    assert "sandbox" in played.headers["content-security-policy"]
+    for client, status in ((world.designer, 404), (world.stranger, 404), (world.reviewer, 403)):
+        assert client.get(f"/v1/reel-sounds/{sound['id']}/file").status_code == status
+        assert send_sound(world, entry, WAV, client).status_code == status
+    assert world.producer.delete(f"/v1/reel-sounds/{sound['id']}").json()["reel"] == []
+
+
+def test_what_browsers_do_not_play_is_no_sound_of_a_reel(world: World) -> None:
+    entry = add(world).json()["id"]
+    upload = send_sound(world, entry, b"<svg onload=alert(1)>").headers["location"].rpartition("/")[2]
+    refused = world.producer.post(f"/v1/roster/{entry}/reel", json={"upload_id": upload, "title": "Reel"})
+    assert (refused.status_code, refused.json()["code"]) == (422, "no-sound")
+    two_places = metadata(roster_entry_id=entry, project_id=str(world.project_id), file_name="reel.wav")
+    headers = {**TUS, **BYTES, "Upload-Length": "1", "Upload-Metadata": two_places}
+    assert world.producer.post("/v1/uploads", headers=headers, content=b"x").json()["code"] == "bad-upload-header"
+
+
+def test_reels_have_a_limit_of_their_own(world: World) -> None:
+    entry = add(world).json()["id"]
+    world.server.in_database(lambda session: set_limit(session, world.studio_id, QuotaKind.REEL_BYTES, len(WAV) - 1))
+    refused = send_sound(world, entry, WAV)
+    assert (refused.status_code, refused.json()["code"]) == (507, "storage-quota-reached")
+
+
+def test_a_comparison_shows_what_is_taken_of_a_bidders_days_to_those_who_see_the_roster(world: World) -> None:
+    add_cues(world)
+    posting = opened(world, work_from_on="2027-01-04", work_to_on="2027-03-31")
+    send(world, posting, world.other_designer, WHOLE)
+
+    def prove(session: Any) -> str:
+        person = session.get_one(Person, world.other_designer_id)
+        person.email_verified_at, person.email_proof = clock.now(), AddressProof.MAIL
+        return str(person.email)
+
+    (bid,) = compared(world, posting)["bids"]
+    assert (bid["roster_entry_id"], bid["busy"]) == (None, [])
+    entry = add(world, email=world.server.in_database(prove)).json()
+    taken = {"from_on": "2027-03-22", "to_on": "2027-04-09", "kind": "booked", "note": "another game"}
+    world.producer.put(f"/v1/roster/{entry['id']}/busy", json={"ranges": [taken]})
+    (bid,) = compared(world, posting, world.approver)["bids"]
+    assert bid["roster_entry_id"] == entry["id"]
+    assert bid["busy"] == [{**taken, "to_on": "2027-03-31"}]

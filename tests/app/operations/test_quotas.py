@@ -109,6 +109,7 @@ def test_the_producer_sees_use_and_limit(world: World) -> None:
         "tokens": (0, DEFAULTS[QuotaKind.TOKENS]),
         "open_uploads": (0, DEFAULTS[QuotaKind.OPEN_UPLOADS]),
         "reference_bytes": (0, DEFAULTS[QuotaKind.REFERENCE_BYTES]),
+        "reel_bytes": (0, DEFAULTS[QuotaKind.REEL_BYTES]),
     }
     assert (world.reviewer.get(url).status_code, world.stranger.get(url).status_code) == (403, 404)
 

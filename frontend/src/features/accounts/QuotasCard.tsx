@@ -24,6 +24,7 @@ const WORDS: Record<Quota['kind'], { name: string; atLimit: string }> = {
     atLimit: 'New uploads are refused until others finish or expire.',
   },
   reference_bytes: { name: 'Storage for references', atLimit: 'New references are refused. Links can still be added.' },
+  reel_bytes: { name: 'Storage for reels', atLimit: 'New sounds on the roster are refused. Links can still be added.' },
 }
 
 /** What the studio uses of the limits of this server, and what happens at each. */

@@ -21,6 +21,7 @@ const NAMES: Record<Quota['kind'], string> = {
   tokens: 'Tokens',
   open_uploads: 'Unfinished uploads',
   reference_bytes: 'Storage for references',
+  reel_bytes: 'Storage for reels on the roster',
 }
 const isNear = ({ quotas: [first] }: Limits) => first !== undefined && share(first) >= NEAR
 

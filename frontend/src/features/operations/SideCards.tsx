@@ -20,6 +20,7 @@ const NAMES: Record<Storage['kept'][number]['kind'], string> = {
   exports: 'exported master',
   placeholder_files: 'placeholder',
   references: 'reference file',
+  roster_reels: 'reel sound',
   documents: 'document',
 }
 const keptWords = ({ kept }: Storage) =>

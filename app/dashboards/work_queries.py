@@ -1,0 +1,69 @@
+"""What is known of a designer's work for one studio; each function is one SELECT of narrow rows."""
+
+from collections.abc import Sequence
+from datetime import datetime
+from uuid import UUID
+
+from sqlalchemy import Row, func, select
+from sqlalchemy.orm import Session
+
+from app.accounts.models import Studio
+from app.agreements.models import Contract
+from app.agreements.rules import ContractState
+from app.deliveries.models import Take
+from app.projects.models import Engagement, Project
+from app.reviews.models import Round
+
+NEWEST = 1_000  # rounds: older ones say nothing of today
+
+
+def projects_of(session: Session, studio_id: UUID, designer_id: UUID) -> Sequence[Row[UUID, str, datetime]]:
+    """Return the projects of a studio that a designer is or was engaged on, and since when, the newest first."""
+    return session.execute(
+        select(Project.id, Project.name, func.min(Engagement.created_at))
+        .join(Engagement, Engagement.project_id == Project.id)
+        .where(Project.studio_id == studio_id, Engagement.designer_id == designer_id)
+        .group_by(Project.id, Project.name)
+        .order_by(func.min(Engagement.created_at).desc())
+    ).all()
+
+
+def studios_of(session: Session, designer_id: UUID) -> Sequence[Row[UUID, str]]:
+    """Return the studios that a designer works or worked for, by name."""
+    return session.execute(
+        select(Studio.id, Studio.name)
+        .join(Engagement, Engagement.studio_id == Studio.id)
+        .where(Engagement.designer_id == designer_id)
+        .group_by(Studio.id, Studio.name)
+        .order_by(Studio.name)
+    ).all()
+
+
+def contracts_of(session: Session, studio_id: UUID, designer_id: UUID) -> Sequence[Contract]:
+    """Return the contracts of a studio with a designer that were agreed, those that ended since too."""
+    states = (ContractState.AGREED, ContractState.ENDED)
+    found = select(Contract).where(
+        Contract.studio_id == studio_id,
+        Contract.designer_id == designer_id,
+        Contract.state.in_(states),
+        Contract.agreed_at.is_not(None),
+    )
+    return session.scalars(found.order_by(Contract.id)).all()
+
+
+def revision_times(session: Session, studio_id: UUID, designer_id: UUID) -> Sequence[Row[datetime, datetime]]:
+    """Return when changes of a cue were sent, and when the designer's next take of it came; the newest rounds."""
+    next_take = (
+        select(func.min(Take.received_at))
+        .where(Take.cue_id == Round.cue_id, Take.designer_id == designer_id, Take.received_at > Round.created_at)
+        .correlate(Round)
+        .scalar_subquery()
+    )
+    own = select(Take.cue_id).where(Take.studio_id == studio_id, Take.designer_id == designer_id)
+    rows = session.execute(
+        select(Round.created_at, next_take)
+        .where(Round.studio_id == studio_id, Round.cue_id.in_(own))
+        .order_by(Round.id.desc())
+        .limit(NEWEST)
+    )
+    return [row for row in rows if row[1] is not None]
