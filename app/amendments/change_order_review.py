@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
+from functools import cached_property
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -44,8 +45,12 @@ class Reviewer:
             one.id: one for one in plan_queries.milestones_of(session, contract.id)
         }
         self.covered: dict[UUID, ContractCue] = {one.cue_id: one for one in plan_queries.cues_of(session, contract.id)}
-        self.listed: dict[UUID, Cue] = {cue.id: cue for cue in listed_cues(session, contract.project_id)}
         self.prefix = contract.project.cue_prefix
+
+    @cached_property
+    def listed(self) -> dict[UUID, Cue]:
+        """The cues of the project's list, by id."""
+        return {cue.id: cue for cue in listed_cues(self.session, self.contract.project_id)}
 
     def money(self, amount_minor: int) -> str:
         """Return an amount in the contract's currency."""

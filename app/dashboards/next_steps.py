@@ -15,6 +15,7 @@ from app.agreements.models import Contract
 from app.agreements.redline_rules import RETURNS, TURNS
 from app.agreements.rules import ContractKind, ContractState, Party
 from app.agreements.signing_rules import Turn
+from app.amendments.waiting import Amendment, waiting_amendments
 from app.briefs import queries as briefs
 from app.dashboards import progress_queries, queries
 from app.dashboards.progress import counted
@@ -36,6 +37,12 @@ from app.projects.service import ProjectAccess, project_access
 from app.projects.visibility import nda_is_pending
 from app.reviews import queue_queries
 from app.reviews.review_room import COUNTED_CUES
+
+STEP_OF_AMENDMENT = {
+    Amendment.CHANGE_ORDER: NextStepKind.SIGN_CHANGE_ORDER,
+    Amendment.STATEMENT: NextStepKind.AGREE_STATEMENT,
+    Amendment.OFFERS: NextStepKind.PROPOSE_CHANGES,
+}
 
 
 def next_steps(session: Session, actor: Actor, project_id: UUID) -> NextSteps:
@@ -213,6 +220,7 @@ class _Steps:
                     ContractKind.STATEMENT_OF_WORK,
                 ):
                     self._money(contract, party)
+                    self._amendments(contract, party)
 
     def _signature(self, contract: Contract, party: Party, turn: Turn) -> None:
         event = agreements.newest_event(self._session, contract.id)
@@ -239,6 +247,17 @@ class _Steps:
                     contract_id=contract.id,
                 )
             )
+
+    def _amendments(self, contract: Contract, party: Party) -> None:
+        of_contract = {"subject": contract.title, "who": _other_side(contract, party), "contract_id": contract.id}
+        for one in waiting_amendments(self._session, self._access.actor, contract, party):
+            if one.is_mine:
+                kind = STEP_OF_AMENDMENT[one.what]
+                self.steps.append(NextStep(kind=kind, count=one.count, since=one.since, **of_contract))
+            else:
+                person_id = contract.designer_id if party is Party.STUDIO else None
+                awaited = AwaitedKind(one.what.value)
+                self.awaited.append(Awaited(kind=awaited, person_id=person_id, since=one.since, **of_contract))
 
     def _draft(self, contract: Contract) -> None:
         event = agreements.newest_event_of(self._session, contract.id, TURNS)

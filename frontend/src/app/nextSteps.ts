@@ -25,6 +25,9 @@ const OF_CONTRACT: ReadonlySet<Kind> = new Set([
   'send_nda',
   'sign_contract',
   'change_contract',
+  'sign_change_order',
+  'agree_statement',
+  'propose_changes',
   'send_contract',
   'pay_invoice',
   'invoice_deposit',
@@ -122,6 +125,27 @@ export function wordsOf(step: NextStep, projectId: string): Words {
         act: 'Open',
         path: contract,
       }
+    case 'sign_change_order':
+      return {
+        head: `Sign a change order to ${subject}`,
+        why: `With ${who}. Nothing changes until both have signed.`,
+        act: 'Read and sign',
+        path: `${contract}/changes`,
+      }
+    case 'agree_statement':
+      return {
+        head: `Agree to the statement of ${subject}`,
+        why: `The contract with ${who} ends early: what each cue is owed stands there.`,
+        act: 'Read the statement',
+        path: `${contract}/ending`,
+      }
+    case 'propose_changes':
+      return {
+        head: count === 1 ? `Something changed under ${subject}` : `${count} things changed under ${subject}`,
+        why: 'Propose a change order, or dismiss it with a reason.',
+        act: 'See what changed',
+        path: `${contract}/changes`,
+      }
     case 'send_contract':
       return { head: `Finish and send ${subject}`, why: `A draft, for ${who}.`, act: 'Open the draft', path: contract }
     case 'pay_invoice':
@@ -204,6 +228,10 @@ export function awaitedWords({ kind, subject, count }: Awaited): string {
       return 'to send the NDA'
     case 'signature':
       return `to sign ${subject}`
+    case 'change_order':
+      return `to sign a change order to ${subject}`
+    case 'statement':
+      return `to agree to the statement of ${subject}`
     case 'verdicts':
       return `to judge ${plural(count, 'cue')}`
     case 'answer':

@@ -99,7 +99,9 @@ def test_it_holds_when_both_have_accepted(order: Order) -> None:
     assert (agreed["state"], [one["party"] for one in agreed["signed"]]) == ("agreed", ["designer", "studio"])
     assert order.plan_now()[2] == ("Beta", 85_500, day(32))
     assert order.owed() == [*before, ("extra_round", 7_875)]
-    assert order.entries()[-5:] == ["change_proposed", "change_accepted", "change_accepted", "changed", "due"]
+    assert order.entries()[-6:] == [
+        "change_proposed", "change_accepted", "change_accepted", "changed", "due", "planned",
+    ]  # fmt: skip
     order.approve(order.take(shield))
     assert order.owed()[-1] == ("accepted", 22_500)
     figures = order.figures()

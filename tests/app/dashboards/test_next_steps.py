@@ -6,7 +6,9 @@ import pytest
 from fastapi.testclient import TestClient
 
 from tests.app.agreements.conftest import Contracts
+from tests.app.amendments.test_change_orders import Order, about
 from tests.app.money.agreed import Agreed, deposit, milestone
+from tests.app.reviews.making import body_of
 from tests.support.deliver import add_cues, deliver
 from tests.support.links import secret_for
 from tests.support.server import World
@@ -193,6 +195,46 @@ def test_a_deposit_is_announced_to_both_and_then_invoiced_and_paid(world: World,
     assert (pay["subject"], pay["amount_minor"]) == ("SND-7", 30_000)
     assert "deposit_due" not in dict(steps(world))
     assert "payment" in dict(awaited(world, "designer"))
+
+
+@pytest.mark.both_databases
+def test_a_change_order_waits_for_each_party_until_it_has_signed(world: World) -> None:
+    order = Order(world)
+    order.propose(about("reprice_cue", order.cues[0], price_minor=20_000))
+    assert ("sign_change_order", 1) in steps(world)
+    assert ("sign_change_order", 1) in steps(world, "designer")
+    body_of(order.accept(world.designer))
+    assert ("sign_change_order", 1) not in steps(world, "designer")
+    assert "change_order" in [kind for kind, _ in awaited(world, "designer")]
+    body_of(order.accept(world.producer))
+    assert "sign_change_order" not in dict(steps(world))
+
+
+@pytest.mark.both_databases
+def test_what_changed_under_a_contract_is_a_step_of_both_until_it_is_settled(world: World) -> None:
+    order = Order(world)
+    order.take(order.cues[0])
+    edition = body_of(world.producer.get(f"/v1/cues/{order.cues[0]}"))["edition"]
+    body_of(world.producer.patch(f"/v1/cues/{order.cues[0]}", json={"edition": edition, "loop": True}))
+    assert (dict(steps(world)).get("propose_changes"), dict(steps(world, "designer")).get("propose_changes")) == (1, 1)
+    (offer,) = order.read()["offers"]
+    path = f"/v1/contracts/{order.contract_id}/change-offers/dismiss"
+    body = {"offer": offer["offer"], "reason": "The price covers it"}
+    assert world.producer.post(path, json=body).status_code == 200
+    assert "propose_changes" not in dict(steps(world))
+    assert "propose_changes" not in dict(steps(world, "designer")), "the other party said why it needs none"
+
+
+def test_a_statement_waits_for_each_party_until_it_has_agreed(world: World) -> None:
+    order = Order(world)
+    path = f"/v1/contracts/{order.contract_id}/ending"
+    body_of(world.designer.post(f"{path}/notice", json={"reason": "Another job"}))
+    assert ("agree_statement", 1) in steps(world)
+    assert ("agree_statement", 1) in steps(world, "designer")
+    sha256 = body_of(world.designer.get(path))["statement_sha256"]
+    body_of(world.designer.post(f"{path}/agree", json={"name": "N. Designer", "text_sha256": sha256}))
+    assert "agree_statement" not in dict(steps(world, "designer"))
+    assert "statement" in [kind for kind, _ in awaited(world, "designer")]
 
 
 def test_who_joins_is_announced(world: World) -> None:
