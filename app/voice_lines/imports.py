@@ -131,7 +131,9 @@ def _add_cues_to(session: Session, project: Project, plans: Sequence[LinePlan]) 
             one.edit = Edit(place, whole_facts(_cue_facts(one, stem), NEW_CUE))
             rows[place] = one
     of_cues = row_faults(session, project, [one.edit for one in rows.values() if one.edit])
-    return faults + [RowFault(rows[fault.row].plan.spoken.row, "file_name", fault.message) for fault in of_cues]
+    faults += [RowFault(rows[fault.row].plan.spoken.row, "file_name", fault.message) for fault in of_cues]
+    by_row = {fault.row: fault for fault in reversed(faults)}  # one a row, and not one for each language
+    return list(by_row.values())
 
 
 def _cue_facts(one: NewText, stem: str) -> dict[str, str]:

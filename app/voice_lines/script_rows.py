@@ -137,7 +137,8 @@ def spoken_rows(
         if not found:
             spoken = keys.spoken_row(row, given, scene if has_scene else None)
             found = list(keys.faults_of(spoken))
-            rows.append(spoken)
+            if not found:
+                rows.append(spoken)
         faults += found
     return rows, faults
 
