@@ -380,3 +380,10 @@ def questions_since(
         )
     )
     return [(cue_id, asked_at, answered_at) for cue_id, asked_at, answered_at in rows]
+
+
+def designers_with_approved_takes(session: Session, project_id: UUID) -> Sequence[UUID]:
+    """Return the designers of whom a sound of a project is approved."""
+    return session.scalars(
+        select(Take.designer_id).where(Take.project_id == project_id, Take.state == TakeState.APPROVED).distinct()
+    ).all()

@@ -73,3 +73,11 @@ class BadDeputy(Invalid):
 
 class BadSpec(Invalid):
     """The text is no delivery spec; `errors` names the places."""
+
+
+class CreditLineNotFound(NotFound):
+    """No name of that id in the credits within the caller's sight."""
+
+
+class TooManyCredits(Conflict):
+    """The project's credits have as many names as one list holds."""

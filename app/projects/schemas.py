@@ -7,7 +7,7 @@ from uuid import UUID
 from pydantic import ConfigDict, Field, StringConstraints, model_validator
 
 from app.accounts.rules import Scope
-from app.accounts.schemas import Email, Line, PersonBrief, PersonRead, Prose, StudioBrief
+from app.accounts.schemas import Email, Line, MaybeLine, PersonBrief, PersonRead, Prose, StudioBrief
 from app.kit.http import LARGEST_NUMBER, Schema
 from app.projects.rules import EngagementKind
 
@@ -364,3 +364,17 @@ class TokenMade(TokenRead):
     """A new key with its secret, which is shown this once."""
 
     secret: str
+
+
+class CreditNameSave(Schema):
+    """How the caller is named in a project's credits."""
+
+    name: MaybeLine = Field("", description="Empty: the name of the account.")
+    is_left_out: bool = False
+
+
+class CreditLineAdd(Schema):
+    """A name that is added to a project's credits by hand."""
+
+    role: Line = Field(examples=["Voice"])
+    name: Line

@@ -46,7 +46,7 @@ from app.money.rules import LineKind
 from app.notifications.models import Mail
 from app.notifications.preference_rules import News
 from app.notifications.preferences import link_token
-from app.projects.models import Deputy, Engagement, Project, ProjectInvitation
+from app.projects.models import CreditLine, Deputy, Engagement, Project, ProjectInvitation
 from app.projects.queries import any_engagement_of, current_spec
 from app.projects.rules import EngagementKind
 from app.projects.service import create_project
@@ -54,6 +54,7 @@ from app.renders.models import Batch, MasterExport, Picture, Reel, Render, Rende
 from app.renders.rules import RenderState
 from app.reviews.models import ChangeRequest, Comment
 from app.sound_lists.models import Cue, Question, Stem
+from tests.house.audit_objects import add_audit
 from tests.house.reference_objects import add_reference
 from tests.house.voice_objects import add_voice_line
 from tests.house.roster_objects import add_roster_entry
@@ -164,7 +165,8 @@ class House(World):
             until_on=date(2999, 1, 2),
             named_by=self.producer_id,
         )
-        session.add(deputy)
+        credit_line = CreditLine(**of, role="Voice", name="A performer", added_by=self.producer_id)
+        session.add_all([deputy, credit_line])
         comment = Comment(**of, take_id=take.id, text="Loud.", written_by=self.designer_id, decides=False)
         note = Comment(**of, take_id=changed.id, text="Long.", written_by=self.reviewer_id, decides=False)
         build = Build(**of, label="1.0", files=0, rejected=0, warnings=0, report=report())
@@ -234,6 +236,7 @@ class House(World):
             session, {"studio_id": self.studio_id, "project_id": self.project_id}, sha256=self.sha256,
             file_bytes=len(FILE), added_by=self.producer_id,
         )  # fmt: skip
+        audit = add_audit(session, of, cue_id=cue.id, producer_id=self.producer_id, designer_id=self.designer_id)
         self._add_links(session)
         money = self._add_money(session, cue)
         template = self._add_text(session, money["contract_id"])
@@ -244,6 +247,7 @@ class House(World):
             "project_id": self.project_id,
             "person_id": self.approver_id,
             "deputy_id": deputy.id,
+            "credit_line_id": credit_line.id,
             "part": "designer",
             "version": 1,
             "fact": "size",
@@ -278,6 +282,7 @@ class House(World):
             **money,
             **hiring,
             **references,
+            **audit,
             **voice,
             **roster,
         }

@@ -24,12 +24,13 @@ ONE_DESIGNERS = {
     "note_id",
     "master_export_id",
     "tray_action_id",
+    *("game_task_id", "listening_note_id"),
     "sign_in_id",
     *CONTRACTS,
 }
 TEAMS = {Audience.PRODUCER, Audience.TEAM, Audience.APPROVER}
 # Things of the studio, which a designer does not see at all.
-STUDIOS = {"studio_id", "studio_invitation_id", "mail_id", "template_id", "roster_entry_id", "reel_sound_id"}
+STUDIOS = {"studio_id", "studio_invitation_id", "mail_id", "template_id", "roster_entry_id", "reel_sound_id", "credit_line_id"}
 IN_BODY = {"create_project": {"studio_id"}}
 IN_QUERY = {
     "put_upload": {"delivery_id"},
