@@ -17,6 +17,7 @@ export default defineConfig({
       testMatch: [
         'main-job.spec.ts',
         'contract.spec.ts',
+        'worked-example.spec.ts',
         'fix.spec.ts',
         'resume.spec.ts',
         'tray.spec.ts',

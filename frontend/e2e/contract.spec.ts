@@ -1,46 +1,16 @@
-import { type Browser, type BrowserContext, expect, type Page } from '@playwright/test'
+import { type Browser, expect, type Page } from '@playwright/test'
 
-import { ask } from './api'
 import { test } from './fixtures'
+import { Party, PASSWORD } from './party'
 import type { Server } from './server'
 import { wav } from './sounds'
 
-const PASSWORD = 'quiet reactor hum'
 const CUES = ['radar_ping', 'mine_arm', 'missile_launch']
 const inDays = (days: number) => new Date(Date.now() + days * 86_400_000).toISOString().slice(0, 10)
 
 interface Take {
   id: string
   state: string
-}
-
-/** One party's browser; what has no page of its own here is asked as its pages ask. */
-class Party {
-  private constructor(
-    readonly url: string,
-    readonly context: BrowserContext,
-    readonly page: Page,
-  ) {}
-
-  static async arrive(url: string, context: BrowserContext): Promise<Party> {
-    await context.request.get(`${url}/v1/session`)
-    return new Party(url, context, await context.newPage())
-  }
-
-  ask<T>(method: 'GET' | 'POST' | 'PUT', path: string, data?: unknown): Promise<T> {
-    return ask<T>(this.context, `${this.url}/v1${path}`, method, data)
-  }
-
-  async upload(delivery: string, name: string, bytes: Buffer): Promise<string> {
-    const csrf = (await this.context.cookies(this.url)).find((cookie) => cookie.name === 'soundlist_csrf')?.value ?? ''
-    const answer = await this.context.request.put(`${this.url}/v1/uploads`, {
-      params: { delivery_id: delivery, file_name: name },
-      data: bytes,
-      headers: { 'X-CSRF-Token': csrf, 'Content-Type': 'application/octet-stream' },
-    })
-    expect(answer.ok(), await answer.text()).toBe(true)
-    return ((await answer.json()) as { upload_id: string }).upload_id
-  }
 }
 
 const JOURNEY = 'a contract from the template to the last payment, in two browsers'
