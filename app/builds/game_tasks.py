@@ -62,7 +62,7 @@ def send_back(session: Session, access: ProjectAccess, audit_id: UUID, sound: Au
     known = listening_queries.open_drift_task(session, access.project.id, sound.path)
     if known is not None:
         return known
-    return add_task(
+    task = add_task(
         session,
         GameTask(
             studio_id=access.project.studio_id,
@@ -78,6 +78,7 @@ def send_back(session: Session, access: ProjectAccess, audit_id: UUID, sound: Au
             asked_by=access.actor.person,
         ),
     )
+    return listening_queries.task_by_id(session, task.id) or task
 
 
 def tasks_in(

@@ -89,7 +89,7 @@ def add_note(session: Session, actor: Actor, listening_pass_id: UUID, body: List
     A note that came already is answered as it stands, so that a phone may send it again.
     """
     access, current = _visible_pass(session, actor, listening_pass_id)
-    known = listening_queries.note_by_id(session, body.id)
+    known = listening_queries.note_by_id(session, body.note_id)
     if known is not None:
         if known.written_by != actor.person_id or known.pass_id != current.id:
             raise ListeningNoteTaken("another note has this id; make a new one")
@@ -104,7 +104,7 @@ def add_note(session: Session, actor: Actor, listening_pass_id: UUID, body: List
         _take_back(session, earlier)
     now = clock.now()
     note = ListeningNote(
-        id=body.id,
+        id=body.note_id,
         studio_id=current.studio_id,
         project_id=current.project_id,
         pass_id=current.id,
@@ -249,7 +249,6 @@ def _cue_to_hear(
 
 
 def _read_note(session: Session, access: ProjectAccess, note: ListeningNote) -> ListeningNoteRead:
-    session.refresh(note, ["author"])
     (read,) = _read_notes(session, access, [note], cues_by_id(session, note.project_id, [note.cue_id]))
     return read
 

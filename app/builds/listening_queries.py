@@ -55,8 +55,10 @@ def notes_of(session: Session, pass_id: UUID) -> Sequence[ListeningNote]:
 
 
 def note_by_id(session: Session, note_id: UUID) -> ListeningNote | None:
-    """Return a note, taken back or not."""
-    return session.scalar(select(ListeningNote).where(ListeningNote.id == note_id))
+    """Return a note with its author, taken back or not."""
+    return session.scalar(
+        select(ListeningNote).where(ListeningNote.id == note_id).options(joinedload(ListeningNote.author))
+    )
 
 
 def standing_notes(session: Session, pass_id: UUID, cue_id: UUID, person_id: UUID) -> Sequence[ListeningNote]:

@@ -72,7 +72,7 @@ class ListeningNow(Schema):
 class ListeningNoteAdd(Schema):
     """What a person says of a cue; sent again with the same id it counts once."""
 
-    id: UUID = Field(description="Made where the note is written.")
+    note_id: UUID = Field(description="Made where the note is written.")
     cue_id: UUID
     said: HeardAs
     amount_db: Annotated[float, Field(ge=-MAX_AMOUNT_DB, le=MAX_AMOUNT_DB, allow_inf_nan=False)] | None = None

@@ -66,6 +66,7 @@ THIRD_CHANGE = ("missile_launch", "Thrust comes too late; I want it at 0.3, not 
 CUT = ("mine_arm", "Mines left the game")
 PALETTE = ("ui_confirm", "ui_back", "laser_fire", "engine_idle_loop", "amb_bridge_loop", "hull_impact")
 ACCEPTED_OF_ALPHA = ("radar_ping", "dock_clamp", "explosion_far")
+FOOTSTEPS, FOOTSTEPS_LOUDER_DB = "foot_deck_walk", 6.0  # accepted with them, and turned up in the game since
 ALPHA = (
     *("shield_hit", "foot_deck_walk", "airlock_cycle", "coolant_splash", "suit_hit", "thruster_burst"),
     *("victory_sting", *ACCEPTED_OF_ALPHA),

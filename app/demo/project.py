@@ -1,23 +1,19 @@
 """Makes the demo project by the same requests as a user's clicks: nothing is inserted in the state it ends in."""
 
-import io
 import json
-import tempfile
 import time
-import zipfile
 from collections.abc import Callable, Iterable
 from datetime import timedelta
-from pathlib import Path
 from typing import Any, Self
 
 import httpx
 from sqlalchemy import select
 
-import audio_checks
 from app.accounts.authentication import CSRF_HEADER, DEMO_COOKIE, DEMO_SECRET, csrf_token
 from app.accounts.models import Membership, Person, Studio
 from app.accounts.rules import Role, Scope
 from app.demo import brief, cues
+from app.demo.game_ci import GameCi
 from app.demo.references import DemoReference, demo_references
 from app.demo.sounds import DemoSound, demo_sounds, warp_in_stem
 from app.kit import clock
@@ -153,7 +149,8 @@ class _Maker:
         self._accept(cues.PALETTE)
         self._pay_due_invoices("Palette")
         token = self._make_token()
-        self._build(token, "481")
+        self._ci = GameCi(self._settings.base_url, self._project, token)
+        self._build("481")
         self._deliver(
             "A: struck bowl over own hum, band-passed. B: same, lower bowl. C: bowl replaced by glass.",
             [
@@ -162,7 +159,7 @@ class _Maker:
                 self._sounds["missile_launch"],
             ],
         )
-        self._accept(cues.ACCEPTED_OF_ALPHA)
+        self._accept((*cues.ACCEPTED_OF_ALPHA, cues.FOOTSTEPS))
         self._request_changes(*cues.CHANGES)
         self._deliver("Missile, with more of the release.", [self._sounds["missile_launch_take2"]])
         self._request_changes(cues.SECOND_CHANGE)
@@ -179,7 +176,9 @@ class _Maker:
         self._request_changes(cues.THIRD_CHANGE)
         self._ask(*cues.QUESTION)
         self._cut(*cues.CUT)
-        self._build(token, "482", strays=[self._sounds["airlock_cycle"]])
+        self._build("482", strays=[self._sounds["airlock_cycle"]])
+        self._await(self._ci.has_manifest)
+        self._ci.audit(self._producer.ask, {"481": {}, "482": {cues.FOOTSTEPS: cues.FOOTSTEPS_LOUDER_DB}})
         return self._project, token
 
     def _files(self, names: Iterable[str]) -> list[DemoSound]:
@@ -364,25 +363,8 @@ class _Maker:
         token: str = self._producer.ask("POST", path, once="demo-token", json=body)["secret"]
         return token
 
-    def _build(self, token: str, label: str, *, strays: Iterable[DemoSound] = ()) -> None:
-        """Check the approved pack and an added file as the game's CI would, and post the report."""
-        path = f"/projects/{self._project}"
-        with tempfile.TemporaryDirectory() as folder:
-            assets = Path(folder) / "assets"
-            with zipfile.ZipFile(io.BytesIO(self._producer.ask("GET", f"{path}/pack.zip?target=game"))) as pack:
-                pack.extractall(assets)
-            for stray in strays:
-                stray.write(assets)
-            files = sorted(assets.rglob("*.wav"))
-            spec = audio_checks.parse_spec(self._producer.ask("GET", f"{path}/spec.toml").decode())
-            sounds = audio_checks.read_sound_list(self._producer.ask("GET", f"{path}/sound-list.csv").decode())
-            report = audio_checks.check_files(files, spec, target="game", sound_list=sounds).to_dict()
-            for file in report["files"]:
-                file["path"] = str(Path(file["path"]).relative_to(folder))
-        build = {"label": label, "commit": "", "target": "game", "report": report}
-        headers = {"Authorization": f"Bearer {token}", "Idempotency-Key": f"demo-build-{label}"}
-        answer = httpx.post(f"{self._settings.base_url}/v1{path}/builds", json=build, headers=headers, timeout=60)
-        answer.raise_for_status()
+    def _build(self, label: str, *, strays: Iterable[DemoSound] = ()) -> None:
+        self._ci.build(label, self._producer.ask, strays=strays)
 
     def _await(self, condition: Callable[[], Any]) -> Any:
         deadline = time.monotonic() + CHECKED_WITHIN_S

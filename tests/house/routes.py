@@ -180,6 +180,8 @@ QUERIES: dict[str, dict[str, str]] = {
     "compare_contract_versions": {"from_version": "1", "to_version": "1"},
 }
 ADJUSTED: dict[str, dict[str, Any]] = {
+    "accept_drift": {"path": "shield_hit.wav"},
+    "send_sound_back": {"path": "shield_hit.wav"},
     "add_archive": {"file_name": "sounds.zip"},
     "add_reference": {"url": "https://example.test/clip"},
     "add_reference_version": {"url": "https://example.test/clip"},

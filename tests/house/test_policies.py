@@ -30,7 +30,15 @@ ONE_DESIGNERS = {
 }
 TEAMS = {Audience.PRODUCER, Audience.TEAM, Audience.APPROVER}
 # Things of the studio, which a designer does not see at all.
-STUDIOS = {"studio_id", "studio_invitation_id", "mail_id", "template_id", "roster_entry_id", "reel_sound_id", "credit_line_id"}
+STUDIOS = {
+    "studio_id",
+    "studio_invitation_id",
+    "mail_id",
+    "template_id",
+    "roster_entry_id",
+    "reel_sound_id",
+    "credit_line_id",
+}
 IN_BODY = {"create_project": {"studio_id"}}
 IN_QUERY = {
     "put_upload": {"delivery_id"},
