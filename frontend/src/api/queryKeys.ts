@@ -24,6 +24,7 @@ export const queryKeys = {
   studioPeople: family<[studioId: string]>('studio-people'),
   studioInvitations: family<[studioId: string]>('studio-invitations'),
   studioInvitation: family<[secret: string]>('studio-invitation'),
+  invoiceDetails: family<[owner: string]>('invoice-details'),
   studioCalendar: family<[studioId: string]>('studio-calendar'),
   quotas: family<[studioId: string]>('quotas'),
 
@@ -68,6 +69,10 @@ export const queryKeys = {
   posting: family<[postingId: string]>('posting'),
   postingLink: family<[secret: string]>('posting-link'),
   bids: family<[postingId: string]>('bids'),
+  roster: family<[studioId: string, search: unknown]>('roster'),
+  rosterEntry: family<[entryId: string, part?: 'work' | 'postings']>('roster-entry'),
+  rosterImport: family<[studioId: string, sheet: unknown]>('roster-import'),
+  ownWork: family('own-work'),
 
   // contracts and money
   contracts: family<[projectId: string, part?: 'last' | 'handovers', ...of: unknown[]]>('contracts'),
@@ -103,6 +108,15 @@ export const queryKeys = {
   changeRequests: family<[projectId: string, state: 'draft']>('change-requests'),
   takeHistory: family<[takeId: string]>('take-history'),
   judged: family<[projectId: string]>('judged'),
+  adoptions: family<[projectId: string]>('adoptions'),
+  adoption: family<[adoptionId: string, part?: 'plan']>('adoption'),
+
+  // voice lines
+  voiceLines:
+    family<[projectId: string, part?: 'script' | 'lines' | 'pick-ups' | 'releases' | 'cue', ...of: unknown[]]>(
+      'voice-lines',
+    ),
+  scriptPlan: family<[projectId: string, script: unknown]>('script-plan'),
 
   // builds
   packs: family<[projectId: string, target?: string]>('packs'),
@@ -112,6 +126,8 @@ export const queryKeys = {
   builds: family<[projectId: string]>('builds'),
   build: family<[buildId: string]>('build'),
   ci: family<[projectId: string]>('ci'),
+  audits: family<[projectId: string, part?: 'one' | 'drift' | 'sounds' | 'history', of?: string]>('audits'),
+  listening: family<[projectId: string, part?: 'states' | 'pass' | 'tasks' | 'tasks done']>('listening'),
   tokens: family<[projectId: string]>('tokens'),
 
   // notifications, dashboards and operations
@@ -128,6 +144,8 @@ export const queryKeys = {
 
 type SoundListPart =
   | 'list'
+  | 'columns'
+  | 'matrix'
   | 'open questions'
   | 'unmatched'
   | 'revisions'
@@ -159,6 +177,8 @@ export const FIXED = wordsOf(
   queryKeys.checkPage,
   queryKeys.contractLibrary,
   queryKeys.importPlan,
+  queryKeys.scriptPlan,
+  queryKeys.rosterImport,
   queryKeys.specDraftCheck,
   queryKeys.specVersion,
   queryKeys.bands,

@@ -52,6 +52,15 @@ export const ledgerQuery = (contractId: string) =>
     queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/ledger', of(contractId))),
   })
 
+/** An invoice as PDF with its XML inside. */
+export const electronicInvoice = (invoiceId: string): Promise<Blob> =>
+  answered(
+    api.GET('/v1/invoices/{invoice_id}/electronic-invoice.pdf', {
+      params: { path: { invoice_id: invoiceId } },
+      parseAs: 'blob',
+    }),
+  )
+
 /** Say on which day the game shipped: the bonus that waits for it is due. */
 export function useSayShipped(contractId: string) {
   const client = useQueryClient()

@@ -10,6 +10,7 @@ import { Row, Rows } from '@/ui/Rows'
 import { sessionQuery, useChangePassword, useOpenStudio, useRename } from './api'
 import classes from './Account.module.css'
 import { Field, Form } from '@/app/Form'
+import { InvoiceDetailsCard } from './InvoiceDetailsCard'
 import { MailCard } from './MailCard'
 import { ROLE_WORDS } from './parts'
 import { AddressCard, SignInsCard } from './SecurityCards'
@@ -68,6 +69,7 @@ export function AccountPage() {
             )}
           </Rows>
         </Card>
+        {me.projects.some(({ part }) => part === 'designer') && <InvoiceDetailsCard />}
         <MailCard />
         {session?.demo !== true && <StudioCard />}
       </div>

@@ -7,6 +7,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { Segmented } from '@/ui/Segmented'
 
 import { CalendarCard } from './CalendarCard'
+import { InvoiceDetailsCard } from './InvoiceDetailsCard'
 import { OutboxCard } from './OutboxCard'
 import { InvitationsCard, PeopleCard } from './PeopleCards'
 import { QuotasCard } from './QuotasCard'
@@ -58,6 +59,7 @@ export function StudioPage() {
           <div className="stack">
             <InvitationsCard key={`invitations ${studio.id}`} studioId={studio.id} />
             <CalendarCard key={`calendar ${studio.id}`} studioId={studio.id} />
+            <InvoiceDetailsCard key={`invoices ${studio.id}`} studioId={studio.id} />
             <QuotasCard key={`quotas ${studio.id}`} studioId={studio.id} />
           </div>
         )}

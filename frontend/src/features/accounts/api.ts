@@ -11,6 +11,7 @@ export type Role = Schemas['Role']
 export type StudioInvitation = Schemas['StudioInvitationRead']
 export type Mail = Schemas['MailRead']
 export type Quota = Schemas['QuotaRead']
+export type InvoiceDetails = Required<Schemas['InvoiceDetailsSave']>
 export type StudioCalendar = Schemas['CalendarSave'] & { holidays: Schemas['HolidayAdd'][] }
 
 const MINUTE_MS = 60_000
@@ -284,5 +285,29 @@ export function useSaveStudioCalendar(studioId: string) {
         }),
       ),
     onSuccess: (saved) => client.setQueryData(queryKeys.studioCalendar(studioId), saved),
+  })
+}
+
+const DETAILS_OF_STUDIO = '/v1/studios/{studio_id}/invoice-details'
+const DETAILS_OF_ME = '/v1/me/invoice-details'
+
+/** What electronic invoices say of a studio, or of the caller where none is named. */
+export const useInvoiceDetails = (studioId?: string) =>
+  useQuery({
+    queryKey: queryKeys.invoiceDetails(studioId ?? 'me'),
+    queryFn: (): Promise<InvoiceDetails> =>
+      answered(studioId === undefined ? api.GET(DETAILS_OF_ME) : api.GET(DETAILS_OF_STUDIO, inStudio(studioId))),
+  })
+
+export function useSaveInvoiceDetails(studioId?: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: InvoiceDetails): Promise<InvoiceDetails> =>
+      answered(
+        studioId === undefined
+          ? api.PUT(DETAILS_OF_ME, { body })
+          : api.PUT(DETAILS_OF_STUDIO, { ...inStudio(studioId), body }),
+      ),
+    onSuccess: (saved) => client.setQueryData(queryKeys.invoiceDetails(studioId ?? 'me'), saved),
   })
 }

@@ -23,6 +23,7 @@ import { day } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { Row, Rows } from '@/ui/Rows'
 
+import { ElectronicInvoice } from './ElectronicInvoice'
 import classes from './Page.module.css'
 import { PaymentForm } from './PaymentForm'
 
@@ -70,7 +71,7 @@ function InvoiceRow({ invoice, title, side, isProducer }: InvoiceRowProps) {
   const { currency, total_minor: total, open_minor: open } = invoice
   return (
     <>
-      <Row>
+      <Row className={classes.cue}>
         <span className="grow">
           <a className="link strong" href={`/v1/invoices/${invoice.id}/invoice.pdf`} target="_blank" rel="noreferrer">
             Invoice {invoice.full_number}
@@ -82,6 +83,7 @@ function InvoiceRow({ invoice, title, side, isProducer }: InvoiceRowProps) {
           </span>
         </span>
         <span className="nowrap">{money(total, currency)}</span>
+        <ElectronicInvoice invoice={invoice} />
         {isProducer && open !== 0 && !paying && (
           <Button onClick={() => setPaying(true)} aria-label={`Record payment on invoice ${invoice.full_number}`}>
             Record payment

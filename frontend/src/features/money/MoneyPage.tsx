@@ -7,6 +7,7 @@ import { useTitle } from '@/app/title'
 import { type ContractMoney, moneyQuery } from '@/money/api'
 import { MilestonesCard } from '@/money/MilestonesCard'
 import { MoneyLine } from '@/money/MoneyLine'
+import { ButtonLink } from '@/ui/Button'
 import { EmptyState } from '@/ui/EmptyState'
 import { ProblemNote } from '@/ui/ProblemNote'
 
@@ -38,6 +39,11 @@ export function MoneyPage() {
               'You pay for accepted cues and the deposit. Each entry shows its cue, its clause and who triggered it.'}
           </p>
         </div>
+        {data && data.contracts.length > 0 && (
+          <ButtonLink icon="download" href={`/v1/projects/${projectId}/journal.csv`} download>
+            Journal (CSV)
+          </ButtonLink>
+        )}
       </header>
       {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
       {project && !mayLook && (

@@ -1,7 +1,7 @@
 import { fireEvent, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
-import { beforeAll, beforeEach, describe, expect, test } from 'vitest'
+import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest'
 
 import type { Bonus, ContractMoney, Figures, Invoice, ProjectMoney } from '@/money/api'
 import { openApp } from '@/test/openApp'
@@ -199,6 +199,28 @@ const faults = async () => {
 }
 
 describe('a producer', () => {
+  test('downloads an electronic invoice, and reads what it lacks and who can enter it', async () => {
+    const address = 'GET /v1/invoices/invoice-effects/electronic-invoice.pdf'
+    const fix = 'Sound designer enters theirs on the page Account, under Invoice details'
+    server.on(address, refusal(409, 'invoice-details-missing', 'the electronic invoice lacks city', { fix }))
+    const createObjectURL = vi.fn(() => 'blob:1')
+    vi.stubGlobal('URL', Object.assign(URL, { createObjectURL, revokeObjectURL: vi.fn() }))
+    await opened()
+    const effects = within(screen.getByRole('region', { name: 'Effects, Sound designer' }))
+    const button = effects.getByRole('button', { name: 'Download electronic invoice 1' })
+    await userEvent.click(button)
+    expect(await effects.findByText(new RegExp(fix))).toBeVisible()
+    expect(createObjectURL).not.toHaveBeenCalled()
+    server.on(address, answer('%PDF'))
+    await userEvent.click(button)
+    await waitFor(() => expect(createObjectURL).toHaveBeenCalledOnce())
+    expect(effects.queryByText(new RegExp(fix))).not.toBeInTheDocument()
+    expect(screen.getByRole('link', { name: 'Journal (CSV)' })).toHaveAttribute(
+      'href',
+      `/v1/projects/${PROJECT}/journal.csv`,
+    )
+  })
+
   test('reads for each contract what is due, and which cue, clause and person a line is of', async () => {
     await opened()
     const creatures = within(screen.getByRole('region', { name: 'Creatures, Sound designer' }))

@@ -1,0 +1,109 @@
+import { TextInput } from '@mantine/core'
+import { useId } from 'react'
+
+import { refusalOf, sentence } from '@/app/Form'
+import { DraftNote, useDraft } from '@/app/drafts'
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { type InvoiceDetails, useInvoiceDetails, useSaveInvoiceDetails } from './api'
+import classes from './InvoiceDetails.module.css'
+
+interface DetailField {
+  name: keyof InvoiceDetails
+  label: string
+  hint?: string
+  autoComplete?: string
+}
+
+const ADDRESS: readonly DetailField[] = [
+  { name: 'name', label: 'Business name', autoComplete: 'organization' },
+  { name: 'street', label: 'Street and number', autoComplete: 'street-address' },
+  { name: 'postal_code', label: 'Postal code', autoComplete: 'postal-code' },
+  { name: 'city', label: 'City', autoComplete: 'address-level2' },
+  { name: 'country_code', label: 'Country code', hint: 'Two letters, such as DE', autoComplete: 'country' },
+  { name: 'vat_id', label: 'VAT ID', hint: 'With its country, such as DE123456789' },
+]
+const SELLER: readonly DetailField[] = [
+  { name: 'tax_number', label: 'Tax number', hint: 'Where you have no VAT ID' },
+  { name: 'account_number', label: 'IBAN or account number', hint: 'To which invoices are paid' },
+  { name: 'no_tax_reason', label: 'Reason why no tax is charged', hint: 'Only where your contracts name no tax' },
+]
+const COUNTRIES = new Intl.DisplayNames('en', { type: 'region', fallback: 'none' })
+
+/** The English name of a country; nothing while its two letters are incomplete or unknown. */
+const countryOf = (code: string): string | undefined =>
+  /^[A-Za-z]{2}$/.test(code) ? COUNTRIES.of(code.toUpperCase()) : undefined
+
+/** What electronic invoices say of the caller who sells, or of a studio that buys. */
+export function InvoiceDetailsCard({ studioId }: { studioId?: string }) {
+  const { data: saved } = useInvoiceDetails(studioId)
+  const id = useId()
+  return (
+    <Card aria-labelledby={id}>
+      <CardHead id={id} title="Invoice details" note="for electronic invoices" />
+      {saved && <DetailsForm key={JSON.stringify(saved)} studioId={studioId} saved={saved} />}
+    </Card>
+  )
+}
+
+function DetailsForm({ studioId, saved }: { studioId?: string; saved: InvoiceDetails }) {
+  const save = useSaveInvoiceDetails(studioId)
+  const [details, setDetails, typed] = useDraft<InvoiceDetails>(`invoice-details:${studioId ?? 'me'}`, saved)
+  const refusal = refusalOf(save.error)
+  const country = countryOf(details.country_code)
+  return (
+    <form
+      className={classes.form}
+      aria-label="Invoice details"
+      noValidate
+      onSubmit={(event) => {
+        event.preventDefault()
+        save.mutate(details, {
+          onSuccess: () => {
+            typed.discard()
+            showToast('Invoice details saved.')
+          },
+        })
+      }}
+    >
+      {(studioId === undefined ? [...ADDRESS, ...SELLER] : ADDRESS).map(({ name, label, hint, autoComplete }) => {
+        const problem = refusal?.of(name)?.message
+        return (
+          <TextInput
+            key={name}
+            label={label}
+            description={(name === 'country_code' && country) || hint}
+            autoComplete={autoComplete}
+            spellCheck={false}
+            maxLength={120}
+            value={details[name]}
+            error={problem && sentence(problem)}
+            onChange={({ currentTarget: { value } }) => setDetails((now) => ({ ...now, [name]: value }))}
+          />
+        )
+      })}
+      <div className={classes.wide}>
+        <DraftNote draft={typed} />
+        {save.error !== null && (refusal === null || refusal.errors.length === 0) && (
+          <ProblemNote
+            detail={sentence(refusal?.detail ?? 'Can’t reach Soundlist.')}
+            fix={refusal?.fix ? sentence(refusal.fix) : undefined}
+          />
+        )}
+        <p className="small mid">
+          {studioId === undefined
+            ? 'Optional. They are on your electronic invoices, and your studios see them nowhere else.'
+            : 'Optional. They are on the electronic invoices of your designers.'}
+        </p>
+      </div>
+      <div className={classes.foot}>
+        <Button type="submit" variant="primary" aria-busy={save.isPending}>
+          Save invoice details
+        </Button>
+      </div>
+    </form>
+  )
+}
