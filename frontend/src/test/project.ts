@@ -183,6 +183,7 @@ export const anOverview = (more: Record<string, unknown> = {}) => ({
   cues: 3,
   counts: { to_review: 1, accepted: 1, cut: 1 },
   builds: [],
+  needs: [],
   palette: [],
   lately: [],
   reviewers: 4,

@@ -78,7 +78,7 @@ def sheet_of(content: bytes) -> list[list[Any]]:
     return python_calamine.CalamineWorkbook.from_filelike(io.BytesIO(content)).get_sheet_by_index(0).to_python()
 
 
-@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.lists(rows(), min_size=1, max_size=12))
 def test_a_list_comes_back_without_a_difference(world: World, typed: list[dict[str, Any]]) -> None:
     if not columns_of(world)["columns"]:

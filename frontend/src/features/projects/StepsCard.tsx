@@ -6,6 +6,7 @@ import { Card } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { figure, plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
+import { NeedSums } from '@/ui/NeedSums'
 import { State, STATES } from '@/ui/State'
 
 import { type Overview, type Project, type Step } from './api'
@@ -20,7 +21,7 @@ interface StepsCardProps {
 }
 
 /** One cell a cue with the state it is in, the palette first. */
-export function StepsCard({ project, overview: { steps, cues, counts } }: StepsCardProps) {
+export function StepsCard({ project, overview: { steps, cues, counts, needs } }: StepsCardProps) {
   if (steps.length === 0) return <NothingAsked project={project} />
   const statuses = (Object.keys(STATUSES) as Status[]).filter((status) => (counts[status] ?? 0) > 0)
   return (
@@ -28,6 +29,7 @@ export function StepsCard({ project, overview: { steps, cues, counts } }: StepsC
       <div className={classes.head}>
         <h2 id="steps">{plural(cues, 'cue')}</h2>
         <p className="small mid">{standInWords(counts)}</p>
+        <NeedSums sums={needs} />
       </div>
       <div className={classes.steps}>
         {groupsOf(steps).map((group) => (

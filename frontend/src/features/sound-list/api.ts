@@ -286,7 +286,7 @@ export function useAddCues(projectId: string) {
 }
 
 /** Some facts of a cue, by their names. */
-export type CueFacts = Partial<Omit<CueAdd, 'extra'>>
+export type CueFacts = Partial<CueAdd>
 
 /** Change facts of a cue that was read at `edition`. What is left out stays as it is. */
 export function useChangeCue(projectId: string) {

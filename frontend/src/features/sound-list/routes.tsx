@@ -3,7 +3,7 @@ import { createRoute, lazyRouteComponent } from '@tanstack/react-router'
 import { shellRoute } from '@/app/roots'
 
 import type { ListSearch } from './rows'
-import { STATUS_ORDER } from './words'
+import { NEEDS, STATUS_ORDER } from './words'
 
 interface CompareSearch {
   from?: number
@@ -17,9 +17,11 @@ export const soundListRoutes = [
   createRoute({
     getParentRoute: () => shellRoute,
     path: '/projects/$projectId/sound-list',
-    validateSearch: ({ state, category, by, unclear, q }: Record<string, unknown>): ListSearch => ({
+    validateSearch: ({ state, category, need, by, view, unclear, q }: Record<string, unknown>): ListSearch => ({
       state: STATUS_ORDER.find((status) => status === state),
       category: typeof category === 'string' && category !== '' ? category : undefined,
+      need: NEEDS.find(({ value }) => value === need)?.value,
+      view: view === 'content' ? view : undefined,
       by: by === 'category' || by === 'state' ? by : undefined,
       unclear: unclear === true ? true : undefined,
       // "12" in an address is read as a number.
@@ -31,6 +33,11 @@ export const soundListRoutes = [
     getParentRoute: () => shellRoute,
     path: '/projects/$projectId/sound-list/import',
     component: lazyRouteComponent(() => import('./import/ImportPage'), 'ImportPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/sound-list/columns',
+    component: lazyRouteComponent(() => import('./columns/ColumnsPage'), 'ColumnsPage'),
   }),
   createRoute({
     getParentRoute: () => shellRoute,

@@ -1,12 +1,14 @@
 import type { Peaks } from '@/audio'
 import { figure, plural } from '@/ui/format'
+import type { Need } from '@/ui/NeedMark'
+import type { NeedSum } from '@/ui/NeedSums'
 import type { SetBlock } from '@/ui/SetBlocks'
 import { STATES, type StateKind } from '@/ui/State'
 
 import type { Cue, CueStatus, Question, CueProgress, Take } from './api'
 import type { FactQuestion } from './clarity'
 import { type Stands, standsOf } from './stands'
-import { STATUS_ORDER, STATUS_WORDS } from './words'
+import { NEEDS, STATUS_ORDER, STATUS_WORDS } from './words'
 
 /** One line of the list with everything that it shows. */
 export interface CueRow {
@@ -76,7 +78,7 @@ export function rowsOf(
       peaks: (newest?.thumb ?? null) as Peaks | null,
       previewUrl: newest?.preview_url ?? null,
       text: [cue.label, cue.name, cue.file_name, cue.category, cue.use, cue.description, cue.trigger]
-        .concat(stands.before, stands.marked, stands.after)
+        .concat(Object.values(cue.extra), stands.before, stands.marked, stands.after)
         .join('\n')
         .toLowerCase(),
     }
@@ -95,17 +97,19 @@ export function blocksOf({ progress, cue }: CueRow): SetBlock[] {
 export interface Filter {
   state?: CueStatus
   category?: string
+  need?: Need
   unclear?: boolean
   words: string
 }
 
 /** The rows that match: every typed word must stand somewhere in the row. */
-export function matching(rows: readonly CueRow[], { state, category, unclear, words }: Filter): CueRow[] {
+export function matching(rows: readonly CueRow[], { state, category, need, unclear, words }: Filter): CueRow[] {
   const wanted = words.toLowerCase().split(/\s+/).filter(Boolean)
   return rows.filter(
     (row) =>
       (state === undefined || row.status === state) &&
       (category === undefined || row.cue.category === category) &&
+      (need === undefined || row.cue.need === need) &&
       (!unclear || row.unclear.length > 0) &&
       wanted.every((word) => row.text.includes(word)),
   )
@@ -117,7 +121,10 @@ export type Grouping = 'list' | 'category' | 'state'
 export interface ListSearch {
   state?: CueStatus
   category?: string
+  need?: Need
   by?: Grouping
+  /** Which columns the table has; what the cues are, or where they stand. */
+  view?: 'content'
   /** Only cues whose words leave something open. */
   unclear?: true
   /** Words that were typed to filter by. */
@@ -162,6 +169,14 @@ export function groupsOf(rows: readonly CueRow[], by: Grouping): Group[] {
     const own = parts.get(id) ?? []
     return { id: `${by} ${id}`, name: heads[id] ?? id, note: progress(own), rows: own }
   })
+}
+
+/** How many cues of each need are accepted, cut ones left out. */
+export function needSumsOf(rows: readonly CueRow[]): NeedSum[] {
+  return NEEDS.map(({ value: need }) => {
+    const own = rows.filter(({ cue, status }) => cue.need === need && status !== 'cut')
+    return { need, accepted: own.filter(({ status }) => status === 'accepted').length, cues: own.length }
+  }).filter(({ cues }) => cues > 0)
 }
 
 /** Every category of the list, for the select and for typing. */

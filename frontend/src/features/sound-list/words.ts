@@ -1,4 +1,5 @@
 import { length } from '@/ui/format'
+import type { Need } from '@/ui/NeedMark'
 
 import type { CueStatus } from './api'
 import type { ImportField } from './import/api'
@@ -19,6 +20,7 @@ const FIELD_WORDS: Record<string, string> = {
   reverb: 'Reverb',
   variations: 'Variations',
   state: 'Design status',
+  need: 'Need',
   playback_priority: 'Priority',
   due_on: 'Needed by',
   placeholder: 'Placeholder in build',
@@ -46,6 +48,7 @@ export const IMPORT_FIELDS: readonly { value: ImportField; label: string }[] = [
       'reverb',
       'variations',
       'state',
+      'need',
       'playback_priority',
       'due_on',
       'placeholder',
@@ -61,6 +64,12 @@ export const SETTLED = [
   { value: 'prototype', label: 'In flux' },
   { value: 'locked', label: 'Locked' },
 ] as const
+
+export const NEEDS = [
+  { value: 'must', label: 'Must' },
+  { value: 'should', label: 'Should' },
+  { value: 'wish', label: 'Wish' },
+] as const satisfies readonly { value: Need; label: string }[]
 
 export const REVERBS = [
   { value: '', label: 'Unspecified' },

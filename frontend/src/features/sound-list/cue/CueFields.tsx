@@ -1,18 +1,22 @@
 import { Autocomplete, Checkbox, NativeSelect, Textarea, TextInput } from '@mantine/core'
 
+import type { OwnColumn } from '../columns/api'
+import { choicesOf } from '../columns/values'
 import classes from './CueFields.module.css'
-import type { CueDraft, DraftField, Faults } from './draft'
-import { fieldWord, REVERBS, SETTLED } from '../words'
+import type { CueDraft, DraftField, DraftValue, Faults } from './draft'
+import { fieldWord, NEEDS, REVERBS, SETTLED } from '../words'
 
 interface CueFieldsProps {
   draft: CueDraft
   faults: Faults
   categories: readonly string[]
-  onChange: (field: DraftField, value: string | boolean) => void
+  /** The project's own columns, in order. */
+  columns?: readonly OwnColumn[]
+  onChange: (field: DraftField, value: DraftValue) => void
 }
 
 /** Every fact of a cue in fields; what cannot be read stays as it was typed, with a sentence below. */
-export function CueFields({ draft, faults, categories, onChange }: CueFieldsProps) {
+export function CueFields({ draft, faults, categories, columns = [], onChange }: CueFieldsProps) {
   const text = (field: DraftField, place?: string) => ({
     label: fieldWord(field),
     className: place && classes[place],
@@ -40,6 +44,7 @@ export function CueFields({ draft, faults, categories, onChange }: CueFieldsProp
         onChange={(value) => onChange('category', value)}
       />
       <NativeSelect {...text('state')} size="xs" data={[...SETTLED]} />
+      <NativeSelect {...text('need')} size="xs" data={[...NEEDS]} />
       <TextInput {...text('use', 'two')} />
       <TextInput {...text('trigger', 'two')} />
       <TextInput {...text('duration_s')} label="Length, s" inputMode="decimal" />
@@ -55,6 +60,25 @@ export function CueFields({ draft, faults, categories, onChange }: CueFieldsProp
         {flag('placeholder', 'Placeholder in build')}
         {flag('palette', 'Part of the palette')}
       </fieldset>
+      {columns.map((column) => {
+        const choices = choicesOf(column)
+        const shared = {
+          label: column.name,
+          value: draft.extra[column.name] ?? '',
+          onChange: (event: { currentTarget: { value: string } }) =>
+            onChange('extra', { ...draft.extra, [column.name]: event.currentTarget.value }),
+        }
+        return choices ? (
+          <NativeSelect key={column.id} {...shared} size="xs" data={[{ value: '', label: '–' }, ...choices]} />
+        ) : (
+          <TextInput
+            key={column.id}
+            {...shared}
+            type={column.kind === 'date' ? 'date' : 'text'}
+            inputMode={column.kind === 'number' ? 'decimal' : undefined}
+          />
+        )
+      })}
       {draft.length_locked && <TextInput {...text('frame_rate_fps')} placeholder="60" inputMode="decimal" />}
     </div>
   )

@@ -6,10 +6,12 @@ import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 import { usePlayer } from '@/audio'
 import { ReferenceStrip } from '@/references'
+import { VoiceLineWhereAny } from '@/voice-lines/VoiceLineWhereAny'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { day, length } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
+import { NeedMark } from '@/ui/NeedMark'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { State } from '@/ui/State'
 
@@ -180,6 +182,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
             {doing === 'cut' && <CutCue cue={cue} projectId={projectId} onClose={() => setDoing(null)} />}
             {doing !== 'edit' && <Facts cue={cue} />}
             <div className={classes.inside}>
+              <VoiceLineWhereAny projectId={projectId} cueId={cue.id} />
               <ReferenceStrip projectId={projectId} cueId={cue.id} mayAdd={mayEdit} />
             </div>
           </Card>
@@ -238,6 +241,7 @@ const wordOf = (options: readonly { value: string; label: string }[], value: str
 
 function Facts({ cue }: { cue: CueDetail }) {
   const facts: [string, ReactNode][] = [
+    ['Need', <NeedMark key="need" need={cue.need} />],
     ['Use in the game', cue.use],
     ['Trigger', cue.trigger && <span className="mono">{cue.trigger}</span>],
     ['Category', cue.category],

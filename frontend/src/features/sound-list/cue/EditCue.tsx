@@ -1,4 +1,4 @@
-import { useQueryClient } from '@tanstack/react-query'
+import { useQuery, useQueryClient } from '@tanstack/react-query'
 import { type ReactNode, useEffect, useRef, useState } from 'react'
 
 import type { ApiProblem } from '@/api'
@@ -10,12 +10,14 @@ import { ProblemNote } from '@/ui/ProblemNote'
 
 import { type Cue, type FieldChange, problemIn, readAgain, useChangeCue } from '../api'
 import { Changes } from '../Changes'
+import { columnsQuery } from '../columns/api'
 import { CueFields } from './CueFields'
 import {
   changedFacts,
   changesBetween,
   type CueDraft,
   type DraftField,
+  type DraftValue,
   draftOf,
   type Faults,
   readDraft,
@@ -46,6 +48,7 @@ interface EditCueProps {
 export function EditCue({ cue, projectId, categories, onClose, more }: EditCueProps) {
   const client = useQueryClient()
   const change = useChangeCue(projectId)
+  const { data: columns } = useQuery(columnsQuery(projectId))
   const [{ base, draft }, setEdit] = useState<Kept>(
     () => keptDraft<Kept>(keyOf(cue)) ?? { base: cue, draft: draftOf(cue) },
   )
@@ -61,7 +64,7 @@ export function EditCue({ cue, projectId, categories, onClose, more }: EditCuePr
   }, [])
 
   const mine = touched(base, draft)
-  const put = (field: DraftField, value: string | boolean) => {
+  const put = (field: DraftField, value: DraftValue) => {
     const next = { base, draft: { ...draft, [field]: value } }
     setEdit(next)
     setFaults((before) => ({ ...before, [field]: undefined }))
@@ -146,7 +149,7 @@ export function EditCue({ cue, projectId, categories, onClose, more }: EditCuePr
           },
         }}
       />
-      <CueFields draft={draft} faults={faults} categories={categories} onChange={put} />
+      <CueFields draft={draft} faults={faults} categories={categories} columns={columns?.columns} onChange={put} />
       {whole.map((sentence) => (
         <ProblemNote key={sentence} detail={sentence} />
       ))}

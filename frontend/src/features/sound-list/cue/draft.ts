@@ -17,11 +17,16 @@ export interface CueDraft {
   reverb: string
   variations: string
   state: string
+  need: string
   playback_priority: string
   due_on: string
   placeholder: boolean
   palette: boolean
+  /** Values in the project's own columns, and in kept ones, by the column's name. */
+  extra: Record<string, string>
 }
+
+export type DraftValue = CueDraft[DraftField]
 
 export type DraftField = keyof CueDraft
 export type Faults = Partial<Record<DraftField, string>>
@@ -40,10 +45,12 @@ export const EMPTY_DRAFT: CueDraft = {
   reverb: '',
   variations: '1',
   state: 'prototype',
+  need: 'must',
   playback_priority: '',
   due_on: '',
   placeholder: false,
   palette: false,
+  extra: {},
 }
 
 const FIELDS = Object.keys(EMPTY_DRAFT) as DraftField[]
@@ -97,7 +104,7 @@ export function readDraft(draft: CueDraft): ReadDraft {
   const facts: Record<string, unknown> = { ...draft, reverb: draft.reverb || null, due_on: draft.due_on || null }
   const faults: Faults = {}
   for (const [field, figure] of Object.entries(FIGURES) as [DraftField, Figure][]) {
-    const read = readFigure(String(draft[field]), figure)
+    const read = readFigure(draft[field] as string, figure)
     if (read !== null && typeof read === 'object') faults[field] = read.fault
     else facts[field] = read
   }
@@ -105,12 +112,13 @@ export function readDraft(draft: CueDraft): ReadDraft {
   return { facts: facts as unknown as CueAdd, faults }
 }
 
-const sameDraft = (one: CueDraft, other: CueDraft, field: DraftField): boolean => one[field] === other[field]
+const isSame = (one: unknown, other: unknown): boolean =>
+  one === other || (typeof one === 'object' && JSON.stringify(one) === JSON.stringify(other))
 
 /** The fields that differ from what was read. */
 export const touched = (base: Cue, draft: CueDraft): DraftField[] => {
   const before = draftOf(base)
-  return FIELDS.filter((field) => !sameDraft(before, draft, field))
+  return FIELDS.filter((field) => !isSame(before[field], draft[field]))
 }
 
 /** Only the changed fields, so that another person's changes are kept. */
@@ -121,7 +129,7 @@ export function changedFacts(base: Cue, draft: CueDraft): CueFacts {
 
 /** What another person changed between two readings of a cue. */
 export function changesBetween(base: Cue, fresh: Cue): FieldChange[] {
-  return FIELDS.filter((field) => base[field] !== fresh[field]).map((field) => ({
+  return FIELDS.filter((field) => !isSame(base[field], fresh[field])).map((field) => ({
     field,
     before: base[field],
     after: fresh[field],
@@ -131,10 +139,16 @@ export function changesBetween(base: Cue, fresh: Cue): FieldChange[] {
 /** A draft on top of a newer reading: what was touched stays as it was typed, the rest is as it is now. */
 export function rebased(base: Cue, fresh: Cue, draft: CueDraft): CueDraft {
   const mine = Object.fromEntries(touched(base, draft).map((field) => [field, draft[field]]))
-  return { ...draftOf(fresh), ...mine }
+  return { ...draftOf(fresh), ...mine, extra: rebasedValues(base.extra, fresh.extra, draft.extra) }
 }
 
-const isField = (name: string | undefined): name is DraftField => FIELDS.includes(name as DraftField)
+function rebasedValues(base: Cue['extra'], fresh: Cue['extra'], typed: CueDraft['extra']): CueDraft['extra'] {
+  const mine = Object.entries(typed).filter(([column, text]) => text !== (base[column] ?? ''))
+  return { ...fresh, ...Object.fromEntries(mine) }
+}
+
+const isField = (name: string | undefined): name is DraftField =>
+  name !== 'extra' && FIELDS.includes(name as DraftField)
 
 const asSentence = (message: string): string =>
   `${message.charAt(0).toUpperCase()}${message.slice(1)}${/[.!?]$/.test(message) ? '' : '.'}`
@@ -155,7 +169,7 @@ export function refusedRows(problem: ApiProblem): Map<number, Refused> {
     const name = row?.[2] ?? path?.[2] ?? where.split('.').at(-1)
     const refused = rows.get(place) ?? { fields: {}, whole: [] }
     if (isField(name)) refused.fields[name] = asSentence(message)
-    else refused.whole.push(asSentence(message))
+    else refused.whole.push(row || path || name === undefined ? asSentence(message) : `${where}: ${asSentence(message)}`)
     rows.set(place, refused)
   }
   return rows

@@ -20,6 +20,7 @@ import { Segmented } from '@/ui/Segmented'
 import { Select } from '@/ui/Select'
 
 import { problemIn, useRights } from '../api'
+import { columnsQuery, type OwnColumn } from '../columns/api'
 import { type ImportField, type ImportRead, importSheet, useImport } from './api'
 import classes from './Import.module.css'
 import { ImportRows } from './ImportRows'
@@ -59,6 +60,7 @@ export function ImportPage(): ReactNode {
     retry: false,
   })
   const send = useImport(projectId)
+  const { data: own } = useQuery(columnsQuery(projectId))
 
   const setSheet = (next: SheetDraft) => {
     setSheetOnly(next)
@@ -225,6 +227,7 @@ export function ImportPage(): ReactNode {
       {read && (
         <>
           <Columns
+            own={own?.columns ?? []}
             read={read}
             sheet={sheet}
             problem={problem?.code === 'column-unknown' ? problem.detail : undefined}
@@ -257,7 +260,7 @@ export function ImportPage(): ReactNode {
       {!given && (
         <p className="small dim">
           The first row can hold column names, in any order. Unknown columns are kept as custom columns. You can also
-          re-import a CSV exported from the list.{' '}
+          re-import a CSV or XLSX file exported from the list.{' '}
           <button type="button" className="link" onClick={() => setSheet({ ...EMPTY_SHEET, text: EXAMPLE })}>
             Use an example
           </button>
@@ -290,6 +293,8 @@ function whatWould({ added, changed, same }: ImportRead): string {
 }
 
 interface ColumnsProps {
+  /** The project's own columns, in order. */
+  own: readonly OwnColumn[]
   read: ImportRead
   sheet: SheetDraft
   problem: string | undefined
@@ -298,7 +303,7 @@ interface ColumnsProps {
 }
 
 /** What each column is read as: guessed from its head and its cells, and changed by the person. */
-function Columns({ read, sheet, problem, onMap, onMatch }: ColumnsProps) {
+function Columns({ own, read, sheet, problem, onMap, onMatch }: ColumnsProps) {
   const known = read.columns.filter(({ field }) => field !== 'extra' && field !== 'ignore').length
   return (
     <Card aria-labelledby="columns">
@@ -331,8 +336,17 @@ function Columns({ read, sheet, problem, onMap, onMatch }: ColumnsProps) {
             <Select
               aria-label={`Map ${column.name} to`}
               value={column.field}
-              onChange={(event) => onMap(column.name, event.currentTarget.value as ImportField)}
+              onChange={(event) => onMap(column.name, event.currentTarget.value)}
             >
+              {own.length > 0 && (
+                <optgroup label="Columns of this list">
+                  {own.map(({ id, name }) => (
+                    <option key={id} value={`own:${name}`}>
+                      {name}
+                    </option>
+                  ))}
+                </optgroup>
+              )}
               {IMPORT_FIELDS.map(({ value, label }) => (
                 <option key={value} value={value}>
                   {label}

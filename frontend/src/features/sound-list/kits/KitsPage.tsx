@@ -82,6 +82,7 @@ const cueOf = ({ name, file_name, category, description, use, duration_s, loop, 
   trigger: '',
   length_locked: false,
   state: 'concept',
+  need: 'must',
   placeholder: false,
   palette: false,
 })

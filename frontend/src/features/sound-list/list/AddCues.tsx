@@ -1,3 +1,4 @@
+import { type QueryClient, useQueryClient } from '@tanstack/react-query'
 import { type KeyboardEvent, useEffect, useRef, useState } from 'react'
 
 import type { ApiProblem } from '@/api'
@@ -11,10 +12,13 @@ import { plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import classes from './AddCues.module.css'
-import { type Cue, problemIn, useAddCues } from '../api'
-import { type CueDraft, readDraft, refusedRows } from '../cue/draft'
+import { type Cue, type CueAdd, problemIn, useAddCues } from '../api'
+import { type CueDraft, type Faults, readDraft, refusedRows } from '../cue/draft'
+import { useUndoAddition } from '../kits/api'
+import { isMatrix, matrixQuery } from './matrix'
+import { MatrixPreview } from './MatrixPreview'
 import { blankRow, isBlank, isBlock, NEW_FIELDS, type NewRow, withPasted, withRoom } from './newRows'
-import { SETTLED } from '../words'
+import { NEEDS, SETTLED } from '../words'
 
 type NewField = (typeof NEW_FIELDS)[number]
 
@@ -27,6 +31,7 @@ const HEADS: Record<NewField, string> = {
   variations: 'Variations',
   loop: 'Loop',
   state: 'Design status',
+  need: 'Need',
 }
 
 const keyOf = (projectId: string) => `new-cues:${projectId}`
@@ -49,8 +54,11 @@ export function AddCues({ projectId, categories, name, onAdded, onClose }: AddCu
   const [wasKept, setWasKept] = useState(() => keptDraft(keyOf(projectId)) !== null)
   const [refusal, setRefusal] = useState<ApiProblem | null>(null)
   const add = useAddCues(projectId)
+  const client = useQueryClient()
+  const undo = useUndoAddition(projectId)
   const table = useRef<HTMLTableElement>(null)
   const filled = rows.filter((row) => !isBlank(row))
+  const matrices = filled.filter(({ draft }) => isMatrix(draft.name))
 
   const setRows = (next: NewRow[]) => {
     setRowsOnly(next)
@@ -76,22 +84,23 @@ export function AddCues({ projectId, categories, name, onAdded, onClose }: AddCu
   const save = async () => {
     if (add.isPending || filled.length === 0) return
     setRefusal(null)
-    const read = filled.map(({ draft }) => readDraft(draft))
+    const read = await Promise.all(filled.map(({ draft }) => readRow(client, projectId, draft)))
     const faultsOf = new Map(filled.map(({ key }, at) => [key, read[at]?.faults ?? {}]))
     setRows(rows.map((row) => ({ ...row, faults: faultsOf.get(row.key) ?? {}, whole: [] })))
     if (read.some(({ faults }) => Object.keys(faults).length > 0)) return
     try {
-      const added = await add.mutateAsync(read.map(({ facts }) => facts))
+      const added = await add.mutateAsync(read.flatMap(({ cues }) => cues))
       keepDraft(keyOf(projectId), null)
       const labels = [added[0]?.label, added.at(-1)?.label]
       const which = added.length > 1 ? `${labels[0]} to ${labels[1]}` : `${labels[0]} ${added[0]?.name}`
-      showToast(`${plural(added.length, 'cue')} added: ${which}.`)
+      showToast(`${plural(added.length, 'cue')} added: ${which}.`, () => undo.mutateAsync(added))
       onAdded(added)
     } catch (error) {
       const problem = problemIn(error)
       if (problem === null) throw error
       const refused = refusedRows(problem)
-      const places = new Map(filled.map(({ key }, at) => [key, refused.get(at)]))
+      const sources = read.flatMap(({ cues }, at) => cues.map(() => filled[at]?.key))
+      const places = new Map([...refused].reverse().map(([at, against]) => [sources[at], against]))
       setRows(
         rows.map((row) => {
           const against = places.get(row.key)
@@ -172,6 +181,9 @@ export function AddCues({ projectId, categories, name, onAdded, onClose }: AddCu
           ))}
         </tbody>
       </table>
+      {matrices.map(({ key, draft }) => (
+        <MatrixPreview key={key} projectId={projectId} line={draft.name} category={draft.category} />
+      ))}
       <datalist id="known-categories">
         {categories.map((category) => (
           <option key={category} value={category} />
@@ -182,7 +194,7 @@ export function AddCues({ projectId, categories, name, onAdded, onClose }: AddCu
         <span className={wrong > 0 ? 'tone-bad toned' : 'small dim'} role="status">
           {wrong > 0
             ? `${plural(wrong, 'row')} with errors. Fix them to save; nothing you typed is lost.`
-            : 'Press Enter for the next row. Only the name is required.'}
+            : 'Press Enter for the next row. Only the name is required. “deck, sand × walk, run × 6” makes 4 cues of 6 variations.'}
         </span>
         <Button className="end" keys="Escape" onClick={onClose}>
           Close
@@ -193,11 +205,39 @@ export function AddCues({ projectId, categories, name, onAdded, onClose }: AddCu
           disabled={filled.length === 0 || add.isPending}
           onClick={() => void save()}
         >
-          {filled.length === 0 ? 'Add cues' : `Add ${plural(filled.length, 'cue')}`}
+          {filled.length === 0 || matrices.length > 0 ? 'Add cues' : `Add ${plural(filled.length, 'cue')}`}
         </Button>
       </footer>
     </Card>
   )
+}
+
+interface ReadRow {
+  /** What the row says: one cue, or all that its line makes. */
+  cues: CueAdd[]
+  faults: Faults
+}
+
+async function readRow(client: QueryClient, projectId: string, draft: CueDraft): Promise<ReadRow> {
+  const { facts, faults } = readDraft(draft)
+  if (Object.keys(faults).length > 0 || !isMatrix(draft.name)) return { cues: [facts], faults }
+  try {
+    const { rows } = await client.fetchQuery({ ...matrixQuery(projectId, draft.name, draft.category), staleTime: 0 })
+    const variationsOf = (said: number) => (said > 1 ? said : facts.variations)
+    return {
+      cues: rows.map(({ name, file_name, variations }) => ({
+        ...facts,
+        name,
+        file_name,
+        variations: variationsOf(variations),
+      })),
+      faults,
+    }
+  } catch (error) {
+    const problem = problemIn(error)
+    if (problem === null) throw error
+    return { cues: [], faults: { name: problem.detail } }
+  }
 }
 
 /** What stands against a field that has no column here is said at the name. */
@@ -235,16 +275,16 @@ function Cell({ id, cell, label, field, draft, fault, onChange, onKeyDown, onPas
           onChange={(event) => onChange(event.currentTarget.checked)}
           {...shared}
         />
-      ) : field === 'state' ? (
+      ) : field === 'state' || field === 'need' ? (
         <select
           className={classes.input}
-          value={draft.state}
+          value={draft[field]}
           onChange={(event) => onChange(event.currentTarget.value)}
           {...shared}
         >
-          {SETTLED.map((option) => (
+          {(field === 'state' ? SETTLED : NEEDS).map((option) => (
             <option key={option.value} value={option.value}>
-              {option.label.split(',')[0]}
+              {option.label}
             </option>
           ))}
         </select>

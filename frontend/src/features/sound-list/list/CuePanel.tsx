@@ -1,6 +1,7 @@
 import { useQuery } from '@tanstack/react-query'
 
 import { ReferenceStrip } from '@/references'
+import { VoiceLineWhereAny } from '@/voice-lines/VoiceLineWhereAny'
 import { Button } from '@/ui/Button'
 
 import { type Cue, cueQuery, type Rights } from '../api'
@@ -69,6 +70,7 @@ function AskPanel({ cue, projectId, mayAnswer, onClose }: AskPanelProps) {
           opens={at === 0}
         />
       ))}
+      <VoiceLineWhereAny projectId={projectId} cueId={cue.id} />
       <ReferenceStrip projectId={projectId} cueId={cue.id} mayAdd={mayAnswer} />
       <AskForm cue={cue} projectId={projectId} opens={!isPending && !answers} onAsked={onClose} />
       <div className={classes.acts}>

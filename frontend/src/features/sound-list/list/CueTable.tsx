@@ -4,19 +4,26 @@ import { memo, type MouseEvent, type ReactNode, useCallback, useEffect, useMemo,
 import { WaveThumb } from '@/audio'
 import { figure } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
+import { NeedMark } from '@/ui/NeedMark'
 import { SetBlocks } from '@/ui/SetBlocks'
 import { State } from '@/ui/State'
 
+import type { OwnColumn } from '../columns/api'
+import { ValueCell } from '../columns/ValueCell'
 import classes from './CueTable.module.css'
 import { blocksOf, type CueRow, type Group } from '../rows'
 import { useVirtualRows } from '../useVirtualRows'
 
-const COLUMNS = 9
+const STATE_COLUMNS = 10
+const CONTENT_COLUMNS = 8 // besides the project's own
 const ROW_PX = 26
 const NARROW_ROW_PX = 56
 const HEAD_PX = 25
 const OPEN_PX = 280
 const MANY_VARIATIONS = 6
+const FIXED_PX = 1000
+const OWN_PX = 132
+const MOST_ON_SCREEN = 4 // own columns, beyond which the table scrolls sideways
 
 /** One line of the table: a heading, a cue, or what is open below a cue. */
 type Item = { key: string; group?: Group; row?: CueRow }
@@ -36,6 +43,8 @@ interface CueTableProps {
   picked: ReadonlySet<string>
   mayPick: boolean
   playingId: string | null
+  /** The project's own columns where the table shows what the cues are; null where it shows where they stand. */
+  columns: readonly OwnColumn[] | null
   /** What is open below a row: its fields, its questions. */
   open: { id: string; inside: ReactNode } | null
   onSelect: (id: string) => void
@@ -51,6 +60,8 @@ export function CueTable(props: CueTableProps) {
   const items = useMemo(() => itemsOf(groups, openId), [groups, openId])
   const places = useMemo(() => new Map(items.map(({ key }, place) => [key, place])), [items])
   const narrow = window.matchMedia('(max-width: 760px)').matches
+  const columns = narrow ? null : props.columns
+  const scrolls = columns !== null && columns.length > MOST_ON_SCREEN
   const estimate = useCallback(
     (place: number) => {
       const item = items[place]
@@ -83,43 +94,72 @@ export function CueTable(props: CueTableProps) {
     if (openId !== undefined) table.current?.querySelector('tr[data-open]')?.scrollIntoView({ block: 'nearest' })
   }, [openId])
 
-  return (
-    <table ref={table} className={classes.table} aria-label="Sound list" aria-rowcount={items.length + 1}>
+  const width = columns === null ? STATE_COLUMNS : CONTENT_COLUMNS + columns.length
+  const drawnTable = (
+    <table
+      ref={table}
+      className={classes.table}
+      style={scrolls ? { width: `max(100%, ${FIXED_PX + columns.length * OWN_PX}px)` } : undefined}
+      data-scrolls={scrolls || undefined}
+      aria-label="Sound list"
+      aria-rowcount={items.length + 1}
+    >
       <colgroup>
         <col className={classes.numberColumn} />
         <col className={classes.nameColumn} />
+        <col className={classes.needColumn} />
         <col className={classes.categoryColumn} />
         <col className={classes.useColumn} />
         <col className={classes.lengthColumn} />
         <col className={classes.setColumn} />
-        <col className={classes.waveColumn} />
-        <col className={classes.stateColumn} />
+        {columns === null ? (
+          <>
+            <col className={classes.waveColumn} />
+            <col className={classes.stateColumn} />
+          </>
+        ) : (
+          columns.map(({ id }) => <col key={id} className={classes.ownColumn} />)
+        )}
         <col />
       </colgroup>
       <thead>
         <tr>
           <th scope="col">ID</th>
           <th scope="col">Cue</th>
+          <th scope="col">Need</th>
           <th scope="col">Category</th>
           <th scope="col">Use in the game</th>
           <th scope="col" className="num">
             Length, s
           </th>
           <th scope="col">Set or loop</th>
-          <th scope="col">Latest version</th>
-          <th scope="col">State</th>
-          <th scope="col">Latest</th>
+          {columns === null ? (
+            <>
+              <th scope="col">Latest version</th>
+              <th scope="col">State</th>
+              <th scope="col">Latest</th>
+            </>
+          ) : (
+            <>
+              {columns.map(({ id, name, kind }) => (
+                <th key={id} scope="col" className={kind === 'number' ? 'num' : undefined} title={name}>
+                  {name}
+                </th>
+              ))}
+              <th scope="col">Description</th>
+            </>
+          )}
         </tr>
       </thead>
       <tbody>
-        {drawn.beforePx > 0 && <Gap heightPx={drawn.beforePx} />}
+        {drawn.beforePx > 0 && <Gap heightPx={drawn.beforePx} columns={width} />}
         {drawn.places.map((at) => {
           const item = items[at]
           if (item === undefined) return null
           if (item.group) {
             return (
               <tr key={item.key} className={classes.group} data-index={at} ref={drawn.measure} aria-rowindex={at + 2}>
-                <th colSpan={COLUMNS} scope="colgroup">
+                <th colSpan={width} scope="colgroup">
                   <span className={`strong ${classes.groupName}`}>{item.group.name}</span>{' '}
                   <span className="small dim">{item.group.note}</span>
                 </th>
@@ -130,7 +170,7 @@ export function CueTable(props: CueTableProps) {
           if (row === undefined) {
             return (
               <tr key={item.key} className={classes.open} data-index={at} data-open ref={drawn.measure}>
-                <td colSpan={COLUMNS}>{open?.inside}</td>
+                <td colSpan={width}>{open?.inside}</td>
               </tr>
             )
           }
@@ -145,6 +185,7 @@ export function CueTable(props: CueTableProps) {
               picking={picked.size > 0}
               mayPick={mayPick}
               playing={row.id === playingId}
+              columns={columns}
               onSelect={onSelect}
               onPick={onPick}
               onPlay={onPlay}
@@ -152,16 +193,23 @@ export function CueTable(props: CueTableProps) {
             />
           )
         })}
-        {drawn.afterPx > 0 && <Gap heightPx={drawn.afterPx} />}
+        {drawn.afterPx > 0 && <Gap heightPx={drawn.afterPx} columns={width} />}
       </tbody>
     </table>
   )
+  return scrolls ? (
+    <div className={classes.scrolls}>
+      {drawnTable}
+    </div>
+  ) : (
+    drawnTable
+  )
 }
 
-function Gap({ heightPx }: { heightPx: number }) {
+function Gap({ heightPx, columns }: { heightPx: number; columns: number }) {
   return (
     <tr aria-hidden="true" className={classes.gap}>
-      <td colSpan={COLUMNS} style={{ height: heightPx }} />
+      <td colSpan={columns} style={{ height: heightPx }} />
     </tr>
   )
 }
@@ -175,6 +223,7 @@ interface LineProps {
   picking: boolean
   mayPick: boolean
   playing: boolean
+  columns: readonly OwnColumn[] | null
   onSelect: (id: string) => void
   onPick: (id: string, extend: boolean) => void
   onPlay: (row: CueRow) => void
@@ -182,8 +231,22 @@ interface LineProps {
 }
 
 const Line = memo(function Line(props: LineProps) {
-  const { row, projectId, at, selected, picked, picking, mayPick, playing, onSelect, onPick, onPlay, measure } = props
-  const { cue, stands } = row
+  const {
+    row,
+    projectId,
+    at,
+    selected,
+    picked,
+    picking,
+    mayPick,
+    playing,
+    columns,
+    onSelect,
+    onPick,
+    onPlay,
+    measure,
+  } = props
+  const { cue } = row
   const press = (event: MouseEvent) => {
     if (mayPick && (event.ctrlKey || event.metaKey || event.shiftKey)) {
       event.preventDefault()
@@ -227,6 +290,9 @@ const Line = memo(function Line(props: LineProps) {
           {cue.name}
         </Link>
       </th>
+      <td className="small">
+        {row.status === 'cut' ? <span className="dim">cut</span> : <NeedMark need={cue.need} />}
+      </td>
       <td className="mid">{cue.category}</td>
       <td className="mid" title={cue.use}>
         {cue.use}
@@ -235,6 +301,30 @@ const Line = memo(function Line(props: LineProps) {
       <td className="small mid" data-place="set">
         <SetOrLoop row={row} />
       </td>
+      {columns === null ? (
+        <StateCells row={row} selected={selected} playing={playing} onSelect={onSelect} onPlay={onPlay} />
+      ) : (
+        <>
+          {columns.map((column) => (
+            <td key={column.id} className={column.kind === 'number' ? 'num' : undefined} data-own>
+              <ValueCell cue={cue} column={column} projectId={projectId} mayEdit={mayPick} />
+            </td>
+          ))}
+          <td className="mid" title={cue.description}>
+            {cue.description}
+          </td>
+        </>
+      )}
+    </tr>
+  )
+})
+
+type StateCellsProps = Pick<LineProps, 'row' | 'selected' | 'playing' | 'onSelect' | 'onPlay'>
+
+function StateCells({ row, selected, playing, onSelect, onPlay }: StateCellsProps) {
+  const { cue, stands } = row
+  return (
+    <>
       <td data-place="wave">
         {row.previewUrl && row.status !== 'cut' ? (
           <button
@@ -261,9 +351,9 @@ const Line = memo(function Line(props: LineProps) {
         {stands.marked && <span className={`tone-${stands.tone} toned`}>{stands.marked}</span>}
         {stands.after}
       </td>
-    </tr>
+    </>
   )
-})
+}
 
 function SetOrLoop({ row }: { row: CueRow }) {
   const { cue, progress } = row

@@ -24,6 +24,7 @@ export function ListFoot({
           ...(mayEdit
             ? [
                 { keys: ['e'], label: 'edit' },
+                { keys: ['m'], label: 'need' },
                 { keys: ['x'], label: 'select' },
               ]
             : []),

@@ -4,6 +4,7 @@ import type { ReactNode } from 'react'
 
 import { Button, ButtonLink } from '@/ui/Button'
 import { plural } from '@/ui/format'
+import { type NeedSum, NeedSums } from '@/ui/NeedSums'
 
 import { compareQuery, type Cue } from '../api'
 import { CoverageNote } from './CoverageNote'
@@ -24,7 +25,12 @@ export function ListHead({
   isEmpty,
   onAdd,
   onImport,
-}: Acts & { list: { revision: number; cues: Cue[] } | undefined; isEmpty: boolean }): ReactNode {
+  needs,
+}: Acts & {
+  list: { revision: number; cues: Cue[] } | undefined
+  isEmpty: boolean
+  needs: readonly NeedSum[]
+}): ReactNode {
   const revision = list?.revision ?? 0
   return (
     <header className={classes.top}>
@@ -42,11 +48,20 @@ export function ListHead({
           <ButtonLink variant="quiet" icon="download" href={csvOf(projectId)}>
             CSV
           </ButtonLink>
+          <ButtonLink variant="quiet" icon="download" href={workbookOf(projectId)}>
+            XLSX
+          </ButtonLink>
+          {mayEdit && (
+            <ButtonLink component={Link} to={`/projects/${projectId}/sound-list/columns`}>
+              Columns
+            </ButtonLink>
+          )}
           {mayEdit && (
             <Button keys="i" onClick={onImport}>
               Paste or import
             </Button>
           )}
+          {mayEdit && <AdoptLink projectId={projectId} />}
           <CompareLink projectId={projectId} />
           {mayEdit && (
             <Button variant="primary" icon="plus" keys="n" onClick={onAdd}>
@@ -55,6 +70,9 @@ export function ListHead({
           )}
         </div>
       )}
+      <div className={classes.needs}>
+        <NeedSums sums={needs} />
+      </div>
       <CoverageNote projectId={projectId} />
     </header>
   )
@@ -71,18 +89,36 @@ export function ListActsBelow({ projectId, mayEdit, onAdd, onImport }: Acts): Re
               Add a cue
             </Button>
             <Button onClick={onImport}>Paste or import</Button>
+            <AdoptLink projectId={projectId} />
           </>
         )}
         <CompareLink projectId={projectId} />
         <ButtonLink icon="download" href={csvOf(projectId)}>
           CSV
         </ButtonLink>
+        <ButtonLink icon="download" href={workbookOf(projectId)}>
+          XLSX
+        </ButtonLink>
+        {mayEdit && (
+          <ButtonLink component={Link} to={`/projects/${projectId}/sound-list/columns`}>
+            Columns
+          </ButtonLink>
+        )}
       </div>
     </div>
   )
 }
 
+const workbookOf = (projectId: string) => `/v1/projects/${projectId}/sound-list.xlsx`
 const csvOf = (projectId: string) => `/v1/projects/${projectId}/sound-list.csv`
+
+function AdoptLink({ projectId }: { projectId: string }) {
+  return (
+    <ButtonLink component={Link} to={`/projects/${projectId}/sound-list/adopt`}>
+      Adopt a folder
+    </ButtonLink>
+  )
+}
 
 function CompareLink({ projectId }: { projectId: string }) {
   return (

@@ -3,11 +3,12 @@ import { type RefObject } from 'react'
 import { FilterChip } from '@/ui/FilterChip'
 import { Icon } from '@/ui/Icon'
 import { Key } from '@/ui/Key'
+import { Segmented } from '@/ui/Segmented'
 
 import type { CueStatus } from '../api'
 import { type CueRow, type Grouping, kindOf, type ListSearch } from '../rows'
 import classes from './SoundList.module.css'
-import { STATUS_ORDER, STATUS_WORDS } from '../words'
+import { NEEDS, STATUS_ORDER, STATUS_WORDS } from '../words'
 
 interface ListToolsProps {
   rows: readonly CueRow[]
@@ -27,6 +28,17 @@ export function ListTools({ rows, categories, search, words, chips, filter, onSe
   const unclear = rows.filter((row) => row.unclear.length > 0).length
   return (
     <div className={classes.tools}>
+      <span className="wide-only">
+        <Segmented
+          label="Columns shown"
+          value={search.view ?? 'state'}
+          onChange={(view) => onSearch({ view: view === 'content' ? view : undefined })}
+          options={[
+            { value: 'state', label: 'State' },
+            { value: 'content', label: 'Content' },
+          ]}
+        />
+      </span>
       <div className={classes.chips} role="group" aria-label="Filter by state" ref={chips}>
         <FilterChip
           count={rows.length}
@@ -83,6 +95,23 @@ export function ListTools({ rows, categories, search, words, chips, filter, onSe
             {categories.map((category) => (
               <option key={category} value={category}>
                 {category}
+              </option>
+            ))}
+          </select>
+          <Icon name="chevron" />
+        </span>
+        <span className={classes.select}>
+          <select
+            aria-label="Need"
+            value={search.need ?? ''}
+            onChange={(event) =>
+              onSearch({ need: NEEDS.find(({ value }) => value === event.currentTarget.value)?.value })
+            }
+          >
+            <option value="">Any need</option>
+            {NEEDS.map(({ value, label }) => (
+              <option key={value} value={value}>
+                {label}
               </option>
             ))}
           </select>

@@ -9,7 +9,7 @@ import { ProblemNote } from '@/ui/ProblemNote'
 import { type Cue, problemIn } from '../api'
 import { type SharedField, useSetForSeveral } from '../import/api'
 import classes from './SoundList.module.css'
-import { SETTLED } from '../words'
+import { NEEDS, SETTLED } from '../words'
 
 interface PickedBarProps {
   projectId: string
@@ -85,6 +85,23 @@ export function PickedBar({ projectId, cues, categories, onClear }: PickedBarPro
               Design status
             </option>
             {SETTLED.map(({ value, label }) => (
+              <option key={value} value={value}>
+                {label}
+              </option>
+            ))}
+          </select>
+          <Icon name="chevron" />
+        </span>
+        <span className={classes.select}>
+          <select
+            aria-label="Need of the selected cues"
+            value=""
+            onChange={(event) => put('need', event.currentTarget.value, `set to ${event.currentTarget.value}`)}
+          >
+            <option value="" disabled>
+              Need
+            </option>
+            {NEEDS.map(({ value, label }) => (
               <option key={value} value={value}>
                 {label}
               </option>

@@ -3,6 +3,7 @@ import { useNavigate, useParams, useSearch } from '@tanstack/react-router'
 import { type ReactNode, useCallback, useDeferredValue, useMemo, useRef, useState } from 'react'
 
 import { useTitle } from '@/app/title'
+import { showToast } from '@/app/toast'
 import { usePlayer } from '@/audio'
 import { Button } from '@/ui/Button'
 import { EmptyState } from '@/ui/EmptyState'
@@ -16,10 +17,13 @@ import {
   problemIn,
   progressQuery,
   unmatchedQuery,
+  useChangeCue,
   useRights,
 } from '../api'
 import { clarityQuery } from '../clarity'
-import { categoriesOf, type CueRow, groupsOf, type ListSearch, matching, rowsOf, sumsOf } from '../rows'
+import { columnsQuery, type OwnColumn } from '../columns/api'
+import { nextNeed } from '../need'
+import { categoriesOf, type CueRow, groupsOf, type ListSearch, matching, needSumsOf, rowsOf, sumsOf } from '../rows'
 import { AddCues } from './AddCues'
 import { CuePanel, type PanelKind } from './CuePanel'
 import { CueTable } from './CueTable'
@@ -34,6 +38,7 @@ import { useListKeys } from './useListKeys'
 import { usePastedRows } from './usePastedRows'
 
 const NO_CUES: Cue[] = []
+const NO_COLUMNS: OwnColumn[] = []
 
 /** The sound list: every cue on one line, and everything that is done to it in place. */
 export function SoundListPage(): ReactNode {
@@ -48,6 +53,8 @@ export function SoundListPage(): ReactNode {
   const { data: questions } = useQuery(openQuestionsQuery(projectId))
   const { data: unmatched } = useQuery(unmatchedQuery(projectId))
   const { data: unclear } = useQuery(clarityQuery(projectId))
+  const { data: own } = useQuery(columnsQuery(projectId))
+  const change = useChangeCue(projectId)
   const [player, playing] = usePlayer()
 
   const [adding, setAdding] = useState<{ name?: string } | null>(null)
@@ -61,11 +68,12 @@ export function SoundListPage(): ReactNode {
     [cues, progress.data, questions, unmatched, unclear],
   )
   const categories = useMemo(() => categoriesOf(rows), [rows])
-  const { state, category, by = 'list', unclear: onlyUnclear, q: words = '' } = search
+  const needs = useMemo(() => needSumsOf(rows), [rows])
+  const { state, category, need, view, by = 'list', unclear: onlyUnclear, q: words = '' } = search
   const sought = useDeferredValue(words)
   const groups = useMemo(
-    () => groupsOf(matching(rows, { state, category, unclear: onlyUnclear, words: sought }), by),
-    [rows, state, category, onlyUnclear, sought, by],
+    () => groupsOf(matching(rows, { state, category, need, unclear: onlyUnclear, words: sought }), by),
+    [rows, state, category, need, onlyUnclear, sought, by],
   )
   const shown = useMemo(() => groups.flatMap((group) => group.rows), [groups])
   const { selected, selectedId, select, step, picked, pick, unpick } = useCueSelection(projectId, shown)
@@ -109,6 +117,19 @@ export function SoundListPage(): ReactNode {
     setAdding(null)
     setPanel({ id: selected.id, kind })
   }
+  const changeNeed = ({ cue }: CueRow) => {
+    if (change.isPending) return
+    const wanted = nextNeed(cue.need)
+    const put = (edition: number, to: Cue['need']) =>
+      change.mutateAsync({ cueId: cue.id, edition, facts: { need: to } })
+    void put(cue.edition, wanted).then(
+      (saved) =>
+        showToast(`${cue.name} is a ${wanted}.`, async () => {
+          await put(saved.edition, cue.need)
+        }),
+      () => undefined, // the refusal is shown above the list
+    )
+  }
   const closePanel = useCallback(() => {
     setPanel(null)
     if (selectedId === null) return
@@ -117,8 +138,8 @@ export function SoundListPage(): ReactNode {
     )
   }, [selectedId])
   const clear = () => {
-    if (state !== undefined || category !== undefined || onlyUnclear || words !== '')
-      onSearch({ state: undefined, category: undefined, unclear: undefined, q: undefined })
+    if (state !== undefined || category !== undefined || need !== undefined || onlyUnclear || words !== '')
+      onSearch({ state: undefined, category: undefined, need: undefined, unclear: undefined, q: undefined })
   }
   const escape = () => {
     if (panel) closePanel()
@@ -137,6 +158,7 @@ export function SoundListPage(): ReactNode {
     toImport,
     openCue,
     openPanel,
+    changeNeed,
     pick,
     play,
     step,
@@ -146,7 +168,7 @@ export function SoundListPage(): ReactNode {
   })
   usePastedRows(projectId, rights.edits, toImport)
 
-  const refused = problemIn(list.error) ?? problemIn(progress.error)
+  const refused = problemIn(list.error) ?? problemIn(progress.error) ?? problemIn(change.error)
   const pickedCues = useMemo(() => rows.filter(({ id }) => picked.has(id)).map(({ cue }) => cue), [rows, picked])
   const openRow = panel && rows.find(({ id }) => id === panel.id)
   const playingTake = playing.status === 'playing' || playing.status === 'loading' ? playing.sourceId : null
@@ -160,6 +182,7 @@ export function SoundListPage(): ReactNode {
         list={list.data}
         mayEdit={rights.edits}
         isEmpty={isEmpty}
+        needs={needs}
         onAdd={() => add()}
         onImport={toImport}
       />
@@ -171,7 +194,10 @@ export function SoundListPage(): ReactNode {
             <button
               type="button"
               className="link"
-              onClick={() => void Promise.all([list.refetch(), progress.refetch()])}
+              onClick={() => {
+                change.reset()
+                void Promise.all([list.refetch(), progress.refetch()])
+              }}
             >
               Try again
             </button>
@@ -229,6 +255,7 @@ export function SoundListPage(): ReactNode {
           picked={picked}
           mayPick={rights.edits}
           playingId={playingId ?? null}
+          columns={view === 'content' ? (own?.columns ?? NO_COLUMNS) : null}
           open={
             openRow && panel
               ? {

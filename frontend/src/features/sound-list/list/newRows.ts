@@ -18,6 +18,7 @@ export const NEW_FIELDS = [
   'variations',
   'loop',
   'state',
+  'need',
 ] as const satisfies readonly DraftField[]
 
 let nextKey = 1
@@ -43,6 +44,7 @@ const YES = ['yes', 'y', 'true', '1', 'x', 'loop', 'ja']
 function read(field: (typeof NEW_FIELDS)[number], cell: string): string | boolean {
   if (field === 'loop') return YES.includes(cell.toLowerCase())
   if (field === 'state') return ['concept', 'locked'].includes(cell.toLowerCase()) ? cell.toLowerCase() : 'prototype'
+  if (field === 'need') return ['should', 'wish'].includes(cell.toLowerCase()) ? cell.toLowerCase() : 'must'
   if (field === 'variations') return cell === '' ? '1' : cell
   return cell
 }

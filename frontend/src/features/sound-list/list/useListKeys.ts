@@ -15,6 +15,7 @@ export interface ListActs {
   toImport: () => void
   openCue: (row: CueRow) => void
   openPanel: (kind: PanelKind) => void
+  changeNeed: (row: CueRow) => void
   pick: (id: string, extend: boolean) => void
   play: (row: CueRow) => void
   step: (by: 1 | -1) => void
@@ -36,6 +37,13 @@ export function useListKeys(acts: ListActs): void {
       group: LIST,
       run: () => openPanel('clarify'),
       disabled: !selected || selected.unclear.length === 0,
+    },
+    {
+      keys: 'm',
+      label: 'Change need',
+      group: LIST,
+      run: () => selected && acts.changeNeed(selected),
+      disabled: !selected || isCut,
     },
     { keys: 'i', label: 'Paste or import', group: LIST, run: toImport },
     { keys: 'x', label: 'Select', group: LIST, run: () => selected && pick(selected.id, false), disabled: !selected },

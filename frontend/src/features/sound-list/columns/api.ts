@@ -1,0 +1,31 @@
+import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
+
+import { answered, api } from '@/api'
+import { queryKeys } from '@/api/queryKeys'
+import type { components } from '@/api/schema.gen'
+
+import { refreshList } from '../api'
+
+type Schemas = components['schemas']
+export type OwnColumn = Schemas['ColumnRead']
+export type ColumnKind = OwnColumn['kind']
+export type ColumnWanted = Schemas['ColumnWanted']
+
+const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
+
+/** The columns of the project's own, in order. */
+export const columnsQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: queryKeys.soundList(projectId, 'columns'),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/sound-list/columns', inProject(projectId))),
+  })
+
+/** Set all columns at once; one that is left out is removed, and its values stay with the cues. */
+export function useSetColumns(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: Schemas['ColumnsSet']) =>
+      answered(api.PUT('/v1/projects/{project_id}/sound-list/columns', { ...inProject(projectId), body })),
+    onSuccess: () => refreshList(client, projectId),
+  })
+}
