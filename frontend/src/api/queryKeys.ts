@@ -118,6 +118,13 @@ export const queryKeys = {
     ),
   scriptPlan: family<[projectId: string, script: unknown]>('script-plan'),
 
+  // voice lines
+  voiceLines:
+    family<[projectId: string, part?: 'script' | 'lines' | 'pick-ups' | 'releases' | 'cue', ...of: unknown[]]>(
+      'voice-lines',
+    ),
+  scriptPlan: family<[projectId: string, script: unknown]>('script-plan'),
+
   // builds
   packs: family<[projectId: string, target?: string]>('packs'),
   sealedPacks: family<[projectId: string]>('sealed-packs'),
@@ -177,6 +184,7 @@ export const FIXED = wordsOf(
   queryKeys.checkPage,
   queryKeys.contractLibrary,
   queryKeys.importPlan,
+  queryKeys.scriptPlan,
   queryKeys.scriptPlan,
   queryKeys.rosterImport,
   queryKeys.specDraftCheck,

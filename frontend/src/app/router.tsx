@@ -20,6 +20,7 @@ import { kitRoutes } from '@/features/sound-list/kits/routes'
 import { soundListRoutes } from '@/features/sound-list/routes'
 import { takeRoutes } from '@/features/take/routes'
 import { todayRoutes } from '@/features/today/routes'
+import { voiceLineRoutes } from '@/features/voice-lines/routes'
 import { partsRoute } from '@/parts/routes'
 
 import { ErrorPage } from './ErrorPage'
@@ -40,6 +41,7 @@ const pages = [
     ...projectRoutes,
     ...briefRoutes,
     ...referenceRoutes,
+    ...voiceLineRoutes,
     ...hiringRoutes,
     ...moneyRoutes,
     ...gameFilesRoutes,

@@ -93,14 +93,25 @@ export function placesOf({ side, project, isParty }: ShellData): Place[] {
     path: `${at}/references`,
     also: ['pictures', 'video', 'clips', 'files'],
   }
+  const voiceLines: Place = {
+    label: 'Voice lines',
+    path: `${at}/voice-lines`,
+    also: ['script', 'dialogue', 'localisation', 'pick-ups', 'releases'],
+  }
   if (side === 'designer')
-    return [{ label: 'Brief', path: `${at}/brief`, also: ['questions', 'platforms', 'scenes'] }, references, ...money]
+    return [
+      { label: 'Brief', path: `${at}/brief`, also: ['questions', 'platforms', 'scenes'] },
+      references,
+      voiceLines,
+      ...money,
+    ]
   return [
     { label: 'Invite a designer or an approver', path: `${at}/people`, also: ['people', 'team', 'hire', 'members'] },
     ...(isParty ? [{ label: 'Postings and bids', path: `${at}/postings`, also: ['hire', 'bid', 'award', 'job'] }] : []),
     { label: 'Import or paste cues', path: `${at}/sound-list/import`, also: ['sheet', 'csv', 'excel', 'add'] },
     { label: 'Brief', path: `${at}/brief`, also: ['questions', 'platforms', 'scenes', 'kickoff'] },
     references,
+    voiceLines,
     { label: 'Start from a kit', path: `${at}/sound-list/kits`, also: ['starter', 'template', 'genre'] },
     { label: 'Delivery spec', path: `${at}/spec`, also: ['limits', 'loudness', 'naming', 'toml'] },
     { label: 'Game files and packs', path: `${at}/game-files`, also: ['pack', 'download', 'export', 'targets'] },

@@ -86,6 +86,9 @@ export function ProjectHead({ project, members = 0 }: ProjectHeadProps) {
         <Link className="link" to="/projects/$projectId/references" params={{ projectId }} search={{}}>
           References
         </Link>
+        <Link className="link" to={`/projects/${projectId}/voice-lines` as LinkProps['to']}>
+          Voice lines
+        </Link>
         {mine.is_team && (
           <Link className="link" to="/projects/$projectId/people" params={{ projectId }}>
             People

@@ -6,7 +6,6 @@ import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 import { usePlayer } from '@/audio'
 import { ReferenceStrip } from '@/references'
-import { VoiceLineWhereAny } from '@/voice-lines/VoiceLineWhereAny'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { day, length } from '@/ui/format'
@@ -14,6 +13,7 @@ import { KeysLine } from '@/ui/KeysLine'
 import { NeedMark } from '@/ui/NeedMark'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { State } from '@/ui/State'
+import { VoiceLineWhereAny } from '@/voice-lines/VoiceLineWhereAny'
 
 import {
   cueChangesQuery,

@@ -1,8 +1,8 @@
 import { useQuery } from '@tanstack/react-query'
 
 import { ReferenceStrip } from '@/references'
-import { VoiceLineWhereAny } from '@/voice-lines/VoiceLineWhereAny'
 import { Button } from '@/ui/Button'
+import { VoiceLineWhereAny } from '@/voice-lines/VoiceLineWhereAny'
 
 import { type Cue, cueQuery, type Rights } from '../api'
 import type { FactQuestion } from '../clarity'

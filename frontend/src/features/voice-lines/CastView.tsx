@@ -1,0 +1,275 @@
+import { NumberInput, TextInput } from '@mantine/core'
+import { useQuery, useQueryClient } from '@tanstack/react-query'
+import { type FormEvent, useMemo } from 'react'
+
+import { ApiProblem } from '@/api'
+import { meQuery } from '@/api/me'
+import { DraftNote, useDraft } from '@/app/drafts'
+import { sentence } from '@/app/Form'
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { day, plural } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { Select } from '@/ui/Select'
+import { languageName } from '@/voice-lines'
+
+import {
+  type Casting,
+  type Character,
+  type Performer,
+  releasesQuery,
+  type Script,
+  useCast,
+  useChangeSettings,
+  useRemoveRelease,
+} from './api'
+import { AddRelease } from './AddRelease'
+import { releaseUploadsOf } from './releaseUploads'
+import classes from './VoiceLines.module.css'
+
+const SYNTHETIC = { yes: 'Synthetic use agreed', no: 'No synthetic use', not_asked: 'Synthetic use not asked' }
+
+/** Who speaks, directs and casts in each language, and the releases of performers. */
+export function CastView({ projectId, script }: { projectId: string; script: Script }) {
+  const releases = useQuery(releasesQuery(projectId))
+  const { data: me } = useQuery(meQuery)
+  const client = useQueryClient()
+  const remove = useRemoveRelease(projectId)
+  const uploads = useMemo(
+    () => (me?.person ? releaseUploadsOf(client, projectId, me.person.id) : null),
+    [client, projectId, me?.person],
+  )
+  const found = releases.data
+  const problem = [releases.error, remove.error].find((error) => error instanceof ApiProblem)
+  return (
+    <>
+      <Card aria-labelledby="cast">
+        <CardHead id="cast" title="Cast" note="Each language has its own performer and director" />
+        <ul className={classes.cast}>
+          {script.characters.map((character) => (
+            <CharacterCast key={character.id} projectId={projectId} script={script} character={character} />
+          ))}
+        </ul>
+      </Card>
+      <Card aria-labelledby="releases">
+        <CardHead id="releases" title="Releases" count={found?.performers.flatMap((one) => one.releases).length} />
+        <div className={classes.releases}>
+          {problem instanceof ApiProblem && <ProblemNote detail={sentence(problem.detail)} />}
+          {found && found.lines_without_performer > 0 && (
+            <p className="tone-warn toned">
+              {plural(found.lines_without_performer, 'approved line')} of characters for whom no performer is named.
+            </p>
+          )}
+          {found?.performers.length === 0 && (
+            <p className="small dim">
+              No performer is named yet. A release is a signed file with its dates, and says whether a synthetic copy of
+              the voice may be used.
+            </p>
+          )}
+          <ul>
+            {found?.performers.map((performer) => (
+              <PerformerLine
+                key={performer.name}
+                performer={performer}
+                onRemove={found.may_change ? (id) => remove.mutate(id) : undefined}
+              />
+            ))}
+          </ul>
+          {found?.may_change && uploads && (
+            <AddRelease projectId={projectId} performers={found.performers.map(({ name }) => name)} uploads={uploads} />
+          )}
+        </div>
+      </Card>
+      {script.may_change && <Settings projectId={projectId} script={script} />}
+    </>
+  )
+}
+
+function PerformerLine({
+  performer,
+  onRemove,
+}: {
+  performer: Performer
+  onRemove: ((id: string) => void) | undefined
+}) {
+  return (
+    <li className={classes.performer}>
+      <p>
+        <span className="strong">{performer.name}</span>{' '}
+        <span className="small dim">
+          {performer.parts.join(' · ')}
+          {performer.approved_lines > 0 && ` · ${plural(performer.approved_lines, 'approved line')}`}
+        </span>
+      </p>
+      {performer.warning && <p className="small tone-warn toned">{performer.warning}</p>}
+      <ul>
+        {performer.releases.map((one) => (
+          <li key={one.id} className={classes.release}>
+            <a className="link" href={`/v1/voice-releases/${one.id}/file`}>
+              {one.file_name}
+            </a>
+            <span className={`small ${one.is_valid ? 'mid' : 'tone-warn toned'}`}>
+              {`valid from ${day(one.valid_from)}`}
+              {one.valid_until && ` until ${day(one.valid_until)}`}
+            </span>
+            <span className={`small ${one.synthetic_use === 'not_asked' ? 'tone-warn toned' : 'mid'}`}>
+              {SYNTHETIC[one.synthetic_use]}
+            </span>
+            {one.note && <span className="small dim">{one.note}</span>}
+            {onRemove && (
+              <button type="button" className="link small end" onClick={() => onRemove(one.id)}>
+                Remove <span className="visually-hidden">{one.file_name}</span>
+              </button>
+            )}
+          </li>
+        ))}
+      </ul>
+    </li>
+  )
+}
+
+function CharacterCast({ projectId, script, character }: { projectId: string; script: Script; character: Character }) {
+  return (
+    <li className={classes.character}>
+      <h3>
+        {character.name} <span className="small dim">{plural(character.lines, 'line')}</span>
+      </h3>
+      {character.notes && <p className="small mid">{character.notes}</p>}
+      <ul>
+        {script.languages.map((language) => {
+          const casting = character.castings.find((one) => one.language === language)
+          return (
+            <li key={language}>
+              {script.may_change ? (
+                <EditCasting
+                  projectId={projectId}
+                  character={character}
+                  language={language}
+                  casting={casting ?? { language, performer: null, directed_by: '', cast_by: '' }}
+                />
+              ) : (
+                <p className="small">
+                  {languageName(language)}: {casting?.performer ?? 'no performer named'}
+                  {casting?.directed_by && `, directed by ${casting.directed_by}`}
+                  {casting?.cast_by && `, cast by ${casting.cast_by}`}
+                </p>
+              )}
+            </li>
+          )
+        })}
+      </ul>
+    </li>
+  )
+}
+
+interface EditCastingProps {
+  projectId: string
+  character: Character
+  language: string
+  casting: Casting
+}
+
+function EditCasting({ projectId, character, language, casting }: EditCastingProps) {
+  const cast = useCast(projectId, character.id, language)
+  const begun = {
+    performer: casting.performer ?? '',
+    directed_by: casting.directed_by,
+    cast_by: casting.cast_by,
+  }
+  const [typed, setTyped, draft] = useDraft(`casting:${character.id}:${language}`, begun)
+  const isChanged = Object.entries(begun).some(([name, value]) => typed[name as keyof typeof begun] !== value)
+  const problem = cast.error instanceof ApiProblem ? cast.error : null
+  const field = (name: keyof typeof begun, label: string) => (
+    <TextInput
+      label={label}
+      maxLength={120}
+      value={typed[name]}
+      onChange={(event) => setTyped({ ...typed, [name]: event.currentTarget.value })}
+    />
+  )
+  const save = (event: FormEvent) => {
+    event.preventDefault()
+    if (cast.isPending) return
+    cast.mutate(typed, {
+      onSuccess: () => {
+        draft.discard()
+        showToast(`${character.name}, ${languageName(language)}: saved.`)
+      },
+    })
+  }
+  return (
+    <form
+      className={classes.casting}
+      noValidate
+      aria-label={`${character.name}, ${languageName(language)}`}
+      onSubmit={save}
+    >
+      <span className={`small mid ${classes.language}`}>{languageName(language)}</span>
+      {field('performer', 'Performer')}
+      {field('directed_by', 'Directed by')}
+      {field('cast_by', 'Cast by')}
+      {isChanged && (
+        <Button type="submit" aria-busy={cast.isPending}>
+          Save
+        </Button>
+      )}
+      <DraftNote draft={draft} />
+      {problem && <ProblemNote detail={sentence(problem.detail)} />}
+    </form>
+  )
+}
+
+function Settings({ projectId, script }: { projectId: string; script: Script }) {
+  const change = useChangeSettings(projectId)
+  const { original_language: original, length_tolerance_percent: tolerance, languages } = script
+  const [typed, setTyped, draft] = useDraft(`voice-settings:${projectId}`, { original, tolerance })
+  const problem = change.error instanceof ApiProblem ? change.error : null
+  return (
+    <Card aria-labelledby="voice-settings">
+      <CardHead id="voice-settings" title="Settings" />
+      <form
+        className={classes.casting}
+        noValidate
+        onSubmit={(event) => {
+          event.preventDefault()
+          if (change.isPending) return
+          change.mutate(
+            { original_language: typed.original, length_tolerance_percent: typed.tolerance },
+            {
+              onSuccess: () => {
+                draft.discard()
+                showToast('Settings saved.')
+              },
+            },
+          )
+        }}
+      >
+        <Select
+          label="Original language"
+          value={typed.original}
+          onChange={(event) => setTyped({ ...typed, original: event.currentTarget.value })}
+        >
+          {[...new Set([...languages, original])].map((language) => (
+            <option key={language} value={language}>
+              {languageName(language)}
+            </option>
+          ))}
+        </Select>
+        <NumberInput
+          label="Length tolerance, percent"
+          min={1}
+          max={100}
+          allowDecimal={false}
+          value={typed.tolerance}
+          onChange={(value) => setTyped({ ...typed, tolerance: Number(value) || 0 })}
+        />
+        <Button type="submit" aria-busy={change.isPending}>
+          Save
+        </Button>
+        <DraftNote draft={draft} />
+        {problem && <ProblemNote detail={sentence(problem.detail)} />}
+      </form>
+    </Card>
+  )
+}

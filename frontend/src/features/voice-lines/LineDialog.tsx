@@ -1,0 +1,158 @@
+import { Checkbox, Textarea, TextInput } from '@mantine/core'
+import { Link } from '@tanstack/react-router'
+
+import { ApiProblem } from '@/api'
+import { Dialog } from '@/app/Dialog'
+import { DraftNote, useDraft } from '@/app/drafts'
+import { sentence } from '@/app/Form'
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { length } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { languageName, LineState, percentOf, type VoiceLine } from '@/voice-lines'
+
+import { useChangeLine, useChangeText } from './api'
+import classes from './VoiceLines.module.css'
+
+interface LineDialogProps {
+  projectId: string
+  line: VoiceLine | null
+  mayChange: boolean
+  onClose: () => void
+}
+
+/** One line with what is said around it, its take, and its text to change. */
+export function LineDialog({ projectId, line, mayChange, onClose }: LineDialogProps) {
+  return (
+    <Dialog
+      title={line ? `${line.character.name}, ${line.key}` : ''}
+      opened={line !== null}
+      onClose={onClose}
+      size={640}
+    >
+      {line && (
+        <div className={classes.detail}>
+          <p className={classes.facts}>
+            <LineState state={line.state} />
+            <span className="small dim">
+              {languageName(line.language)}
+              {line.performer && `, spoken by ${line.performer}`}
+              {line.directed_by && `, directed by ${line.directed_by}`}
+            </span>
+            {line.cue && (
+              <Link
+                className="link small end"
+                to="/projects/$projectId/sound-list/cues/$cueId"
+                params={{ projectId, cueId: line.cue.id }}
+              >
+                {line.cue.label} {line.cue.name}
+              </Link>
+            )}
+          </p>
+          {line.reason && <p className="small tone-warn toned">{sentence(line.reason)}</p>}
+          <div className={classes.context}>
+            {line.before && (
+              <p className="small dim">
+                {line.before.character}: {line.before.text}
+              </p>
+            )}
+            <p lang={line.language}>{line.text ?? 'Not translated yet'}</p>
+            {line.original_text !== null && line.original_text !== line.text && (
+              <p className="small mid">Original: {line.original_text}</p>
+            )}
+            {line.after && (
+              <p className="small dim">
+                {line.after.character}: {line.after.text}
+              </p>
+            )}
+          </div>
+          <Length line={line} />
+          {mayChange && <EditLine key={line.text_version} projectId={projectId} line={line} onDone={onClose} />}
+        </div>
+      )}
+    </Dialog>
+  )
+}
+
+function Length({
+  line: { take, original_duration_s: original, length_percent: percent, length_is_off },
+}: {
+  line: VoiceLine
+}) {
+  if (!take || take.duration_s === null) return null
+  return (
+    <p className={`small ${length_is_off ? 'tone-warn toned' : 'mid'}`}>
+      Version {take.number}: {length(take.duration_s)}
+      {percent !== null && original !== null && `, ${percentOf(percent)} against the original's ${length(original)}`}
+    </p>
+  )
+}
+
+function EditLine({ projectId, line, onDone }: { projectId: string; line: VoiceLine; onDone: () => void }) {
+  const changeText = useChangeText(projectId, line.id, line.language)
+  const changeLine = useChangeLine(projectId, line.id)
+  const [typed, setTyped, draft] = useDraft(`voice-line:${line.id}:${line.language}:${line.text_version ?? 0}`, {
+    text: line.text ?? '',
+    scene: line.scene,
+    direction: line.direction,
+    takesFit: false,
+  })
+  const problem = [changeText.error, changeLine.error].find((error) => error instanceof ApiProblem)
+  const save = async () => {
+    if (changeText.isPending || changeLine.isPending) return
+    try {
+      if (typed.scene !== line.scene || typed.direction !== line.direction)
+        await changeLine.mutateAsync({ scene: typed.scene, direction: typed.direction })
+      if (line.text_version !== null && (typed.text !== line.text || typed.takesFit))
+        await changeText.mutateAsync({
+          text: typed.text,
+          text_version: line.text_version,
+          takes_fit: typed.takesFit,
+        })
+    } catch {
+      return // the refusal is shown
+    }
+    draft.discard()
+    showToast('Line saved.')
+    onDone()
+  }
+  const field = (name: 'text' | 'scene' | 'direction') => ({
+    value: typed[name],
+    onChange: (event: { currentTarget: { value: string } }) =>
+      setTyped({ ...typed, [name]: event.currentTarget.value }),
+  })
+  return (
+    <form
+      className={classes.form}
+      noValidate
+      onSubmit={(event) => {
+        event.preventDefault()
+        void save()
+      }}
+    >
+      {line.text_version !== null && (
+        <>
+          <Textarea label="Text" rows={3} maxLength={5000} data-autofocus {...field('text')} />
+          {line.take && (
+            <Checkbox
+              label="Takes that exist still fit this text"
+              checked={typed.takesFit}
+              onChange={(event) => setTyped({ ...typed, takesFit: event.currentTarget.checked })}
+            />
+          )}
+        </>
+      )}
+      <TextInput label="Direction" maxLength={2000} {...field('direction')} />
+      <TextInput label="Scene" maxLength={200} {...field('scene')} />
+      <DraftNote draft={draft} />
+      {problem instanceof ApiProblem && (
+        <ProblemNote detail={sentence(problem.detail)} fix={problem.fix ?? undefined} />
+      )}
+      <div>
+        <Button type="submit" variant="primary" aria-busy={changeText.isPending || changeLine.isPending}>
+          Save
+        </Button>
+      </div>
+    </form>
+  )
+}
