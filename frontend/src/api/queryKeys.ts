@@ -24,6 +24,7 @@ export const queryKeys = {
   studioPeople: family<[studioId: string]>('studio-people'),
   studioInvitations: family<[studioId: string]>('studio-invitations'),
   studioInvitation: family<[secret: string]>('studio-invitation'),
+  credits: family<[projectId: string]>('credits'),
   invoiceDetails: family<[owner: string]>('invoice-details'),
   studioCalendar: family<[studioId: string]>('studio-calendar'),
   quotas: family<[studioId: string]>('quotas'),
@@ -118,13 +119,6 @@ export const queryKeys = {
     ),
   scriptPlan: family<[projectId: string, script: unknown]>('script-plan'),
 
-  // voice lines
-  voiceLines:
-    family<[projectId: string, part?: 'script' | 'lines' | 'pick-ups' | 'releases' | 'cue', ...of: unknown[]]>(
-      'voice-lines',
-    ),
-  scriptPlan: family<[projectId: string, script: unknown]>('script-plan'),
-
   // builds
   packs: family<[projectId: string, target?: string]>('packs'),
   sealedPacks: family<[projectId: string]>('sealed-packs'),
@@ -184,7 +178,6 @@ export const FIXED = wordsOf(
   queryKeys.checkPage,
   queryKeys.contractLibrary,
   queryKeys.importPlan,
-  queryKeys.scriptPlan,
   queryKeys.scriptPlan,
   queryKeys.rosterImport,
   queryKeys.specDraftCheck,

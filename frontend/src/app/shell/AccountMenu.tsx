@@ -45,6 +45,8 @@ export function AccountMenu({ data, onKeys, button }: AccountMenuProps) {
       {person && (
         <>
           {side === 'studio' && <Menu.Item onClick={() => go('/studio')}>Studio, people and emails</Menu.Item>}
+          {side === 'studio' && <Menu.Item onClick={() => go('/roster')}>Roster of designers</Menu.Item>}
+          {side === 'designer' && <Menu.Item onClick={() => go('/work')}>Your work</Menu.Item>}
           {operates && <Menu.Item onClick={() => go('/operations')}>Jobs and storage</Menu.Item>}
           <Menu.Item onClick={() => go('/account')}>Account</Menu.Item>
           <Menu.Divider />

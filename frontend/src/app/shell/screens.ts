@@ -104,10 +104,12 @@ export function placesOf({ side, project, isParty }: ShellData): Place[] {
       references,
       voiceLines,
       ...money,
+      { label: 'Your work', path: '/work', also: ['figures', 'on time', 'first pass'] },
     ]
   return [
     { label: 'Invite a designer or an approver', path: `${at}/people`, also: ['people', 'team', 'hire', 'members'] },
     ...(isParty ? [{ label: 'Postings and bids', path: `${at}/postings`, also: ['hire', 'bid', 'award', 'job'] }] : []),
+    { label: 'Roster of designers', path: '/roster', also: ['people', 'hire', 'on file', 'reel'] },
     { label: 'Import or paste cues', path: `${at}/sound-list/import`, also: ['sheet', 'csv', 'excel', 'add'] },
     { label: 'Brief', path: `${at}/brief`, also: ['questions', 'platforms', 'scenes', 'kickoff'] },
     references,

@@ -18,6 +18,7 @@ import { Select } from '@/ui/Select'
 import { type ComparedBid, type Comparison, comparisonQuery, useAward, useScore, useShortlist } from './api'
 import classes from './Hiring.module.css'
 import { Refusal } from './Refusal'
+import { busyInWords } from './roster/words'
 import { EXTRA_WORDS, period, UNIT_WORDS } from './words'
 
 const GROUP = 'Bids'
@@ -244,6 +245,7 @@ function BidsTable({ comparison, chosenId, onMark, onAward }: BidsTableProps) {
               )}
             </>
           ))}
+          {bids.some((bid) => bid.roster_entry_id) && row('Busy, by the roster', (bid) => <BusyCell bid={bid} />)}
           {row('Note', (bid) => (
             <span className={classes.text}>{bid.content.note}</span>
           ))}
@@ -262,6 +264,25 @@ function BidsTable({ comparison, chosenId, onMark, onAward }: BidsTableProps) {
         </tbody>
       </table>
     </section>
+  )
+}
+
+/** What the roster notes of a bidder's days, and the way there. */
+function BusyCell({ bid }: { bid: ComparedBid }) {
+  if (bid.roster_entry_id === null) return <span className="mid">not on file</span>
+  return (
+    <span className={classes.cell}>
+      {bid.busy.length === 0 ? (
+        <span className="mid">nothing noted</span>
+      ) : (
+        <span className="tone-warn">
+          <span className="toned">{bid.busy.map(busyInWords).join('; ')}</span>
+        </span>
+      )}
+      <Link className="link" to="/roster/$entryId" params={{ entryId: bid.roster_entry_id }}>
+        on file
+      </Link>
+    </span>
   )
 }
 

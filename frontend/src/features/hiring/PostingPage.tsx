@@ -24,6 +24,7 @@ import classes from './Hiring.module.css'
 import { AskedCard } from './PostingFacts'
 import { QuestionsCard } from './QuestionsCard'
 import { Refusal } from './Refusal'
+import { ChooseFromRoster } from './roster/ChooseFromRoster'
 import { usePosting } from './usePosting'
 import { STATE_WORDS } from './words'
 
@@ -38,6 +39,7 @@ export function PostingPage() {
       <AskedCard lines={posting.lines} />
       {posting.state !== 'awarded' && <Fields key={posting.revision} posting={posting} />}
       <PeopleCard posting={posting} />
+      {posting.state !== 'awarded' && <ChooseFromRoster posting={posting} />}
       <QuestionsCard posting={posting} />
     </div>
   )

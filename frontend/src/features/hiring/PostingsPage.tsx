@@ -30,6 +30,10 @@ export function PostingsPage() {
           <Link className="link" to="/projects/$projectId/people" params={{ projectId }}>
             invite a designer directly
           </Link>
+          , or look on the{' '}
+          <Link className="link" to="/roster">
+            roster
+          </Link>
           .
         </p>
       </div>

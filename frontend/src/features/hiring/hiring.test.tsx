@@ -79,6 +79,8 @@ const aBid = (id: string, name: string, more: Partial<ComparedBid> = {}): Compar
   is_below_floor: false,
   over_budget_minor: 6000,
   days_late: null,
+  roster_entry_id: null,
+  busy: [],
   own_scores: null,
   others: null,
   scored_by: 1,

@@ -1,0 +1,287 @@
+import { Textarea } from '@mantine/core'
+import { useDebouncedValue } from '@mantine/hooks'
+import { keepPreviousData, useQuery } from '@tanstack/react-query'
+import { Link, useNavigate, useSearch } from '@tanstack/react-router'
+import { useRef, useState } from 'react'
+
+import { base64Of } from '@/api/base64'
+import { queryKeys } from '@/api/queryKeys'
+import { DraftNote, useDraft } from '@/app/drafts'
+import { useHotkeys } from '@/app/keys'
+import { showToast } from '@/app/toast'
+import { useTitle } from '@/app/title'
+import { Button, ButtonLink } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { FieldError } from '@/ui/FieldError'
+import { bytes, figure, plural } from '@/ui/format'
+import { Select } from '@/ui/Select'
+
+import forms from '../Hiring.module.css'
+import { Refusal } from '../Refusal'
+import { importRoster, type RosterImport, useImportRoster, useRosterStudios } from './api'
+import classes from './Roster.module.css'
+import { FIELD_WORDS } from './words'
+
+type Field = RosterImport['columns'][number]['field']
+
+const LARGEST_BYTES = 5_000_000
+const TYPING_MS = 300
+const SHOWN_ROWS = 200
+const FIELDS = Object.entries(FIELD_WORDS) as [Field, string][]
+const TOGETHER: readonly Field[] = ['notes', 'ignore']
+const EXAMPLE =
+  'name\temail\tspecialities\tservices\trate\tavailable from\n' +
+  'A sound designer\tdesigner@studio.example\tweapons, creatures\tcomposes\t45 USD/hour\t2027-01-11\n'
+
+interface SheetFile {
+  name: string
+  format: 'csv' | 'xlsx'
+  contentBase64: string
+}
+
+/** A sheet of designers becomes people on file, matched by address: shown first, and all of it or nothing. */
+export function RosterImportPage() {
+  useTitle('Import into the roster')
+  const studios = useRosterStudios()
+  const { studio: wanted } = useSearch({ from: '/shell/roster/import' })
+  const navigate = useNavigate()
+  useHotkeys([
+    { keys: 'Escape', label: 'Back to the roster', group: 'Import', run: () => void navigate({ to: '/roster' }) },
+  ])
+  if (studios === undefined) return <div className="page" aria-busy="true" />
+  const studio = studios.find(({ id }) => id === wanted) ?? studios[0]
+  return (
+    <div className="page stack">
+      <div className="row wrap">
+        <div className="grow">
+          <h1>Import into the roster</h1>
+          <p className="mid">
+            Rows are matched by email: people on file are changed where a cell is filled, others are added. Nothing is
+            imported while any row has an error, and nobody is mailed.
+          </p>
+        </div>
+        <ButtonLink component={Link} to="/roster" keys="Escape">
+          Back to the roster
+        </ButtonLink>
+      </div>
+      {studio ? (
+        <Sheet key={studio.id} studioId={studio.id} />
+      ) : (
+        <EmptyState head="The roster is for producers and audio leads">Ask a producer of your studio.</EmptyState>
+      )}
+    </div>
+  )
+}
+
+function Sheet({ studioId }: { studioId: string }) {
+  const [text, setText, draft] = useDraft(`roster-import:${studioId}`, '')
+  const [file, setFile] = useState<SheetFile | null>(null)
+  const [mapping, setMapping] = useState<Record<string, Field>>({})
+  const [unread, setUnread] = useState<string | null>(null)
+  const [asked] = useDebouncedValue(text, text === '' ? 0 : TYPING_MS)
+  const picker = useRef<HTMLInputElement>(null)
+  const navigate = useNavigate()
+  const send = useImportRoster(studioId)
+  const bodyOf = (typed: string) => ({
+    ...(file ? { format: file.format, content_base64: file.contentBase64 } : { format: 'paste' as const, text: typed }),
+    mapping,
+  })
+  const isGiven = file !== null || asked.trim() !== ''
+  const plan = useQuery({
+    queryKey: queryKeys.rosterImport(studioId, bodyOf(asked)),
+    queryFn: () => importRoster(studioId, { ...bodyOf(asked), dry_run: true }),
+    enabled: isGiven,
+    placeholderData: keepPreviousData,
+    gcTime: 0,
+    retry: false,
+  })
+  const take = async (chosen: File | undefined) => {
+    if (chosen === undefined) return
+    setUnread(null)
+    if (chosen.size > LARGEST_BYTES) {
+      setUnread(`${chosen.name} has ${bytes(chosen.size)}; the limit is ${bytes(LARGEST_BYTES)}.`)
+      return
+    }
+    try {
+      const format = /\.xlsx$/i.test(chosen.name) ? 'xlsx' : 'csv'
+      setFile({ name: chosen.name, format, contentBase64: await base64Of(chosen) })
+      setMapping({})
+    } catch {
+      setUnread(`${chosen.name} could not be read from your disk. Choose it again.`)
+    }
+  }
+  const read = isGiven ? plan.data : undefined
+  const isStale = plan.isPlaceholderData || plan.isFetching || asked !== text
+  const put = () => {
+    if (read === undefined || isStale || read.errors.length > 0) return
+    send.mutate(bodyOf(text), {
+      onSuccess: (done) => {
+        if (!done.imported) return void plan.refetch()
+        draft.discard()
+        showToast(`${plural(done.added, 'person', 'people')} added, ${figure(done.changed)} changed.`)
+        return void navigate({ to: '/roster' })
+      },
+    })
+  }
+  return (
+    <>
+      <Card aria-labelledby="sheet">
+        <CardHead id="sheet" title="Spreadsheet" note="CSV, XLSX, or rows copied from a spreadsheet" />
+        <div className={forms.body}>
+          {file ? (
+            <div className="row wrap">
+              <span className="mono">{file.name}</span>
+              <Button onClick={() => setFile(null)}>Remove file</Button>
+            </div>
+          ) : (
+            <Textarea
+              label="Pasted rows"
+              placeholder={EXAMPLE.split('\n')[0]}
+              rows={5}
+              classNames={{ input: classes.input }}
+              value={text}
+              onChange={({ currentTarget: { value } }) => setText(value)}
+            />
+          )}
+          <DraftNote draft={draft} />
+          <div className="row wrap">
+            <Button icon="upload" onClick={() => picker.current?.click()}>
+              Choose file
+            </Button>
+            {!isGiven && (
+              <button type="button" className="link small" onClick={() => setText(EXAMPLE)}>
+                Use an example
+              </button>
+            )}
+          </div>
+          <input
+            ref={picker}
+            type="file"
+            hidden
+            aria-label="File to import"
+            accept=".csv,.tsv,.txt,.xlsx"
+            onChange={(event) => {
+              void take(event.currentTarget.files?.[0])
+              event.currentTarget.value = ''
+            }}
+          />
+          {unread && <FieldError>{unread}</FieldError>}
+          <Refusal error={isGiven ? plan.error : null} />
+        </div>
+      </Card>
+      {read && (
+        <>
+          <Columns read={read} onMap={(name, field) => setMapping((now) => mapped(now, name, field))} />
+          <Plan read={read} />
+          <div className={classes.foot}>
+            <span className="grow strong" role="status">
+              {isStale
+                ? 'Reading the spreadsheet'
+                : `${plural(read.added, 'person', 'people')} to add, ${figure(read.changed)} to change, ${figure(read.same)} the same`}
+            </span>
+            <Refusal error={send.error} />
+            <Button
+              variant="primary"
+              disabled={read.errors.length > 0 || read.added + read.changed === 0 || isStale}
+              aria-busy={send.isPending}
+              onClick={put}
+            >
+              {`Import ${plural(read.added + read.changed, 'person', 'people')}`}
+            </Button>
+          </div>
+        </>
+      )}
+    </>
+  )
+}
+
+/** A field is read from one column: choosing it again elsewhere moves it. */
+function mapped(mapping: Record<string, Field>, name: string, field: Field): Record<string, Field> {
+  const others = Object.entries(mapping).filter(
+    ([other, given]) => other !== name && (given !== field || TOGETHER.includes(field)),
+  )
+  return { ...Object.fromEntries(others), [name]: field }
+}
+
+function Columns({ read, onMap }: { read: RosterImport; onMap: (name: string, field: Field) => void }) {
+  return (
+    <Card aria-labelledby="columns">
+      <CardHead id="columns" title="Columns" count={read.columns.length} />
+      <ul className={classes.columns}>
+        {read.columns.map(({ name, field, samples }) => (
+          <li key={name}>
+            <span className="strong cut-text" title={name}>
+              {name}
+            </span>
+            <Select
+              aria-label={`Map ${name} to`}
+              value={field}
+              onChange={({ currentTarget: { value } }) => onMap(name, value as Field)}
+            >
+              {FIELDS.map(([value, words]) => (
+                <option key={value} value={value}>
+                  {words}
+                </option>
+              ))}
+            </Select>
+            <span className="small dim cut-text" title={samples.join('\n')}>
+              {samples.join(', ') || 'empty'}
+            </span>
+          </li>
+        ))}
+      </ul>
+    </Card>
+  )
+}
+
+const ACTION_WORDS = { add: 'Add', change: 'Change', same: 'Same' } as const
+
+function Plan({ read }: { read: RosterImport }) {
+  const shown = read.rows.slice(0, SHOWN_ROWS)
+  return (
+    <Card aria-labelledby="rows">
+      <CardHead id="rows" title="Rows" count={read.rows.length + read.errors.length} />
+      {/* Wide tables scroll by themselves; the focus lets the arrow keys do it. */}
+      {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
+      <section className={classes.table} aria-label="Rows of the spreadsheet" tabIndex={0}>
+        <table>
+          <thead>
+            <tr>
+              <th scope="col">Row</th>
+              <th scope="col">What happens</th>
+              <th scope="col">Name</th>
+              <th scope="col">Email</th>
+            </tr>
+          </thead>
+          <tbody>
+            {read.errors.map(({ row, column, message }, at) => (
+              <tr key={`error ${at}`}>
+                <td>{row}</td>
+                <td className="tone-bad" colSpan={3}>
+                  <span className="toned">{`Error. ${column ? `${column}: ` : ''}${message}`}</span>
+                </td>
+              </tr>
+            ))}
+            {shown.map(({ row, action, name, email, changed }) => (
+              <tr key={row}>
+                <td>{row}</td>
+                <td>
+                  {ACTION_WORDS[action]}
+                  {changed.length > 0 && (
+                    <span className="mid">{` ${changed.map((field) => FIELD_WORDS[field].toLowerCase()).join(', ')}`}</span>
+                  )}
+                </td>
+                <td>{name}</td>
+                <td>{email}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </section>
+      {read.rows.length > SHOWN_ROWS && (
+        <p className={`small dim ${classes.foot}`}>{`And ${figure(read.rows.length - SHOWN_ROWS)} more rows.`}</p>
+      )}
+    </Card>
+  )
+}
