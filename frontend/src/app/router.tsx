@@ -4,6 +4,7 @@ import { createRouter } from '@tanstack/react-router'
 import { queryClient } from '@/api/queryClient'
 import { accountGuestRoutes, accountRoutes } from '@/features/accounts/routes'
 import { createSession } from '@/features/accounts/session'
+import { adoptionRoutes } from '@/features/adoption/routes'
 import { briefRoutes } from '@/features/brief/routes'
 import { checkRoutes } from '@/features/checks/routes'
 import { contractRoutes, verifyRoutes } from '@/features/contracts/routes'
@@ -48,6 +49,7 @@ const pages = [
     ...reviewRoutes,
     ...soundListRoutes,
     ...kitRoutes,
+    ...adoptionRoutes,
     ...deskRoutes,
     ...contractRoutes,
     ...takeRoutes,

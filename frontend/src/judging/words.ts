@@ -149,10 +149,16 @@ const HAPPENED: Record<string, string> = {
 export const happened = ({
   kind,
   by_deemed_acceptance: bySilence,
+  by_adoption: byAdoption,
 }: {
   kind: string
   by_deemed_acceptance?: boolean
-}): string => (bySilence && kind === 'approve' ? 'Auto-accepted (no response)' : (HAPPENED[kind] ?? kind))
+  by_adoption?: boolean
+}): string => {
+  if (kind === 'approve' && bySilence) return 'Auto-accepted (no response)'
+  if (kind === 'approve' && byAdoption) return 'Adopted'
+  return HAPPENED[kind] ?? kind
+}
 
 interface Named {
   name: string

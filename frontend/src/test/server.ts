@@ -18,8 +18,10 @@ export function refusal(status: number, code: string, detail: string, more: Reco
 
 export const answer = (body: unknown, status = 200): Reply => ({ status, body })
 
-/** A file that is sent by itself; jsdom makes it a text. */
-const isPdf = (request: Request) => request.headers.get('Content-Type') === 'application/pdf'
+const FILE_TYPES = ['application/pdf', 'application/offset+octet-stream']
+
+/** Whether a file is sent by itself; jsdom makes it a text. */
+const isFile = (request: Request) => FILE_TYPES.includes(request.headers.get('Content-Type') ?? '')
 
 const isReply = (value: unknown): value is Reply => typeof value === 'object' && value !== null && 'body' in value
 
@@ -39,7 +41,7 @@ export function serve(answers: Answers): { asked: Asked[]; answers: Answers } {
       path: pathname,
       query: searchParams,
       headers: request.headers,
-      body: text === '' ? undefined : isPdf(request) ? text : JSON.parse(text),
+      body: text === '' ? undefined : isFile(request) ? text : JSON.parse(text),
     }
     asked.push(one)
     const found = answers[`${request.method} ${pathname}`]

@@ -30,6 +30,9 @@ export function EmptyList({
             <ButtonLink component={Link} to={`/projects/${projectId}/sound-list/kits`}>
               Start from a kit
             </ButtonLink>
+            <ButtonLink component={Link} to={`/projects/${projectId}/sound-list/adopt`}>
+              Adopt a folder that ships already
+            </ButtonLink>
           </>
         )
       }

@@ -1,0 +1,96 @@
+import { useQuery } from '@tanstack/react-query'
+import { Link, useParams, useSearch } from '@tanstack/react-router'
+import type { ReactNode } from 'react'
+
+import { ApiProblem } from '@/api'
+import { useMyProject } from '@/api/me'
+import { useTitle } from '@/app/title'
+import { ButtonLink } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { type Adoption, adoptionsQuery } from './api'
+import classes from './Adopt.module.css'
+import { at } from './at'
+import { ChooseFolder } from './ChooseFolder'
+import { OneAdoption } from './OneAdoption'
+
+/** A folder of sounds that ship already becomes cues with approved takes. */
+export function AdoptPage(): ReactNode {
+  const { projectId = '' } = useParams({ strict: false })
+  const { adoption } = useSearch({ from: '/shell/projects/$projectId/sound-list/adopt' })
+  const project = useMyProject(projectId)
+  const mayAdopt = (project?.is_producer || project?.is_approver) ?? false
+  useTitle('Adopt a folder')
+  const former = useQuery({ ...adoptionsQuery(projectId), enabled: project?.part === 'team' })
+  const problem = former.error instanceof ApiProblem ? former.error : null
+  return (
+    <div className={`page ${classes.page}`}>
+      <header className={classes.top}>
+        <div>
+          <h1>Adopt a folder that ships already</h1>
+          <p className="mid">
+            Each sound becomes an approved take of a cue, without review, contract or money. The names stay.
+          </p>
+        </div>
+        <ButtonLink component={Link} to={`/projects/${projectId}/sound-list`}>
+          Back to the list
+        </ButtonLink>
+      </header>
+      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      {project !== undefined && !mayAdopt ? (
+        <EmptyState head="Only a producer or the project’s approver can adopt a folder">
+          Adopting a folder approves every sound in it.
+        </EmptyState>
+      ) : (
+        project !== undefined &&
+        (adoption === undefined ? (
+          <ChooseFolder key={projectId} projectId={projectId} />
+        ) : (
+          <OneAdoption key={adoption} projectId={projectId} adoptionId={adoption} />
+        ))
+      )}
+      {mayAdopt && former.data && <Former projectId={projectId} adoptions={former.data} shown={adoption} />}
+    </div>
+  )
+}
+
+function Former({
+  projectId,
+  adoptions,
+  shown,
+}: {
+  projectId: string
+  adoptions: readonly Adoption[]
+  shown: string | undefined
+}) {
+  const others = adoptions.filter(({ id }) => id !== shown)
+  if (others.length === 0) return null
+  return (
+    <Card aria-labelledby="former">
+      <CardHead id="former" title="Folders of this project" count={others.length} />
+      <ul className={classes.former}>
+        {others.map((one) => (
+          <li key={one.id}>
+            <Link
+              className="link"
+              to="/projects/$projectId/sound-list/adopt"
+              params={{ projectId }}
+              search={{ adoption: one.id }}
+            >
+              {one.folder}
+            </Link>{' '}
+            <span className="small dim">{stands(one)}</span>
+          </li>
+        ))}
+      </ul>
+    </Card>
+  )
+}
+
+const stands = ({ created_at: sent, adopted_at: adopted, adopted_by: by, undone_at: undone }: Adoption): string => {
+  if (undone !== null) return `undone ${at(undone)}`
+  if (adopted !== null) return `adopted by ${by?.name ?? ''}, ${at(adopted)}`
+  return `sent ${at(sent)}, not adopted`
+}

@@ -1,0 +1,96 @@
+import type { ReactNode } from 'react'
+
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { plural } from '@/ui/format'
+
+import type { Plan } from './api'
+import classes from './Adopt.module.css'
+
+const SHOWN = 200
+
+/** What adopting a folder does, file by file where something is unusual. */
+export function PlanCard({
+  plan,
+  action,
+  onAdopt,
+  waits,
+}: {
+  plan: Plan
+  action: string
+  onAdopt: () => void
+  /** Why it cannot be adopted yet. */
+  waits?: string
+}): ReactNode {
+  const categories = Object.entries(plan.categories)
+  const nothing = plan.cues.length === 0 ? 'No file of this folder becomes a cue.' : undefined
+  const why = waits ?? nothing
+  return (
+    <Card aria-labelledby="plan">
+      <CardHead id="plan" title="What becomes of it" />
+      <div className={classes.plan}>
+        <p>
+          {plural(plan.files, 'file')} become {plural(plan.cues.length, 'cue')} in{' '}
+          {plural(categories.length, 'category', 'categories')}, {plan.sets} of them{' '}
+          {plan.sets === 1 ? 'a set' : 'sets'} of variations.
+        </p>
+        {categories.length > 0 && (
+          <ul className={classes.categories} aria-label="Categories">
+            {categories.map(([name, count]) => (
+              <li key={name}>
+                {name === '' ? 'no category' : name} <span className="dim">{count}</span>
+              </li>
+            ))}
+          </ul>
+        )}
+        <Files head="Cues" rows={plan.cues.map(({ name, paths }) => [name, paths.join(', ')])} />
+        <Files
+          head="Unusual"
+          rows={plan.oddities.map(({ path, message }) => [path, message])}
+          note="They are adopted as they are."
+          isOpen
+        />
+        <Files
+          head="The same bytes"
+          rows={plan.duplicates.map(([first = '', ...more]) => [first, `also ${more.join(', ')}`])}
+          note="Each file becomes a cue of its own."
+          isOpen
+        />
+        <Files head="Not adopted" rows={plan.skipped.map(({ path, message }) => [path, message])} isOpen />
+        <div className={classes.act}>
+          <Button variant="primary" disabled={why !== undefined} onClick={onAdopt}>
+            {action}
+          </Button>
+          <span className="mid">{why ?? 'It can be undone while nothing is built on it.'}</span>
+        </div>
+      </div>
+    </Card>
+  )
+}
+
+interface FilesProps {
+  head: string
+  note?: string
+  rows: readonly (readonly [string, string])[]
+  isOpen?: boolean
+}
+
+export function Files({ head, note, rows, isOpen = false }: FilesProps): ReactNode {
+  if (rows.length === 0) return null
+  return (
+    <details className={classes.files} open={isOpen && rows.length <= 20}>
+      <summary>
+        {head} <span className="dim">{rows.length}</span>
+      </summary>
+      {note && <p className="small dim">{note}</p>}
+      <ul>
+        {rows.slice(0, SHOWN).map(([name, says]) => (
+          <li key={name}>
+            <span className="mono">{name}</span> <span className="mid">{says}</span>
+          </li>
+        ))}
+        {rows.length > SHOWN && <li className="dim">and {rows.length - SHOWN} more</li>}
+      </ul>
+    </details>
+  )
+}

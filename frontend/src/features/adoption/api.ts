@@ -1,0 +1,69 @@
+import { type QueryClient, queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
+
+import { answered, api } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
+import type { components } from '@/api/schema.gen'
+
+type Schemas = components['schemas']
+export type FolderAsk = Schemas['FolderAsk']
+export type ShippedFile = Schemas['ShippedFileIn']
+export type Plan = Schemas['AdoptionPlanRead']
+export type Adoption = Schemas['AdoptionRead']
+export type Progress = Schemas['AdoptionProgress']
+
+const POLL_MS = 3_000
+
+/** What adopting a folder would do; nothing is written. */
+export const planFolder = (projectId: string, body: FolderAsk) =>
+  answered(api.POST('/v1/projects/{project_id}/adoption-plan', { params: { path: { project_id: projectId } }, body }))
+
+export const openAdoption = (projectId: string, body: FolderAsk) =>
+  answered(api.POST('/v1/projects/{project_id}/adoptions', { params: { path: { project_id: projectId } }, body }))
+
+export const adoptFolder = (adoptionId: string) =>
+  answered(api.POST('/v1/adoptions/{adoption_id}/adopt', { params: { path: { adoption_id: adoptionId } } }))
+
+/** The adoptions of a project, the newest first. */
+export const adoptionsQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: queryKeys.adoptions(projectId),
+    queryFn: () =>
+      answered(api.GET('/v1/projects/{project_id}/adoptions', { params: { path: { project_id: projectId } } })),
+  })
+
+/** A folder that was sent by the command line: its plan, and what is still to be uploaded. */
+export const sentPlanQuery = (adoptionId: string) =>
+  queryOptions({
+    queryKey: queryKeys.adoption(adoptionId, 'plan'),
+    queryFn: () =>
+      answered(api.GET('/v1/adoptions/{adoption_id}/plan', { params: { path: { adoption_id: adoptionId } } })),
+  })
+
+/** How far the checks are; asked for again until every adopted sound is checked and rendered. */
+export const progressQuery = (adoptionId: string) =>
+  queryOptions({
+    queryKey: queryKeys.adoption(adoptionId),
+    queryFn: () => answered(api.GET('/v1/adoptions/{adoption_id}', { params: { path: { adoption_id: adoptionId } } })),
+    refetchInterval: ({ state: { data } }) =>
+      data && data.adopted_at !== null && data.undone_at === null && data.rendered < data.takes ? POLL_MS : false,
+  })
+
+/** Refetch what an adoption, or its undo, changes on any page. */
+export const refreshAdopted = (client: QueryClient, projectId: string) =>
+  invalidate(
+    client,
+    queryKeys.adoptions(projectId),
+    queryKeys.adoption.all,
+    queryKeys.soundList(projectId),
+    queryKeys.overview(projectId),
+    queryKeys.packs(projectId),
+  )
+
+export function useUndoAdoption(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (adoptionId: string) =>
+      answered(api.POST('/v1/adoptions/{adoption_id}/undo', { params: { path: { adoption_id: adoptionId } } })),
+    onSuccess: () => refreshAdopted(client, projectId),
+  })
+}
