@@ -102,6 +102,14 @@ def _paths_from(source: str) -> list[str]:
     return [os.fsdecode(line) for line in lines if line]
 
 
+def needed_spec_for(path: str, finder: SpecFinder, options: argparse.Namespace) -> DeliverySpec:
+    """Return the spec of one file; UsageError where there is none, or where it lacks what the command line names."""
+    spec = spec_for(path, finder, options)
+    if spec is None:
+        raise UsageError(f"no delivery spec for {path}: name one with --spec, or put an audio-checks.toml above it")
+    return spec
+
+
 def spec_for(path: str, finder: SpecFinder, options: argparse.Namespace) -> DeliverySpec | None:
     """Return the spec of one file; UsageError when it lacks what the command line names."""
     spec = finder.spec_of(path)

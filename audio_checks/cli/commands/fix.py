@@ -8,15 +8,14 @@ from audio_checks.cli.arguments import (
     FOUND,
     OK,
     WRONG,
-    UsageError,
     add_fail_level,
     add_paths,
     add_run,
     add_spec,
     found_files,
+    needed_spec_for,
     out_folder,
     progress_over,
-    spec_for,
 )
 from audio_checks.cli.outputs import Outputs
 from audio_checks.run.discovery import SpecFinder, without_dry_stems
@@ -42,17 +41,15 @@ def run(options: argparse.Namespace) -> int:
     from audio_checks.cli.fix_report import report_text
     from audio_checks.fixing.files import FixRun
 
-    if options.spec is None:
-        raise UsageError("fixing needs a spec: name it with --spec")
     outputs = Outputs(options.format, FORMATS)
     finder = SpecFinder(options.spec)
     sound_list = read_sound_list(Path(options.sound_list)) if options.sound_list else None
     found = without_dry_stems(found_files(options), sound_list)
     fixing = FixRun(out_folder(options), options.target, options.category, sound_list)
-    specs = [(one, spec_for(one.path, finder, options)) for one in found]
+    specs = [(one, needed_spec_for(one.path, finder, options)) for one in found]
     jobs = process_count([one.path for one in found]) if options.jobs is None else options.jobs
     with progress_over(len(found), options) as progress:
-        fixing.fix_all([(one, spec) for one, spec in specs if spec], jobs=jobs, done=progress.step)
+        fixing.fix_all(specs, jobs=jobs, done=progress.step)
     outputs.write(
         lambda name, colour: (
             report_text(fixing, colour=colour, summary=not options.quiet)

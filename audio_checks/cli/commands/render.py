@@ -17,9 +17,9 @@ from audio_checks.cli.arguments import (
     add_run,
     add_spec,
     found_files,
+    needed_spec_for,
     out_folder,
     progress_over,
-    spec_for,
 )
 from audio_checks.cli.outputs import Outputs
 from audio_checks.report.findings import printable
@@ -49,18 +49,16 @@ def run(options: argparse.Namespace) -> int:
     from audio_checks.render.files import RenderRun
     from audio_checks.run import runner
 
-    if options.spec is None:
-        raise UsageError("renders are made to the targets of a spec: name it with --spec")
     outputs = Outputs(options.format, FORMATS)
     finder = SpecFinder(options.spec)
     sound_list = read_sound_list(Path(options.sound_list)) if options.sound_list else None
     found = without_dry_stems(found_files(options), sound_list)
     tasks, targets_of = [], []
     for one in found:
-        spec = spec_for(one.path, finder, options)
-        targets = options.target or list(spec.targets if spec else ())
-        if spec is None or not targets:
-            raise UsageError(f"{options.spec}: the spec names no targets")
+        spec = needed_spec_for(one.path, finder, options)
+        targets = options.target or list(spec.targets)
+        if not targets:
+            raise UsageError(f"{finder.file_of(spec)}: the spec names no targets")
         for target in targets:
             task = runner.task_for(one.path, spec, target=target, category=options.category, sound_list=sound_list)
             tasks.append((task, one.relative))

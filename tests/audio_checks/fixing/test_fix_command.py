@@ -40,6 +40,15 @@ def made(folder):
     return sorted(str(path.relative_to(folder / "out")) for path in (folder / "out").rglob("*") if path.is_file())
 
 
+@pytest.mark.parametrize("command", ["fix", "render"])
+def test_the_nearest_spec_is_used_where_none_is_named(folder, command):
+    write_wav(folder / "in" / "a.wav", join(silence(seconds=0.2), FINE))
+    (folder / "in" / "audio-checks.toml").write_text((folder / "spec.toml").read_text(), encoding="utf-8")
+    (folder / "spec.toml").unlink()
+    assert main([command, "--out", "out", "in"]) == 0
+    assert made(folder)
+
+
 @pytest.mark.parametrize(("extra", "shown"), [([], True), (["--no-progress"], False)])
 def test_the_progress_line_can_be_left_out(folder, fix, monkeypatch, extra, shown):
     class Terminal(io.StringIO):
@@ -137,7 +146,7 @@ def test_the_list_says_what_loops(folder, fix):
     ("arguments", "reported"),
     [
         (["--spec", "spec.toml", "--out", "out", "nowhere"], "no such file"),
-        (["--out", "out", "in"], "name it with --spec"),
+        (["--out", "out", "in"], "name one with --spec, or put an audio-checks.toml above it"),
         (["--spec", "spec.toml", "in"], "--out"),
         (["--spec", "spec.toml", "--out", "out", "--target", "moon", "in/a.wav"], 'no target "moon"'),
         (["--spec", "spec.toml", "--out", "out", "--format", "xml", "in/a.wav"], 'no format "xml"'),
