@@ -122,6 +122,7 @@ JOB_MODULES = (
     "app.agreements.jobs",
     "app.amendments.jobs",
     "app.notifications.contract_jobs",
+    "app.notifications.day_jobs",
     "app.notifications.game_jobs",
     "app.notifications.hiring_jobs",
     "app.notifications.jobs",

@@ -57,6 +57,7 @@ CHORES = (
     "amendments.settle_ended",
     "agreements.seal_unsealed",
     "notifications.mail_heads",
+    "notifications.remind_of_days",
     "notifications.notify_overdue_checks",
 )
 

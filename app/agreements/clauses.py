@@ -5,6 +5,7 @@ import re
 import tomllib
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from datetime import date
 from functools import cache
 from pathlib import Path
 from typing import Any, TypedDict
@@ -15,6 +16,7 @@ from app.kit.money import money, percent
 
 LIBRARY = Path(__file__).parent / "library"
 VARIABLE = re.compile(r"(?<!\\)\{([^{}\n]*)\}")
+DAY = re.compile(r"2\d{3}-\d{2}-\d{2}")
 KEY = re.compile(r"[a-z][a-z0-9_]{0,60}")
 MAX_CLAUSES = 80
 MAX_TEXT_CHARS = 20_000
@@ -262,6 +264,16 @@ def faults_of_term(name: str, value: Any) -> Iterator[str]:
         yield f"{value}; wanted 0 or more"
     elif isinstance(value, str) and len(value) > MAX_TERM_CHARS:
         yield f"{len(value)} characters; at most {MAX_TERM_CHARS} are kept"
+    elif value and known and name.endswith("_on") and day_of_term(value) is None:
+        yield f'"{value}" is no day; wanted it as in 2027-12-31'
+
+
+def day_of_term(value: Any) -> date | None:
+    """Return the day that a term names as in 2027-12-31; None for any other value."""
+    try:
+        return date.fromisoformat(value) if isinstance(value, str) and DAY.fullmatch(value) else None
+    except ValueError:
+        return None
 
 
 def _shown(name: str, value: TermValue) -> str:

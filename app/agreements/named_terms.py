@@ -1,13 +1,15 @@
 """What agreed contracts say in words of their own: the terms that a clause which stands names."""
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from uuid import UUID
 
-from sqlalchemy import func, select
-from sqlalchemy.orm import Session
+from sqlalchemy import func, or_, select
+from sqlalchemy.orm import Session, joinedload
 
 from app.agreements.clauses import Clause, TermValue, names_in
 from app.agreements.models import Contract, ContractVersion
+from app.agreements.named_days import DAY_TERMS
+from app.agreements.rules import ContractState
 
 
 def named_terms(session: Session, contracts: Collection[Contract]) -> dict[UUID, dict[str, TermValue]]:
@@ -34,3 +36,19 @@ def named_terms(session: Session, contracts: Collection[Contract]) -> dict[UUID,
         one.id: (own.get(one.framework_id, of_none) if one.framework_id else of_none) | own.get(one.id, of_none)
         for one in contracts
     }
+
+
+def contracts_with_days(session: Session) -> Sequence[Contract]:
+    """Return the contracts that were agreed and leave a day open that was filled in, struck clauses included."""
+    names_a_day = or_(*(ContractVersion.terms[term].as_string().like("2%") for term in DAY_TERMS))
+    versions = select(ContractVersion.contract_id).where(names_a_day)
+    return session.scalars(
+        select(Contract)
+        .where(
+            Contract.id.in_(versions),
+            Contract.agreed_at.is_not(None),
+            Contract.state.in_((ContractState.AGREED, ContractState.ENDED)),
+        )
+        .options(joinedload(Contract.project))
+        .order_by(Contract.id)
+    ).all()

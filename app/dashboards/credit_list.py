@@ -29,6 +29,7 @@ class ProjectCredits:
 
     credits: list[Credit]
     left_out: int
+    is_team: bool
     is_editor: bool
     my_name: str
     my_account_name: str
@@ -52,6 +53,7 @@ def project_credits(session: Session, actor: Actor, project_id: UUID) -> Project
     return ProjectCredits(
         credits=in_order(shown),
         left_out=len({person_id for _, person_id in roles if person_id in names and names[person_id].is_left_out}),
+        is_team=access.is_team,
         is_editor=access.is_producer,
         my_name=mine.name if mine else "",
         my_account_name=people[actor.person].name,

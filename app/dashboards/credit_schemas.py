@@ -22,6 +22,7 @@ class ProjectCreditsRead(Schema):
 
     credits: list[CreditRead]
     left_out: int = Field(description="How many people want to be left out.")
+    is_team: bool
     is_editor: bool
     my_name: str
     my_account_name: str

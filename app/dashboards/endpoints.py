@@ -12,6 +12,7 @@ from app.dashboards.designer_work import own_work, work_of_entry
 from app.dashboards.desk import Desk
 from app.dashboards.pace import pace
 from app.dashboards.pace_schemas import Pace
+from app.dashboards.step_schemas import NextSteps
 from app.dashboards.work_schemas import WorkFigures
 from app.hiring.errors import RosterEntryNotFound
 from app.kit.http import BadCursor, DbSession, Page, Route, Router, problems
@@ -67,7 +68,7 @@ def read_today(project_id: UUID, session: DbSession, actor: Actor = allows(Audie
 
 
 @router.get("/projects/{project_id}/next-steps", responses=problems(ProjectNotFound))
-def read_next_steps(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> schemas.NextSteps:
+def read_next_steps(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> NextSteps:
     """Return what the caller is to do in a project, the first thing first, and for whom they wait."""
     return next_steps.next_steps(session, actor, project_id)
 

@@ -1,6 +1,6 @@
 """The next step of each person in a project, and for whom they wait."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from datetime import UTC, datetime, time
 from uuid import UUID
 
@@ -13,6 +13,7 @@ from app.agreements import queries as agreements
 from app.agreements.access import party_of
 from app.agreements.models import Contract
 from app.agreements.redline_rules import RETURNS, TURNS
+from app.agreements.reminders import near_days
 from app.agreements.rules import ContractKind, ContractState, Party
 from app.agreements.signing_rules import Turn
 from app.amendments.waiting import Amendment, waiting_amendments
@@ -20,7 +21,7 @@ from app.briefs import queries as briefs
 from app.dashboards import progress_queries, queries
 from app.dashboards.progress import counted
 from app.dashboards.rules import CAME_BACK, STEP_ORDER, UNFINISHED, AwaitedKind, CueStatus, NextStepKind
-from app.dashboards.schemas import Awaited, NextStep, NextSteps
+from app.dashboards.step_schemas import Awaited, NextStep, NextSteps
 from app.deliveries.models import Take
 from app.hiring import queries as hiring
 from app.hiring.rules import PostingState
@@ -221,6 +222,20 @@ class _Steps:
                 ):
                     self._money(contract, party)
                     self._amendments(contract, party)
+
+        self._days([contract for contract in found if party_of(actor, contract) is not None])
+
+    def _days(self, contracts: Sequence[Contract]) -> None:
+        for contract, named in near_days(self._session, contracts, clock.now().date()):
+            self.steps.append(
+                NextStep(
+                    kind=NextStepKind.THINK_OF_DAY,
+                    subject=contract.title,
+                    what=named.words,
+                    day=named.day,
+                    contract_id=contract.id,
+                )
+            )
 
     def _signature(self, contract: Contract, party: Party, turn: Turn) -> None:
         event = agreements.newest_event(self._session, contract.id)

@@ -57,6 +57,7 @@ class NextStepKind(StrEnum):
     REVIEW = "review"
     SEND_CONTRACT = "send_contract"
     PROPOSE_CHANGES = "propose_changes"
+    THINK_OF_DAY = "think_of_day"
     INVOICE_DUE = "invoice_due"
     NAME_APPROVER = "name_approver"
     MAKE = "make"

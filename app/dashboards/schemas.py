@@ -10,7 +10,7 @@ from app.accounts.rules import Role
 from app.accounts.schemas import PersonBrief
 from app.agreements.deemed_acceptance import PausedBy
 from app.agreements.rules import ContractState, ReleaseClause
-from app.dashboards.rules import AwaitedKind, CueStatus, NextStepKind
+from app.dashboards.rules import CueStatus
 from app.deliveries.schemas import CueBrief
 from app.kit.http import Schema
 from app.money.schemas import (
@@ -297,39 +297,6 @@ class Found(Schema):
     take_id: UUID | None = None
     contract_id: UUID | None = None
     start_s: float | None = None
-
-
-class NextStep(Schema):
-    """Something that the caller is the one to do, and what it is about."""
-
-    kind: NextStepKind
-    count: int = 1
-    subject: str = Field(default="", description="A title, an invoice's number or a person's name.")
-    who: str = Field(default="", description="The other side, where there is one.")
-    since: datetime | None = None
-    contract_id: UUID | None = None
-    posting_id: UUID | None = None
-    amount_minor: int | None = None
-    currency: str | None = None
-
-
-class Awaited(Schema):
-    """Something that another person is to do, for which the caller waits."""
-
-    kind: AwaitedKind
-    who: str
-    person_id: UUID | None = None
-    count: int = 1
-    subject: str = ""
-    since: datetime | None
-    contract_id: UUID | None = None
-
-
-class NextSteps(Schema):
-    """What the caller is to do in a project, the first thing first, and for whom they wait."""
-
-    steps: list[NextStep]
-    awaited: list[Awaited] = Field(description="The longest wait first.")
 
 
 class FindResult(Schema):

@@ -43,6 +43,7 @@ WANTED = {
 }
 MUSIC = {"music_rights", "music_skus", "music_soundtrack"}
 OFF = {"ownership_on_creation", "equipment", "exclusivity", "bonus", "purchase_order", "silence", "downloads"} | MUSIC
+OFF |= {"next_project", "points"}
 
 
 def standing(kind: ContractKind, **how: bool) -> set[str]:
@@ -160,7 +161,8 @@ def test_clauses_that_stand_instead_of_one_another_do_not_stand_together():
 def test_the_text_states_the_terms_that_the_software_computes_with(terms: dict[str, int | str], words: str):
     clauses, defaults = begin(ContractKind.SINGLE)
     standing = [Clause(clause.key, clause.title, clause.text) for clause in clauses if clause.key != "ownership"]
-    whole = defaults | {"po_number": "PO-1"} | terms
+    days = {"option_until_on": "2027-12-31", "points_until_on": "2031-12-31"}
+    whole = defaults | {"po_number": "PO-1"} | days | terms
     assert list(faults_of(standing, whole)) == []
     assert words in render("Effects", standing, whole, dict.fromkeys(FACTS, "something"), "EUR")
 

@@ -8,6 +8,7 @@ import pytest
 
 from app.agreements.clauses import library, variables_in
 from app.agreements.deemed_acceptance import DeemedAcceptance
+from app.agreements.named_days import DAY_TERMS
 from app.agreements.terms import MoneyTerms
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -28,7 +29,7 @@ def named(cell: str) -> set[str]:
 
 
 def terms_of_the_code() -> set[str]:
-    """Return the terms that the software reads: of money, of silence, and those that change orders look up."""
+    """Return the terms that the software reads: of money, of silence, and those that change orders, credits and reminders look up."""
     money = {field.name for field in dataclasses.fields(MoneyTerms)}
     silence = {"silence_days", "silence_reminder_days"}
     assert DeemedAcceptance.of(dict.fromkeys(silence, 5)) is not None
@@ -38,7 +39,7 @@ def terms_of_the_code() -> set[str]:
     assert by_studio.by_studio_calendar
     silence |= {"silence_calendar"}
     looked_up = re.findall(r'_number\(terms, "(\w+)"\)', (ROOT / "app/amendments/change_order_review.py").read_text())
-    return money | silence | set(looked_up)
+    return money | silence | set(looked_up) | {*DAY_TERMS, "credit_line"}
 
 
 def test_every_clause_is_in_the_table_and_no_other() -> None:

@@ -1,0 +1,24 @@
+"""The days of agreed contracts that are near."""
+
+from collections.abc import Collection
+from datetime import date
+
+from sqlalchemy.orm import Session
+
+from app.agreements.models import Contract
+from app.agreements.named_days import NamedDay, named_days
+from app.agreements.named_terms import named_terms
+
+
+def near_days(session: Session, contracts: Collection[Contract], today: date) -> list[tuple[Contract, NamedDay]]:
+    """Return the days of contracts of which both parties are reminded now, the earliest first."""
+    agreed = [one for one in contracts if one.agreed_at is not None]
+    terms = named_terms(session, agreed) if agreed else {}
+    found = [
+        (contract, named)
+        for contract in agreed
+        if contract.agreed_at
+        for named in named_days(terms[contract.id], contract.agreed_at.date())
+        if named.is_near(today)
+    ]
+    return sorted(found, key=lambda one: one[1].day)

@@ -1,0 +1,31 @@
+"""Mails about the days that contracts name."""
+
+from app.agreements.facts import in_words
+from app.agreements.models import DateReminder
+from app.agreements.named_terms import contracts_with_days
+from app.agreements.reminders import near_days
+from app.kit import clock
+from app.kit.db import insert_if_absent
+from app.kit.queue import Payload, job
+from app.kit.runtime import Runtime
+from app.notifications import queries
+from app.notifications.notifier import Notifier
+
+
+@job("notifications.remind_of_days")
+def remind_of_days(runtime: Runtime, _payload: Payload) -> None:
+    """Remind both parties once of each day that their contract names, two weeks before it."""
+    today = clock.now().date()
+    with runtime.database.writing() as session:
+        for contract, named in near_days(session, contracts_with_days(session), today):
+            of = {"contract_id": contract.id, "term": named.term, "day": named.day}
+            row = of | {"studio_id": contract.studio_id, "project_id": contract.project_id, "sent_at": clock.now()}
+            if not insert_if_absent(session, DateReminder, row, unique=tuple(of)):
+                continue
+            recipients = {queries.address_of(session, contract.designer_id)}
+            recipients |= queries.producer_addresses(session, contract.studio_id)
+            event_id = f"day:{contract.id}:{named.term}:{named.day}"
+            notifier = Notifier(runtime, session, contract.project, event_id)
+            line = f"{contract.title}: {named.words} on {in_words(named.day)}."
+            for recipient in recipients:
+                notifier.notify(recipient, "contract:day", "a day in a contract", line, page=f"contracts/{contract.id}")
