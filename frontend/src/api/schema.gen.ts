@@ -6911,6 +6911,110 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/credits": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Credits
+         * @description Return who worked on a project by role; a designer sees their own name alone.
+         */
+        get: operations["read_credits"];
+        put?: never;
+        /**
+         * Add Credit
+         * @description Add a name by hand: of a performer, for instance.
+         */
+        post: operations["add_credit"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/credits/me": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Save My Credit
+         * @description Say how the caller is named in a project's credits, or that they are left out.
+         */
+        put: operations["save_my_credit"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/credit-lines/{credit_line_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Remove Credit
+         * @description Remove a name that was added by hand.
+         */
+        delete: operations["remove_credit"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/credits.csv": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Credits Csv
+         * @description Return the credits of a project as CSV.
+         */
+        get: operations["read_credits_csv"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/credits.txt": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Credits Text
+         * @description Return the credits of a project as text.
+         */
+        get: operations["read_credits_text"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/events": {
         parameters: {
             query?: never;
@@ -10267,6 +10371,63 @@ export interface components {
             categories_without_cue: string[];
             /** Priority Without Cue */
             priority_without_cue: string[];
+            /**
+             * Priority As Wish
+             * @description Priority sounds of which every cue is a wish.
+             */
+            priority_as_wish: string[];
+        };
+        /**
+         * CreditLineAdd
+         * @description A name that is added to a project's credits by hand.
+         */
+        CreditLineAdd: {
+            /**
+             * Role
+             * @example Voice
+             */
+            role: string;
+            /** Name */
+            name: string;
+        };
+        /**
+         * CreditNameSave
+         * @description How the caller is named in a project's credits.
+         */
+        CreditNameSave: {
+            /**
+             * Name
+             * @description Empty: the name of the account.
+             * @default
+             */
+            name: string;
+            /**
+             * Is Left Out
+             * @default false
+             */
+            is_left_out: boolean;
+        };
+        /**
+         * CreditRead
+         * @description One name under one role.
+         */
+        CreditRead: {
+            /** Role */
+            role: string;
+            /** Name */
+            name: string;
+            /** Person Id */
+            person_id: string | null;
+            /**
+             * Line Id
+             * @description Of a name that was added by hand.
+             */
+            line_id: string | null;
+            /**
+             * Agreed Line
+             * @description What the person's contract says to the letter, or nothing.
+             */
+            agreed_line: string;
         };
         /**
          * CueAdd
@@ -10894,7 +11055,7 @@ export interface components {
             sound: components["schemas"]["SoundBrief"] | null;
             /**
              * Heard
-             * @description Whether somebody heard it in this pass.
+             * @description Whether it was heard in this pass.
              */
             heard: boolean;
         };
@@ -13376,11 +13537,11 @@ export interface components {
          */
         ListeningNoteAdd: {
             /**
-             * Id
+             * Note Id
              * Format: uuid
              * @description Made where the note is written.
              */
-            id: string;
+            note_id: string;
             /**
              * Cue Id
              * Format: uuid
@@ -14401,6 +14562,14 @@ export interface components {
              * @default
              */
             who: string;
+            /**
+             * What
+             * @description What happens on a day that a contract names.
+             * @default
+             */
+            what: string;
+            /** Day */
+            day?: string | null;
             /** Since */
             since?: string | null;
             /** Contract Id */
@@ -14417,7 +14586,7 @@ export interface components {
          * @description What a person is the one to do, in the order in which it is shown.
          * @enum {string}
          */
-        NextStepKind: "add_cues" | "write_brief" | "invite_designer" | "answer_candidates" | "compare_bids" | "send_nda" | "sign_contract" | "change_contract" | "sign_change_order" | "agree_statement" | "pay_invoice" | "invoice_deposit" | "deposit_due" | "fix" | "match" | "answer_questions" | "answer_follow_ups" | "agree_days" | "agree_round" | "send_changes" | "review" | "send_contract" | "propose_changes" | "invoice_due" | "name_approver" | "make";
+        NextStepKind: "add_cues" | "write_brief" | "invite_designer" | "answer_candidates" | "compare_bids" | "send_nda" | "sign_contract" | "change_contract" | "sign_change_order" | "agree_statement" | "pay_invoice" | "invoice_deposit" | "deposit_due" | "fix" | "match" | "answer_questions" | "answer_follow_ups" | "agree_days" | "agree_round" | "send_changes" | "review" | "send_contract" | "propose_changes" | "think_of_day" | "invoice_due" | "name_approver" | "make";
         /**
          * NextSteps
          * @description What the caller is to do in a project, the first thing first, and for whom they wait.
@@ -16195,6 +16364,29 @@ export interface components {
             archived?: boolean | null;
             /** Nda Needed */
             nda_needed?: boolean | null;
+        };
+        /**
+         * ProjectCreditsRead
+         * @description The credits of a project as the caller sees them.
+         */
+        ProjectCreditsRead: {
+            /** Credits */
+            credits: components["schemas"]["CreditRead"][];
+            /**
+             * Left Out
+             * @description How many people want to be left out.
+             */
+            left_out: number;
+            /** Is Team */
+            is_team: boolean;
+            /** Is Editor */
+            is_editor: boolean;
+            /** My Name */
+            my_name: string;
+            /** My Account Name */
+            my_account_name: string;
+            /** Am Left Out */
+            am_left_out: boolean;
         };
         /**
          * ProjectMoney
@@ -41267,6 +41459,297 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["FindResult"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_credits: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ProjectCreditsRead"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    add_credit: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["CreditLineAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ProjectCreditsRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-credits` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    save_my_credit: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["CreditNameSave"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ProjectCreditsRead"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    remove_credit: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                credit_line_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `credit-line-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_credits_csv: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Credits */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/csv": unknown;
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_credits_text: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Credits */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/plain": unknown;
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
             /** @description `project-not-found` */

@@ -4,7 +4,7 @@ import { answered, api } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { money } from '@/money/words'
-import { plural } from '@/ui/format'
+import { day as dayName, plural } from '@/ui/format'
 
 export type NextSteps = components['schemas']['NextSteps']
 export type NextStep = components['schemas']['NextStep']
@@ -28,6 +28,7 @@ const OF_CONTRACT: ReadonlySet<Kind> = new Set([
   'sign_change_order',
   'agree_statement',
   'propose_changes',
+  'think_of_day',
   'send_contract',
   'pay_invoice',
   'invoice_deposit',
@@ -145,6 +146,13 @@ export function wordsOf(step: NextStep, projectId: string): Words {
         why: 'Propose a change order, or dismiss it with a reason.',
         act: 'See what changed',
         path: `${contract}/changes`,
+      }
+    case 'think_of_day':
+      return {
+        head: `${dayName(step.day ?? '')}: ${step.what ?? ''}`,
+        why: `By ${subject}. It is a reminder to both sides, and stays for two weeks.`,
+        act: 'Open the contract',
+        path: contract,
       }
     case 'send_contract':
       return { head: `Finish and send ${subject}`, why: `A draft, for ${who}.`, act: 'Open the draft', path: contract }

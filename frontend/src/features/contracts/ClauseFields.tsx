@@ -116,7 +116,7 @@ interface TermFieldProps {
   onChange: (value: number | string) => void
 }
 
-/** What a clause leaves open, in the field that fits it: a choice, a text, a percentage, an amount or a number. */
+/** What a clause leaves open, in the field that fits it: a choice, a day, a text, a percentage, an amount or a number. */
 export function TermField({ name, known, value, currency, onChange }: TermFieldProps) {
   const label = known?.label ?? inWords(name)
   const choices = known?.choices ?? []
@@ -128,6 +128,16 @@ export function TermField({ name, known, value, currency, onChange }: TermFieldP
         value={String(value)}
         allowDeselect={false}
         onChange={(taken) => onChange(choices.find((choice) => String(choice.value) === taken)?.value ?? value)}
+      />
+    )
+  }
+  if (name.endsWith('_on')) {
+    return (
+      <TextInput
+        type="date"
+        label={label}
+        value={String(value)}
+        onChange={({ currentTarget }) => onChange(currentTarget.value)}
       />
     )
   }

@@ -32,7 +32,10 @@ export function PeoplePage() {
           <Link className="link" to="/projects/$projectId" params={{ projectId }}>
             {project?.name ?? 'the project'}
           </Link>
-          {' and their roles.'}
+          {' and their roles. '}
+          <Link className="link" to="/projects/$projectId/credits" params={{ projectId }}>
+            Credits
+          </Link>
         </p>
       </div>
       <Refusal error={error ?? noMembers} />

@@ -38,6 +38,11 @@ export const projectRoutes = [
   }),
   createRoute({
     getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/credits',
+    component: lazyRouteComponent(() => import('./CreditsPage'), 'CreditsPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
     path: '/projects/$projectId/builds',
     component: lazyRouteComponent(() => import('./BuildsPage'), 'BuildsPage'),
   }),

@@ -1,0 +1,183 @@
+import { Checkbox, TextInput } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+import { useParams } from '@tanstack/react-router'
+import type { FormEvent } from 'react'
+
+import { DraftNote, useDraft } from '@/app/drafts'
+import { useTitle } from '@/app/title'
+import { showToast } from '@/app/toast'
+import { Button, ButtonLink } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { plural } from '@/ui/format'
+import { Row, Rows } from '@/ui/Rows'
+
+import { type Credit, type Credits, creditsQuery, useAddCredit, useRemoveCredit, useSaveMyCredit } from './credits'
+import classes from './Credits.module.css'
+import { Refusal } from './Refusal'
+
+/** Who worked on the project, by role, as each wants to be named. */
+export function CreditsPage() {
+  useTitle('Credits')
+  const { projectId } = useParams({ from: '/shell/projects/$projectId/credits' })
+  const { data, error } = useQuery(creditsQuery(projectId))
+  const isTeam = data?.is_team ?? false
+  return (
+    <div className="page">
+      <header className={classes.head}>
+        <div>
+          <h1>Credits</h1>
+          <p className="mid">
+            {isTeam ? 'Who worked on the sound, for the game’s credits.' : 'How the game’s credits name you.'}
+          </p>
+        </div>
+        {isTeam && (
+          <p className={classes.downloads}>
+            <ButtonLink icon="download" href={`/v1/projects/${projectId}/credits.txt`} download>
+              Text
+            </ButtonLink>
+            <ButtonLink icon="download" href={`/v1/projects/${projectId}/credits.csv`} download>
+              CSV
+            </ButtonLink>
+          </p>
+        )}
+      </header>
+      <Refusal error={error} />
+      {data && (
+        <div className="columns">
+          <div className="stack">
+            <RolesCard credits={data} projectId={projectId} />
+            {data.is_editor && <AddCard projectId={projectId} />}
+          </div>
+          <aside aria-label="Your name">
+            <MyCard key={`${data.my_name} ${String(data.am_left_out)}`} credits={data} projectId={projectId} />
+          </aside>
+        </div>
+      )}
+    </div>
+  )
+}
+
+function RolesCard({ credits: { credits, left_out: leftOut, is_editor: isEditor }, projectId }: CardProps) {
+  const remove = useRemoveCredit(projectId)
+  const roles = [...new Set(credits.map(({ role }) => role))]
+  return (
+    <Card aria-label="Credits by role">
+      <CardHead title="By role" count={credits.length} end={leftOut > 0 && `${plural(leftOut, 'person')} left out`} />
+      <Refusal error={remove.error} />
+      {credits.length === 0 && (
+        <EmptyState head="No credits yet">Sound designers are listed once a sound of theirs is approved.</EmptyState>
+      )}
+      {roles.map((role) => (
+        <section key={role} aria-label={role}>
+          <h3 className={classes.role}>{role}</h3>
+          <Rows aria-label={role}>
+            {credits
+              .filter((one) => one.role === role)
+              .map((one) => (
+                <Row key={one.line_id ?? `${one.person_id} ${role}`}>
+                  <Named credit={one} />
+                  {isEditor && one.line_id && (
+                    <Button
+                      variant="quiet"
+                      icon="cross"
+                      aria-label={`Remove ${one.name}, ${role}`}
+                      disabled={remove.isPending}
+                      onClick={() => one.line_id && remove.mutate(one.line_id)}
+                    />
+                  )}
+                </Row>
+              ))}
+          </Rows>
+        </section>
+      ))}
+    </Card>
+  )
+}
+
+function Named({ credit: { name, agreed_line: agreed } }: { credit: Credit }) {
+  return (
+    <span className="grow">
+      <span className="strong">{name}</span>
+      {agreed !== '' && <span className={`small mid ${classes.agreed}`}>The contract says: {agreed}</span>}
+    </span>
+  )
+}
+
+interface CardProps {
+  credits: Credits
+  projectId: string
+}
+
+function MyCard({ credits, projectId }: CardProps) {
+  const save = useSaveMyCredit(projectId)
+  const begun = { name: credits.my_name, is_left_out: credits.am_left_out }
+  const [mine, setMine, typed] = useDraft(`credit:${projectId}`, begun)
+  const send = (event: FormEvent) => {
+    event.preventDefault()
+    save.mutate(mine, {
+      onSuccess: () => {
+        typed.discard()
+        showToast(mine.is_left_out ? 'You are left out of the credits.' : 'Your name in the credits is saved.')
+      },
+    })
+  }
+  return (
+    <Card aria-labelledby="my-credit">
+      <CardHead id="my-credit" title="Your name in the credits" />
+      <form className={classes.form} onSubmit={send} noValidate aria-label="Your name in the credits">
+        <TextInput
+          label="Name"
+          description={`Empty: ${credits.my_account_name}, as in your account`}
+          maxLength={120}
+          value={mine.name}
+          disabled={mine.is_left_out}
+          onChange={({ currentTarget: { value } }) => setMine((now) => ({ ...now, name: value }))}
+        />
+        <Checkbox
+          label="Leave me out of the credits"
+          checked={mine.is_left_out}
+          onChange={({ currentTarget: { checked } }) => setMine((now) => ({ ...now, is_left_out: checked }))}
+        />
+        <DraftNote draft={typed} />
+        <Refusal error={save.error} />
+        <Button type="submit" variant="primary" aria-busy={save.isPending}>
+          Save
+        </Button>
+      </form>
+    </Card>
+  )
+}
+
+function AddCard({ projectId }: { projectId: string }) {
+  const add = useAddCredit(projectId)
+  const [{ role, name }, setLine, typed] = useDraft(`credit-line:${projectId}`, { role: '', name: '' })
+  const send = (event: FormEvent) => {
+    event.preventDefault()
+    add.mutate({ role, name }, { onSuccess: typed.discard })
+  }
+  return (
+    <Card aria-labelledby="add-credit">
+      <CardHead id="add-credit" title="Add a name" note="performers, voices, musicians" />
+      <form className={classes.add} onSubmit={send} noValidate aria-label="Add a name">
+        <TextInput
+          label="Role"
+          maxLength={120}
+          value={role}
+          onChange={({ currentTarget: { value } }) => setLine((now) => ({ ...now, role: value }))}
+        />
+        <TextInput
+          label="Name"
+          maxLength={120}
+          value={name}
+          onChange={({ currentTarget: { value } }) => setLine((now) => ({ ...now, name: value }))}
+        />
+        <Button type="submit" icon="plus" disabled={role.trim() === '' || name.trim() === ''}>
+          Add name
+        </Button>
+      </form>
+      <DraftNote draft={typed} />
+      <Refusal error={add.error} />
+    </Card>
+  )
+}
