@@ -155,7 +155,7 @@ def statuses_by_cue(session: Session, audit_id: UUID) -> dict[UUID, list[tuple[A
 
 
 def heard_cues(session: Session, project_id: UUID) -> set[UUID]:
-    """Return the cues that somebody heard in the game, in any listening pass."""
+    """Return the cues that were heard in the game, in any listening pass."""
     query = select(ListeningNote.cue_id).where(
         ListeningNote.project_id == project_id,
         ListeningNote.said.not_in(UNHEARD),

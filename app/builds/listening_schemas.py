@@ -29,7 +29,7 @@ class CueToHear(Schema):
     move: Move | None = Field(description="The gain that is furthest from the approved one.")
     suggested_db: float | None = Field(description="The change that would bring the approved level back.")
     sound: SoundBrief | None = Field(description="The approved sound.")
-    heard: bool = Field(description="Whether somebody heard it in this pass.")
+    heard: bool = Field(description="Whether it was heard in this pass.")
 
 
 class ListeningNoteRead(Schema):

@@ -9,7 +9,13 @@ from app.tables import is_ours
 from tests.house.test_migrations import ROOMS
 
 ROOT = Path(__file__).resolve().parents[2]
-IRREGULAR = {"people": "person", "memberships": "membership", "feedback": "feedback", "deliveries": "delivery"}
+IRREGULAR = {
+    "pass": "pass",
+    "people": "person",
+    "memberships": "membership",
+    "feedback": "feedback",
+    "deliveries": "delivery",
+}
 
 
 def defined() -> set[str]:

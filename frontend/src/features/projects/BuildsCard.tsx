@@ -25,10 +25,15 @@ interface BuildsCardProps {
 export function BuildsCard({ project: { id: projectId, mine }, builds }: BuildsCardProps) {
   const [latest, ...earlier] = builds
   const all = (
-    <Link className="link" to="/projects/$projectId/builds" params={{ projectId }}>
-      {builds.length > 0 ? 'All' : 'Builds'}
-      <span className="visually-hidden">{builds.length > 0 ? ' builds and tokens' : ' and tokens'}</span>
-    </Link>
+    <>
+      <Link className="link" to="/projects/$projectId/drift" params={{ projectId }}>
+        Levels
+      </Link>
+      <Link className="link" to="/projects/$projectId/builds" params={{ projectId }}>
+        {builds.length > 0 ? 'All' : 'Builds'}
+        <span className="visually-hidden">{builds.length > 0 ? ' builds and tokens' : ' and tokens'}</span>
+      </Link>
+    </>
   )
   return (
     <Card aria-labelledby="builds">

@@ -33,6 +33,12 @@ export function BuildsPage() {
           </Link>
           .
         </p>
+        <p>
+          <Link className="link" to="/projects/$projectId/drift" params={{ projectId }}>
+            Levels in the game
+          </Link>
+          <span className="mid">: how each build plays the approved sounds, drift, and the listening pass.</span>
+        </p>
       </div>
       <Refusal error={error} />
       <div className={`columns ${classes.columns}`}>

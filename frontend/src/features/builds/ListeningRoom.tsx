@@ -1,0 +1,233 @@
+import { Link } from '@tanstack/react-router'
+import { useMemo, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { useHotkeys } from '@/app/keys'
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { countOf, figure, plural } from '@/ui/format'
+import { Icon } from '@/ui/Icon'
+import { KeysLine } from '@/ui/KeysLine'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { type CueToHear, type ListeningPass, useClosePass } from './api'
+import classes from './Listening.module.css'
+import { SoundToJudge } from './SoundToJudge'
+import { type ShownNote, useNotes } from './useNotes'
+import { SAID_WORDS, SAYINGS, signed, taskOf } from './words'
+
+const GROUP = 'Listening pass'
+const UNHEARD = new Set(['missing', 'not-reached'])
+
+/** Where a pass goes on: at the first cue that nobody heard and I said nothing of. */
+export function firstOpen(cues: readonly CueToHear[], notes: readonly ShownNote[]): number {
+  const said = new Set(notes.filter(({ isMine }) => isMine).map(({ cueId }) => cueId))
+  const at = cues.findIndex(({ cue, heard }) => !heard && !said.has(cue.id))
+  return Math.max(0, at)
+}
+
+/** One sound after the other: what it is like in the game, in one key, and the next. */
+export function ListeningRoom({ listening, projectId }: { listening: ListeningPass; projectId: string }) {
+  const { cues, audit } = listening
+  const notes = useNotes(projectId, listening)
+  const [at, setAt] = useState(() => firstOpen(cues, notes.notes))
+  const cue = cues[Math.min(at, cues.length - 1)]
+  const heard = useMemo(() => {
+    const said = notes.notes.filter(({ said: what }) => !UNHEARD.has(what)).map(({ cueId }) => cueId)
+    const others = cues.filter(
+      (one) => one.heard && !notes.notes.some(({ cueId, isMine }) => isMine && cueId === one.cue.id),
+    )
+    return new Set([...said, ...others.map((one) => one.cue.id)])
+  }, [cues, notes.notes])
+  const last = notes.notes.find(({ isMine }) => isMine)
+  const step = (by: number) => setAt(Math.min(cues.length - 1, Math.max(0, at + by)))
+  const undo = () => {
+    if (!last) return
+    notes.takeBack(last)
+    setAt(
+      Math.max(
+        0,
+        cues.findIndex(({ cue: { id } }) => id === last.cueId),
+      ),
+    )
+    showToast(`${last.cueName}: taken back.`)
+  }
+  useHotkeys([
+    { keys: 'j', label: 'Next sound, without a note', group: GROUP, run: () => step(1), repeats: true },
+    { keys: 'k', label: 'Previous sound', group: GROUP, run: () => step(-1), repeats: true },
+    { keys: 'u', label: 'Take the last note back', group: GROUP, run: undo, disabled: !last },
+  ])
+  if (!cue) return <NoCues projectId={projectId} label={audit.label} />
+  return (
+    <div className={classes.room}>
+      <aside className={classes.list} aria-label="Sounds of the build">
+        <Head listening={listening} heard={heard.size} notes={notes.notes.length} />
+        <ol className={classes.scroll}>
+          {cues.map((one, index) => (
+            <li key={one.cue.id}>
+              <button
+                type="button"
+                className={classes.item}
+                aria-current={index === at || undefined}
+                onClick={() => setAt(index)}
+              >
+                <span className="cut-text">{one.cue.name}</span>
+                <span className="small dim">{standing(one, notes.notes, heard)}</span>
+              </button>
+            </li>
+          ))}
+        </ol>
+        <div className={classes.hints}>
+          <KeysLine
+            keys={[
+              { keys: ['j', 'k'], label: 'next, previous' },
+              { keys: ['u'], label: 'take back' },
+              { keys: ['Space'], label: 'play' },
+            ]}
+          />
+        </div>
+      </aside>
+      <div className={classes.judge}>
+        <p className={`${classes.phoneHead} small`}>
+          <span className="strong">{`${at + 1} of ${cues.length}, build ${audit.label}`}</span>
+          <span>{`${countOf(heard.size, cues.length)} heard`}</span>
+        </p>
+        <span className={classes.phoneBar} aria-hidden="true">
+          <i style={{ width: `${(heard.size / cues.length) * 100}%` }} />
+        </span>
+        <Waiting waiting={notes.waiting} />
+        {notes.refused.map(({ body, cueName, why }) => (
+          <ProblemNote
+            key={body.note_id}
+            detail={`${cueName}, ${SAID_WORDS[body.said].toLowerCase()}${body.text ? `: ${body.text}` : ''} was not taken: ${why}.`}
+          />
+        ))}
+        {notes.refused.length > 0 && <Button onClick={notes.forgetRefused}>Read, remove</Button>}
+        <SoundToJudge
+          key={cue.cue.id}
+          cue={cue}
+          passId={listening.id}
+          buildLabel={audit.label}
+          said={notes.notes.find(({ cueId, isMine }) => isMine && cueId === cue.cue.id)}
+          next={cues[at + 1]?.cue.name}
+          onSay={(said, amountDb, text) => {
+            notes.say(cue.cue, said, amountDb, text)
+            step(1)
+          }}
+          onUndo={last ? undo : undefined}
+        />
+      </div>
+      <aside className={classes.notes} aria-label="Notes of this pass">
+        <header className={classes.head}>
+          <h2>Notes of this pass</h2>
+          <span className="dim">{figure(notes.notes.length)}</span>
+        </header>
+        <ul className={classes.scroll}>
+          {notes.notes.map((note) => (
+            <NoteRow key={note.id} note={note} />
+          ))}
+        </ul>
+        <Foot listening={listening} projectId={projectId} />
+      </aside>
+    </div>
+  )
+}
+
+function standing({ cue }: CueToHear, notes: readonly ShownNote[], heard: ReadonlySet<string>): string {
+  const note = notes.find(({ cueId }) => cueId === cue.id)
+  if (note) return SAID_WORDS[note.said]
+  return heard.has(cue.id) ? 'heard' : 'not heard'
+}
+
+function Head({ listening, heard, notes }: { listening: ListeningPass; heard: number; notes: number }) {
+  const { cues, audit } = listening
+  return (
+    <>
+      <header className={classes.head}>
+        <h1 className="strong">Listening pass</h1>
+        <span className="small dim">{`build ${audit.label}`}</span>
+      </header>
+      <div className={classes.sum}>
+        <p className="row between">
+          <span className="strong">{`${countOf(heard, cues.length)} heard`}</span>
+          <span className="small dim">{plural(notes, 'note')}</span>
+        </p>
+        <span className={classes.bar} role="img" aria-label={`Heard: ${countOf(heard, cues.length)}`}>
+          <i style={{ width: `${(heard / Math.max(1, cues.length)) * 100}%` }} />
+        </span>
+      </div>
+    </>
+  )
+}
+
+/** Notes that are still here: counted, so that nobody wonders whether they are lost. */
+function Waiting({ waiting }: { waiting: number }) {
+  return (
+    <p role="status" className={waiting > 0 ? `small ${classes.waiting}` : 'visually-hidden'}>
+      {waiting > 0 && (
+        <>
+          <Icon name="pause" size={14} />
+          {`${plural(waiting, 'note')} kept in this browser, sent in order once the server answers.`}
+        </>
+      )}
+    </p>
+  )
+}
+
+function NoteRow({ note }: { note: ShownNote }) {
+  const face = SAYINGS.find(({ said }) => said === note.said)
+  const task = taskOf(note.said)
+  return (
+    <li className={classes.note}>
+      <span className="tone-change toned">
+        <Icon name={note.isDone ? 'tick' : (face?.icon ?? 'ring')} />
+      </span>
+      <div>
+        <p className="strong">{note.cueName}</p>
+        <p className="small">
+          {[SAID_WORDS[note.said], note.amountDb === null ? '' : signed(note.amountDb), note.text]
+            .filter(Boolean)
+            .join(', ')}
+        </p>
+        <p className="small dim">
+          {[task && (note.isDone ? 'done' : task.toLowerCase()), `from ${note.by}`, note.isWaiting && 'not sent yet']
+            .filter(Boolean)
+            .join(', ')}
+        </p>
+      </div>
+    </li>
+  )
+}
+
+function Foot({ listening, projectId }: { listening: ListeningPass; projectId: string }) {
+  const close = useClosePass(projectId)
+  const [isAsked, setAsked] = useState(false)
+  return (
+    <div className={classes.foot}>
+      <Link className="link small" to="/projects/$projectId/game-tasks" params={{ projectId }}>
+        All tasks
+      </Link>
+      {!listening.is_newest && <p className="small mid">A newer build was audited. The next pass begins with it.</p>}
+      {listening.may_close && (
+        <Button aria-busy={close.isPending} onClick={() => (isAsked ? close.mutate(listening.id) : setAsked(true))}>
+          {isAsked ? 'Close it: notes and tasks stay' : 'Close the pass'}
+        </Button>
+      )}
+      {close.error instanceof ApiProblem && <ProblemNote detail={close.error.detail} />}
+    </div>
+  )
+}
+
+function NoCues({ projectId, label }: { projectId: string; label: string }) {
+  return (
+    <div className="page stack">
+      <h1>Listening pass</h1>
+      <p className="mid">
+        {`Build ${label} has no sound of a cue that you hear.`}{' '}
+        <Link className="link" to="/projects/$projectId/game-tasks" params={{ projectId }}>
+          Tasks
+        </Link>
+      </p>
+    </div>
+  )
+}

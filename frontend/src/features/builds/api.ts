@@ -1,0 +1,169 @@
+import { queryOptions, useMutation, useQuery, useQueryClient } from '@tanstack/react-query'
+
+import { answered, api, everyPage } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
+import type { components } from '@/api/schema.gen'
+
+type Schemas = components['schemas']
+export type AuditSummary = Schemas['AuditSummary']
+export type AuditedSound = Schemas['AuditedSoundRead']
+export type SoundInBuild = Schemas['SoundInBuild']
+export type GameStates = Schemas['GameStates']
+export type CueInGame = Schemas['CueInGame']
+export type GameTask = Schemas['GameTaskRead']
+export type ListeningPass = Schemas['ListeningPassRead']
+export type ListeningNow = Schemas['ListeningNow']
+export type CueToHear = Schemas['CueToHear']
+export type ListeningNote = Schemas['ListeningNoteRead']
+export type NoteAdd = Schemas['ListeningNoteAdd']
+export type HeardAs = Schemas['HeardAs']
+export type CueMark = Schemas['CueMark']
+
+const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
+const ofAudit = (auditId: string) => ({ params: { path: { audit_id: auditId } } })
+
+export const auditsQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: queryKeys.audits(projectId),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/audits', inProject(projectId))),
+  })
+
+export const useAudit = (projectId: string, auditId: string | undefined) =>
+  useQuery({
+    queryKey: queryKeys.audits(projectId, 'one', auditId),
+    queryFn: () => answered(api.GET('/v1/audits/{audit_id}', ofAudit(auditId ?? ''))),
+    enabled: auditId !== undefined,
+  })
+
+/** What drifted, or every sound of the build. */
+export const useAuditedSounds = (projectId: string, auditId: string | undefined, drifted: boolean) =>
+  useQuery({
+    queryKey: queryKeys.audits(projectId, drifted ? 'drift' : 'sounds', auditId),
+    queryFn: async () => {
+      const pages = await everyPage((cursor) =>
+        answered(
+          api.GET('/v1/audits/{audit_id}/sounds', {
+            params: { path: { audit_id: auditId ?? '' }, query: { drifted, cursor } },
+          }),
+        ),
+      )
+      return pages.flatMap(({ items }) => items)
+    },
+    enabled: auditId !== undefined,
+  })
+
+export const useSoundHistory = (projectId: string, path: string) =>
+  useQuery({
+    queryKey: queryKeys.audits(projectId, 'history', path),
+    queryFn: () =>
+      answered(
+        api.GET('/v1/projects/{project_id}/sound-history', {
+          params: { path: { project_id: projectId }, query: { path } },
+        }),
+      ),
+  })
+
+export const useAcceptDrift = (projectId: string, auditId: string) =>
+  useChange(projectId, async ({ paths, reason }: { paths: readonly string[]; reason: string }) => {
+    for (const path of paths) {
+      await answered(api.POST('/v1/audits/{audit_id}/accepted-drifts', { ...ofAudit(auditId), body: { path, reason } }))
+    }
+  })
+
+export const useWithdraw = (projectId: string) =>
+  useChange(projectId, async (ids: readonly string[]) => {
+    for (const id of ids) {
+      await answered(
+        api.DELETE('/v1/accepted-drifts/{accepted_drift_id}', { params: { path: { accepted_drift_id: id } } }),
+      )
+    }
+  })
+
+export const useSendBack = (projectId: string, auditId: string) =>
+  useChange(projectId, async ({ paths, text }: { paths: readonly string[]; text: string }) => {
+    for (const path of paths) {
+      await answered(api.POST('/v1/audits/{audit_id}/tasks', { ...ofAudit(auditId), body: { path, text } }))
+    }
+  })
+
+/** A change of what this feature shows, all of which is asked for again. */
+function useChange<T>(projectId: string, change: (of: T) => Promise<unknown>) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: change,
+    onSettled: () => invalidate(client, queryKeys.audits(projectId), queryKeys.listening(projectId)),
+  })
+}
+
+export const ciQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: queryKeys.ci(projectId),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/ci', inProject(projectId))),
+  })
+
+export const gameStatesQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: queryKeys.listening(projectId, 'states'),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/game-states', inProject(projectId))),
+  })
+
+export const useMarkCue = (projectId: string) =>
+  useChange(projectId, ({ cueId, mark, isSet }: { cueId: string; mark: CueMark; isSet: boolean }) =>
+    answered(
+      api.PUT('/v1/cues/{cue_id}/game-state', {
+        params: { path: { cue_id: cueId } },
+        body: { mark, is_set: isSet },
+      }),
+    ),
+  )
+
+export const useTasks = (projectId: string, done: boolean) =>
+  useQuery({
+    queryKey: queryKeys.listening(projectId, done ? 'tasks done' : 'tasks'),
+    queryFn: async () => {
+      const pages = await everyPage((cursor) =>
+        answered(
+          api.GET('/v1/projects/{project_id}/game-tasks', {
+            params: { path: { project_id: projectId }, query: { done, cursor } },
+          }),
+        ),
+      )
+      return pages.flatMap(({ items }) => items)
+    },
+  })
+
+export const useChangeTask = (projectId: string) =>
+  useChange(projectId, ({ id, isDone }: { id: string; isDone: boolean }) =>
+    answered(
+      api.PUT('/v1/game-tasks/{game_task_id}', { params: { path: { game_task_id: id } }, body: { is_done: isDone } }),
+    ),
+  )
+
+export const listeningQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: queryKeys.listening(projectId, 'pass'),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/listening-pass', inProject(projectId))),
+  })
+
+export const useStartPass = (projectId: string) =>
+  useChange(projectId, () => answered(api.POST('/v1/projects/{project_id}/listening-passes', inProject(projectId))))
+
+export const useClosePass = (projectId: string) =>
+  useChange(projectId, (passId: string) =>
+    answered(
+      api.POST('/v1/listening-passes/{listening_pass_id}/close', {
+        params: { path: { listening_pass_id: passId } },
+      }),
+    ),
+  )
+
+export const sendNote = (passId: string, body: NoteAdd) =>
+  answered(
+    api.POST('/v1/listening-passes/{listening_pass_id}/notes', {
+      params: { path: { listening_pass_id: passId } },
+      body,
+    }),
+  )
+
+export const sendUndo = (noteId: string) =>
+  answered(api.DELETE('/v1/listening-notes/{listening_note_id}', { params: { path: { listening_note_id: noteId } } }))

@@ -1,0 +1,121 @@
+import { useQuery, useQueryClient } from '@tanstack/react-query'
+import { useEffect, useMemo, useState, useSyncExternalStore } from 'react'
+
+import { meQuery } from '@/api/me'
+import { invalidate, queryKeys } from '@/api/queryKeys'
+
+import type { HeardAs, ListeningPass, NoteAdd } from './api'
+import { newNoteId, NoteQueue, type RefusedNote } from './noteQueue'
+
+/** A note as the page shows it, whether the server has it or not. */
+export interface ShownNote {
+  id: string
+  cueId: string
+  cueName: string
+  said: HeardAs
+  amountDb: number | null
+  text: string
+  by: string
+  at: string
+  isMine: boolean
+  isDone: boolean
+  isWaiting: boolean
+}
+
+export interface Notes {
+  /** The newest first. */
+  notes: readonly ShownNote[]
+  waiting: number
+  refused: readonly RefusedNote[]
+  forgetRefused: () => void
+  say: (cue: { id: string; name: string }, said: HeardAs, amountDb: number | null, text: string) => void
+  takeBack: (note: ShownNote) => void
+}
+
+/** Notes of a pass: those on the server, with what was said here and is still on its way. */
+export function useNotes(projectId: string, listening: ListeningPass): Notes {
+  const client = useQueryClient()
+  const { data: me } = useQuery(meQuery)
+  const personId = me?.person.id ?? ''
+  const queue = useMemo(
+    () => new NoteQueue(personId, projectId, () => void invalidate(client, queryKeys.listening(projectId))),
+    [client, personId, projectId],
+  )
+  useEffect(() => {
+    if (queue.getState().pending.length > 0) void queue.send()
+  }, [queue])
+  const { pending, refused } = useSyncExternalStore(queue.subscribe, queue.getState)
+  const [sent, setSent] = useState<readonly ShownNote[]>([])
+  const [undone, setUndone] = useState<ReadonlySet<string>>(new Set())
+  const waitingIds = new Set(pending.flatMap((one) => (one.kind === 'note' ? [one.body.note_id] : [])))
+  const refusedIds = new Set(refused.map(({ body }) => body.note_id))
+  const fromServer = listening.notes.map((note): ShownNote => ({
+    id: note.id,
+    cueId: note.cue.id,
+    cueName: note.cue.name,
+    said: note.said,
+    amountDb: note.amount_db,
+    text: note.text,
+    by: note.written_by.name,
+    at: note.written_at,
+    isMine: note.is_mine,
+    isDone: note.is_done,
+    isWaiting: false,
+  }))
+  const stored = pending.flatMap((one): ShownNote[] =>
+    one.kind === 'note' && one.passId === listening.id ? [shownOf(one.body, one.cueName)] : [],
+  )
+  const local = [...sent, ...stored.filter(({ id }) => !sent.some((one) => one.id === id))].filter(
+    ({ id }) => !refusedIds.has(id),
+  )
+  const replaced = new Set(local.map(({ cueId }) => cueId))
+  const localIds = new Set(local.map(({ id }) => id))
+  const known = new Set(fromServer.map(({ id }) => id))
+  const mine = local.filter(({ id, cueId }) => {
+    const newest = local.findLast((one) => one.cueId === cueId)
+    return newest?.id === id && !known.has(id)
+  })
+  const notes = [
+    ...mine.map((one) => ({ ...one, isWaiting: waitingIds.has(one.id) })),
+    ...fromServer.filter(({ isMine, cueId, id }) => !isMine || !replaced.has(cueId) || localIds.has(id)),
+  ]
+    .filter(({ id }) => !undone.has(id))
+    .toSorted((one, other) => other.at.localeCompare(one.at))
+  return {
+    notes,
+    waiting: pending.length,
+    refused,
+    forgetRefused: () => queue.forgetRefused(),
+    say: (cue, said, amountDb, text) => {
+      const body: NoteAdd = {
+        note_id: newNoteId(),
+        cue_id: cue.id,
+        said,
+        amount_db: amountDb,
+        text,
+        written_at: new Date().toISOString(),
+      }
+      setSent((before) => [...before.filter(({ cueId }) => cueId !== cue.id), shownOf(body, cue.name)])
+      queue.add({ kind: 'note', passId: listening.id, body, cueName: cue.name })
+    },
+    takeBack: (note) => {
+      setUndone((before) => new Set([...before, note.id]))
+      setSent((before) => before.filter(({ id }) => id !== note.id))
+      queue.add({ kind: 'undo', id: note.id })
+    },
+  }
+}
+
+const shownOf = (body: NoteAdd, cueName: string): ShownNote => ({
+  id: body.note_id,
+  cueId: body.cue_id,
+  cueName,
+  said: body.said,
+  amountDb: body.amount_db ?? null,
+  text: body.text,
+  by: 'you',
+  at: body.written_at ?? '',
+  isMine: true,
+  isDone: false,
+  isWaiting: true,
+})
