@@ -13,5 +13,5 @@ def list_coverage(session: Session, access: ProjectAccess) -> Coverage:
     answers = answers_of(session, access.project.id)
     known = {key: answer["value"] for key, answer in answers.items() if not answer["is_unknown"]}
     if not {"scenes", "categories", "priority"} & known.keys():
-        return Coverage([], [], [], [])
+        return Coverage([], [], [], [], [])
     return coverage(known, (ListedCue(*row) for row in queries.words_of_cues(session, access.project.id)))

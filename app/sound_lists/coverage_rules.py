@@ -6,6 +6,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
+from app.sound_lists.rules import Need
+
 AMBIENCE = "ambience"
 _WORD = re.compile(r"[^\W_]+")
 _NO_MEANING = frozenset(
@@ -25,6 +27,7 @@ class ListedCue(NamedTuple):
     description: str
     use: str
     trigger: str
+    need: Need = Need.MUST
 
 
 @dataclass(frozen=True)
@@ -35,6 +38,7 @@ class Coverage:
     silent_scenes: Sequence[str]  # with neither ambience nor music in the brief
     categories_without_cue: Sequence[str]
     priority_without_cue: Sequence[str]
+    priority_as_wish: Sequence[str]  # every cue for it is a wish
 
 
 def words_of(text: str) -> frozenset[str]:
@@ -53,18 +57,21 @@ def coverage(answers: Mapping[str, Any], cues: Iterable[ListedCue]) -> Coverage:
 
     A scene is covered by an ambience, a priority sound by any cue, that has all of its words.
     """
-    listed = [(cue.category, words_of(" ".join(cue[1:]))) for cue in cues]
-    everywhere = [words for _, words in listed]
-    ambiences = [words for category, words in listed if category == AMBIENCE]
+    listed = [(cue.category, words_of(" ".join(cue[1:-1])), cue.need) for cue in cues]
+    everywhere = [words for _, words, _ in listed]
+    needed = [words for _, words, need in listed if need is not Need.WISH]
+    ambiences = [words for category, words, _ in listed if category == AMBIENCE]
+    priority = answers.get("priority") or []
     scenes = answers.get("scenes") or []
-    present = {category for category, _ in listed}
+    present = {category for category, _, _ in listed}
     return Coverage(
         scenes_without_ambience=[
             scene["scene"] for scene in scenes if scene["ambience"] and not _is_named(scene["scene"], ambiences)
         ],
         silent_scenes=[scene["scene"] for scene in scenes if not scene["ambience"] and not scene["music"]],
         categories_without_cue=[one for one in answers.get("categories") or [] if one not in present],
-        priority_without_cue=[line for line in answers.get("priority") or [] if not _is_named(line, everywhere)],
+        priority_without_cue=[line for line in priority if not _is_named(line, everywhere)],
+        priority_as_wish=[line for line in priority if _is_named(line, everywhere) and not _is_named(line, needed)],
     )
 
 

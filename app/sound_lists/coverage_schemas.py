@@ -12,3 +12,4 @@ class CoverageRead(Schema):
     silent_scenes: list[str] = Field(description="Scenes with neither ambience nor music in the brief.")
     categories_without_cue: list[str]
     priority_without_cue: list[str]
+    priority_as_wish: list[str] = Field(description="Priority sounds of which every cue is a wish.")

@@ -12,7 +12,7 @@ from app.kit.in_array import in_array
 from app.projects.models import Project
 from app.sound_lists.models import Cue, CueChange, OwnColumn, Question, Revision, Stem
 from app.sound_lists.own_column_rules import Column
-from app.sound_lists.rules import CueState, folded
+from app.sound_lists.rules import CueState, Need, folded
 
 IDS_AT_ONCE = 500  # SQLite takes 32,766 variables in a statement, older ones 999
 
@@ -46,9 +46,9 @@ def own_columns(session: Session, project_id: UUID) -> list[Column]:
     return [Column._make(row) for row in session.execute(query)]
 
 
-def words_of_cues(session: Session, project_id: UUID) -> Sequence[Row[str, str, str, str, str, str]]:
-    """Return category, name, file name, description, use and trigger of the cues that are not cut."""
-    words = select(Cue.category, Cue.name, Cue.file_name, Cue.description, Cue.use, Cue.trigger)
+def words_of_cues(session: Session, project_id: UUID) -> Sequence[Row[str, str, str, str, str, str, Need]]:
+    """Return category, name, file name, description, use, trigger and need of the cues that are not cut."""
+    words = select(Cue.category, Cue.name, Cue.file_name, Cue.description, Cue.use, Cue.trigger, Cue.need)
     return session.execute(words.where(Cue.project_id == project_id, Cue.state != CueState.CUT)).all()
 
 

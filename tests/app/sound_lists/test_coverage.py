@@ -5,6 +5,7 @@ from typing import Any
 import pytest
 
 from app.sound_lists.coverage_rules import ListedCue, coverage, words_of
+from app.sound_lists.rules import Need
 from tests.support.deliver import add_cues
 from tests.support.server import World
 
@@ -47,6 +48,14 @@ def test_a_priority_sound_needs_a_cue_with_all_of_its_words() -> None:
     assert coverage(priority, [cue("shield_hit")]).priority_without_cue == ["Low health", "Coins"]
 
 
+def test_a_priority_sound_that_is_only_a_wish_is_said() -> None:
+    priority = {"priority": ["Shield hit", "Coins", "Siren"]}
+    wish = cue("Coin pick-up")._replace(need=Need.WISH)
+    found = coverage(priority, [cue("shield_hit"), cue("Shield hit again")._replace(need=Need.WISH), wish])
+    assert (found.priority_as_wish, found.priority_without_cue) == (["Coins"], ["Siren"])
+    assert coverage(priority, [wish, cue("Coins", "ui")._replace(need=Need.SHOULD)]).priority_as_wish == []
+
+
 def test_categories_of_the_brief_have_cues() -> None:
     found = coverage({"categories": ["ui", "vehicle"]}, [cue("Confirm", "ui")])
     assert found.categories_without_cue == ["vehicle"]
@@ -59,7 +68,8 @@ def read(world: World, by: str = "producer") -> dict[str, Any]:
 
 
 def test_the_project_says_what_is_missing(world: World) -> None:
-    fields = ("scenes_without_ambience", "silent_scenes", "categories_without_cue", "priority_without_cue")
+    scenes = ("scenes_without_ambience", "silent_scenes")
+    fields = (*scenes, "categories_without_cue", "priority_without_cue", "priority_as_wish")
     nothing: dict[str, Any] = {field: [] for field in fields}
     assert read(world) == nothing
     answers = {

@@ -13,7 +13,7 @@ function few(names: readonly string[]): string {
   return names.length > 3 ? `${shown} and ${names.length - 3} more` : shown
 }
 
-/** What the brief names and no cue is for. */
+/** What the brief names and no cue is for, or a wish alone. */
 export function CoverageNote({ projectId }: { projectId: string }): ReactNode {
   const { data } = useQuery(coverageQuery(projectId))
   if (!data) return null
@@ -21,6 +21,7 @@ export function CoverageNote({ projectId }: { projectId: string }): ReactNode {
     ['No ambience for', data.scenes_without_ambience],
     ['No cue in', data.categories_without_cue],
     ['No cue for', data.priority_without_cue],
+    ['Only a wish for', data.priority_as_wish],
   ] as const
   const said = missing.filter(([, names]) => names.length > 0)
   if (said.length === 0) return null
