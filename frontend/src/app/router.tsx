@@ -6,6 +6,7 @@ import { accountGuestRoutes, accountRoutes } from '@/features/accounts/routes'
 import { createSession } from '@/features/accounts/session'
 import { adoptionRoutes } from '@/features/adoption/routes'
 import { briefRoutes } from '@/features/brief/routes'
+import { buildRoutes } from '@/features/builds/routes'
 import { checkRoutes } from '@/features/checks/routes'
 import { contractRoutes, verifyRoutes } from '@/features/contracts/routes'
 import { deskRoutes } from '@/features/desk/routes'
@@ -46,6 +47,7 @@ const pages = [
     ...hiringRoutes,
     ...moneyRoutes,
     ...gameFilesRoutes,
+    ...buildRoutes,
     ...reviewRoutes,
     ...soundListRoutes,
     ...kitRoutes,
