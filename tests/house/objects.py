@@ -56,8 +56,9 @@ from app.reviews.models import ChangeRequest, Comment
 from app.sound_lists.models import Cue, Question, Stem
 from tests.house.audit_objects import add_audit
 from tests.house.reference_objects import add_reference
-from tests.house.voice_objects import add_voice_line
+from tests.house.reports import report, report_file
 from tests.house.roster_objects import add_roster_entry
+from tests.house.voice_objects import add_voice_line
 from tests.support.server import RunningServer, World
 
 TOMORROW = timedelta(days=1)
@@ -589,30 +590,3 @@ class House(World):
 @cache
 def _password_hash() -> str:
     return hash_of(PASSWORD)
-
-
-def report_file() -> dict[str, Any]:
-    """Return a report's object of one file without findings."""
-    return {
-        "path": "shield_hit.wav",
-        "sha256": "0" * 64,
-        "pcm_sha256": "0" * 64,
-        "category": None,
-        "verdict": "conforming",
-        "facts": {"container": "wav", "sample_rate_hz": 44_100, "bit_depth": 16, "channels": 1, "duration_s": 1.0},
-        "measurements": {},
-        "judgements": {},
-        "findings": [],
-    }
-
-
-def report() -> dict[str, Any]:
-    """Return a report of no files."""
-    summary = dict.fromkeys(("files", "conforming", "rejected", "unreadable", "unjudged", "errors", "warnings"), 0)
-    return {
-        "schema_version": 1,
-        "tool": {"name": "audio-checks", "version": "1"},
-        "spec": None,
-        "files": [],
-        "summary": summary,
-    }

@@ -18,7 +18,8 @@ from app import rooms
 from app.accounts.policies import Allowed
 from app.accounts.rules import Policy
 from app.kit.single_thread_route import SingleThreadRoute
-from tests.house.objects import FILE, PASSWORD, House, report
+from tests.house.objects import FILE, PASSWORD, House
+from tests.house.reports import report
 
 Schema = dict[str, Any]
 
