@@ -89,6 +89,9 @@ export function ProjectHead({ project, members = 0 }: ProjectHeadProps) {
         <Link className="link" to={`/projects/${projectId}/voice-lines` as LinkProps['to']}>
           Voice lines
         </Link>
+        <Link className="link" to={`/projects/${projectId}/listening` as LinkProps['to']}>
+          Listening pass
+        </Link>
         {mine.is_team && (
           <Link className="link" to="/projects/$projectId/people" params={{ projectId }}>
             People
