@@ -114,8 +114,7 @@ export function EntryForm({ entry }: { entry: Entry }) {
       className={forms.wide}
       label={label}
       description={description}
-      autosize
-      minRows={2}
+      rows={3}
       maxLength={5000}
       value={now[name]}
       onChange={({ currentTarget: { value } }) => put({ [name]: value })}
@@ -124,7 +123,7 @@ export function EntryForm({ entry }: { entry: Entry }) {
   return (
     <Card aria-labelledby="facts">
       <CardHead id="facts" title="On file" note="seen by the studio’s producers and audio leads" />
-      <form onSubmit={send} noValidate className={forms.form} aria-label="On file">
+      <form onSubmit={send} noValidate className={`${forms.form} ${classes.fields}`} aria-label="On file">
         <div className={forms.wide}>
           <DraftNote draft={draft} />
         </div>
@@ -177,8 +176,7 @@ export function EntryForm({ entry }: { entry: Entry }) {
           className={forms.wide}
           label="Links"
           description="One a line, a title before the address: Reel https://…"
-          autosize
-          minRows={2}
+          rows={3}
           value={now.links}
           onChange={({ currentTarget: { value } }) => put({ links: value })}
         />

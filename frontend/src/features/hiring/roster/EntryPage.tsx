@@ -27,6 +27,7 @@ import { AvailabilityCard } from './AvailabilityCard'
 import { EntryForm } from './EntryForm'
 import { FiguresCard } from './FiguresCard'
 import { ReelCard } from './ReelCard'
+import classes from './Roster.module.css'
 import { busyInWords } from './words'
 
 /** One designer on file: what is known of them, when they are free, their reel, and asking them for a bid. */
@@ -143,7 +144,7 @@ function AskRow({ entry, posting }: { entry: Entry; posting: PostingChoice }) {
   const ask = useAskForBids(posting.id)
   const [clash, ...more] = posting.clashes
   return (
-    <Row>
+    <Row className={classes.posting}>
       <div className="grow">
         <Link
           className="link"

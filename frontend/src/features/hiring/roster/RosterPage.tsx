@@ -147,7 +147,7 @@ function Filters({ roster, search }: { roster: Roster; search: RosterSearch }) {
     Boolean,
   )
   return (
-    <search className={classes.search} aria-label="Search the roster">
+    <div role="search" className={classes.search} aria-label="Search the roster">
       <TextInput
         ref={field}
         label="Search"
@@ -205,7 +205,7 @@ function Filters({ roster, search }: { roster: Roster; search: RosterSearch }) {
           Clear
         </Button>
       )}
-    </search>
+    </div>
   )
 }
 
