@@ -75,6 +75,43 @@ const alternate = (letter: string) =>
   within(screen.getByRole('group', { name: 'Alternates' })).getByRole('button', { name: new RegExp(`^${letter}`) })
 const posts = () => server.asked.filter(({ method }) => method === 'POST')
 
+test('references of the cue stand beside its notes, where there are any', async () => {
+  const splash = {
+    id: 'r1',
+    project_id: PROJECT,
+    cue: { id: 'shield', number: 7, name: 'shield_hit' },
+    category: null,
+    caption: 'The clank we mean',
+    terms: '',
+    start_s: null,
+    end_s: null,
+    added_at: '2026-11-20T10:00:00Z',
+    may_change: false,
+    version: {
+      id: 'v1',
+      number: 1,
+      kind: 'link',
+      media_type: 'x',
+      file_name: 'example.com',
+      url: 'https://example.com/clank',
+      file_bytes: null,
+      excerpt: '',
+      preview: 'none',
+      problem: '',
+      width_px: null,
+      height_px: null,
+      added_at: '2026-11-20T10:00:00Z',
+      added_by: APPROVER,
+    },
+  }
+  server.on(`GET /v1/projects/${PROJECT}/references`, { items: [splash], next: null })
+  await opened()
+  const strip = await screen.findByRole('region', { name: 'References' })
+  expect(within(strip).getByText('The clank we mean')).toBeTruthy()
+  const [asked] = server.of(`GET /v1/projects/${PROJECT}/references`)
+  expect(asked?.query.get('cue_id')).toBe('shield')
+})
+
 describe('a version that answers a change', () => {
   const before = aTake('old', { number: 1, state: 'change_requested' })
   const after = aTake('a', { number: 2 })

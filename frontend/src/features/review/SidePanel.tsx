@@ -7,6 +7,7 @@ import { useRoles } from '@/api/roles'
 import { type CueReview, historyQuery, type ReviewFinding, type ReviewTake } from '@/judging/api'
 import { ReplyField } from '@/judging/ReplyField'
 import { byWhom, capital, happened, sentence, spot, historyText } from '@/judging/words'
+import { ReferencesWhereAny } from '@/references/ReferencesWhereAny'
 import { TakeSourcesPart } from '@/sources'
 import { Button } from '@/ui/Button'
 import { Face } from '@/ui/Face'
@@ -155,6 +156,9 @@ function Comments({ review, projectId, hand, heard, nameOf, said, carried, openS
           <p className="mid">{[hand.note, hand.delivery_note].filter(Boolean).join(' ')}</p>
         </section>
       )}
+      <div className={classes.block}>
+        <ReferencesWhereAny projectId={projectId} cueId={review.cue.id} />
+      </div>
       {hand && (
         <section className={classes.block} aria-label="Sources">
           <p className="small strong">Sources</p>
