@@ -12,7 +12,7 @@ from sqlalchemy import select
 from app.accounts.authentication import CSRF_HEADER, DEMO_COOKIE, DEMO_SECRET, csrf_token
 from app.accounts.models import Membership, Person, Studio
 from app.accounts.rules import Role, Scope
-from app.demo import brief, cues
+from app.demo import brief, cues, voice
 from app.demo.game_ci import GameCi
 from app.demo.references import DemoReference, demo_references
 from app.demo.sounds import DemoSound, demo_sounds, warp_in_stem
@@ -43,7 +43,7 @@ def make_demo_project(runtime: Runtime, *, report: Report, keep_going: Callable[
     if done.exists():
         known = json.loads(done.read_text())
         return known["project"], known["token"]
-    report("  Making the demo project: 24 cues, every sound by our own generators. The page is open already.")
+    report("  Making the demo project: 36 cues, every sound by our own generators. The page is open already.")
     people = _create_studio(runtime)
     try:
         with _Maker(runtime.settings, people, keep_going) as maker:
@@ -179,7 +179,17 @@ class _Maker:
         self._build("482", strays=[self._sounds["airlock_cycle"]])
         self._await(self._ci.has_manifest)
         self._ci.audit(self._producer.ask, {"481": {}, "482": {cues.FOOTSTEPS: cues.FOOTSTEPS_LOUDER_DB}})
+        self._add_voice_lines()
         return self._project, token
+
+    def _add_voice_lines(self) -> None:
+        path = f"/projects/{self._project}"
+        voice.add_script(self._producer.ask, path)
+        listed = self._producer.ask("GET", f"{path}/sound-list", params={"limit": 500})["cues"]
+        self._cues = {cue["name"]: cue["id"] for cue in listed}
+        self._deliver("First session of scene 14.", voice.voice_takes())
+        self._accept(voice.APPROVED)
+        voice.change_text(self._producer.ask, path)
 
     def _files(self, names: Iterable[str]) -> list[DemoSound]:
         return [

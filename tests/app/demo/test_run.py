@@ -30,7 +30,7 @@ STATES = {
     "shield_hit.wav": "conforming",
     "shield_hit_altB.wav": "conforming",
     "shield_hit_altC.wav": "conforming",
-    "foot_deck_walk_06.wav": "conforming",
+    "foot_deck_walk_06.wav": "approved",
     "airlock_cycle.wav": "returned",
     "thruster_burst_03.wav": "conforming",
 }
@@ -98,12 +98,19 @@ def test_the_demo_is_made_kept_and_stopped(tmp_path: Path):
         assert next(guess["name"] for guess in stray["guesses"]) == "victory_sting"
         counts = client.get(f"{path}/sound-list/counts").json()["counts"]
         assert counts == {
-            "accepted": 9, "to_review": 7, "returned": 1, "question": 1, "placeholder": 1, "cut": 1, "to_make": 3,
+            "accepted": 12, "to_review": 7, "returned": 1, "question": 1, "placeholder": 1, "cut": 1, "to_make": 12,
             "change_requested": 1,
         }  # fmt: skip
         references = client.get(f"{path}/references").json()["items"]
         assert {one["cue"]["name"]: (one["version"]["kind"], one["version"]["preview"]) for one in references} == {
             "vo_oath": ("text", "none"), "shield_hit": ("audio", "none"), "coolant_splash": ("picture", "made"),
+        }  # fmt: skip
+        lines = client.get(f"{path}/voice-lines", params={"language": "de"}).json()["lines"]
+        assert (len(lines), [line["key"] for line in lines if line["length_is_off"]]) == (6, ["captain_020"])
+        pick_ups = client.get(f"{path}/pick-ups", params={"language": "en"}).json()["lines"]
+        assert {line["key"]: line["state"] for line in pick_ups} == {
+            "captain_010": "stale", "mate_010": "no_take", "mate_020": "no_take", "captain_030": "no_take",
+            "mate_030": "no_take",
         }  # fmt: skip
         thruster = next(take["cue"]["id"] for take in takes if take["file_name"] == "thruster_burst_03.wav")
         standing = client.get(f"{path}/sound-list/progress").json()
@@ -118,6 +125,11 @@ def test_the_demo_is_made_kept_and_stopped(tmp_path: Path):
         ensure_money(client, path, next(item["cue"]["id"] for item in queue if item["cue"]["name"] == "shield_hit"))
         builds = client.get(f"{path}/builds").json()["items"]
         assert [(build["label"], build["rejected"]) for build in builds] == [("482", 1), ("481", 0)]
+        audits = client.get(f"{path}/audits").json()["items"]
+        assert [(one["label"], one["drifted"], one["new_drifts"]) for one in audits] == [("482", 6, 6), ("481", 0, 0)]
+        drifted = client.get(f"/v1/audits/{audits[0]['id']}/sounds", params={"drifted": True}).json()["items"]
+        steps = {(one["cue"]["name"], one["moves"][0]["property"], round(one["gain_db"], 1)) for one in drifted}
+        assert steps == {("foot_deck_walk", "Volume", 6.0)}
         # The check knows the list, as the printed CI lines do: no approved loop is called cut off.
         assert builds[1]["warnings"] == 0
         # Nobody enters the demo but from this machine, directly.
@@ -134,14 +146,14 @@ def ensure_money(client: httpx.Client, path: str, shield_id: str) -> None:
     as_producer = {"Cookie": f"{DEMO_COOKIE}=producer"}  # who comes in without choosing decides, and sees no slip
     (contract,) = client.get(f"{path}/money", headers=as_producer).json()["contracts"]
     assert contract["figures"] == {
-        "agreed_minor": 720_000, "accepted_minor": 357_750, "paid_minor": 288_000,
-        "due_minor": 69_750, "open_minor": 346_500, "saved_minor": 15_750,
+        "agreed_minor": 720_000, "accepted_minor": 375_750, "paid_minor": 288_000,
+        "due_minor": 87_750, "open_minor": 328_500, "saved_minor": 15_750,
     }  # fmt: skip
     milestones = [(one["name"], one["accepted"], one["wanted"], one["left_minor"]) for one in contract["milestones"]]
     assert milestones == [
         ("Deposit", 0, 0, 144_000),
         ("Palette", 6, 6, 144_000),
-        ("Alpha", 3, 10, 180_000),
+        ("Alpha", 4, 10, 180_000),
         ("Beta", 0, 7, 236_250),
     ]
     assert [(slip["name"], slip["days"]) for slip in contract["slips"]] == [("Palette", 0)]  # in time
@@ -153,7 +165,7 @@ def ensure_money(client: httpx.Client, path: str, shield_id: str) -> None:
     mine = next(cue for one in contract["milestones"] for cue in one["cues"] if cue["cue"]["name"] == "mine_arm")
     assert (mine["cut_in"], mine["owed_minor"]) == ("in_work", 15_750)
     shield = client.get(f"/v1/cues/{shield_id}/money").json()
-    assert (shield["accepted_then"], shield["wanted"], shield["would_owe_minor"]) == (4, 10, 18_000)
+    assert (shield["accepted_then"], shield["wanted"], shield["would_owe_minor"]) == (5, 10, 18_000)
 
 
 @pytest.fixture
