@@ -132,10 +132,9 @@ def spoken_rows(
     for row, given in cells_of:
         # A scene is written once, in a merged cell or before its first line, and holds until the next.
         scene = given.get(ScriptField.SCENE) or scene
-        has_scene = ScriptField.SCENE in given
         found = list(_faults_of(row, given))
         if not found:
-            spoken = keys.spoken_row(row, given, scene if has_scene else None)
+            spoken = keys.spoken_row(row, given, scene or None)
             found = list(keys.faults_of(spoken))
             if not found:
                 rows.append(spoken)

@@ -126,6 +126,13 @@ def test_a_part_of_a_script_adds_its_lines_where_they_belong(world: World) -> No
     assert list(lines(world)) == ["captain_010", "captain_015", "captain_020", "maya_010"]
 
 
+def test_an_empty_scene_leaves_a_line_in_its_scene(world: World) -> None:
+    imported(world)
+    read = imported(world, "Line ID,Character,Scene,English\nmaya_010,Maya,,It is open!\n")
+    assert [change["field"] for change in read["rows"][0]["changes"]] == ["en"]
+    assert lines(world)["maya_010"]["scene"] == "Hangar"
+
+
 def test_a_language_can_come_later(world: World) -> None:
     imported(world, "Line ID,Character,English\nm_1,Maya,Hello\nm_2,Maya,Go\n")
     read = imported(world, "Line ID,Character,French\nm_1,Maya,Bonjour\n")
