@@ -76,7 +76,7 @@ class ReelSoundNotFound(NotFound):
 
 
 class AlreadyOnRoster(Conflict):
-    """The studio has somebody of that address on file already."""
+    """The studio has that address on file already."""
 
 
 class RosterEntryChanged(Conflict):

@@ -151,7 +151,7 @@ class RosterEntry(Base):
     languages: Mapped[list[str]]
     equipment: Mapped[str] = mapped_column(default="")
     credits: Mapped[str] = mapped_column(default="")
-    referees: Mapped[str] = mapped_column(default="")  # who can speak for their work
+    referees: Mapped[str] = mapped_column(default="")  # people who can recommend them
     links: Mapped[list[dict[str, Any]]]  # title, url
     exclusivity: Mapped[Exclusivity] = mapped_column(default=Exclusivity.UNKNOWN)
     weekly_hours: Mapped[int | None]  # that they can give, as they say

@@ -68,9 +68,9 @@ def entry_seen(session: Session, actor: Actor, entry_id: UUID) -> tuple[RosterAc
 def found_entries(
     session: Session, studio_id: UUID, wanted: RosterFilter
 ) -> tuple[Sequence[RosterEntry], list[RosterEntry]]:
-    """Return everybody on file, and those who match, by name."""
-    everybody = roster_queries.entries_of(session, studio_id)
-    return everybody, [entry for entry in everybody if matches(known_of(entry), wanted)]
+    """Return all entries of a roster, and those that match, by name."""
+    all_entries = roster_queries.entries_of(session, studio_id)
+    return all_entries, [entry for entry in all_entries if matches(known_of(entry), wanted)]
 
 
 def known_of(entry: RosterEntry) -> Known:

@@ -18,7 +18,7 @@ MAX_POSTINGS = 100
 
 
 def entries_of(session: Session, studio_id: UUID) -> Sequence[RosterEntry]:
-    """Return everybody whom a studio has on file, by name."""
+    """Return all designers whom a studio has on file, by name."""
     found = select(RosterEntry).where(RosterEntry.studio_id == studio_id)
     return session.scalars(found.order_by(func.lower(RosterEntry.name), RosterEntry.id).limit(MAX_ENTRIES)).all()
 

@@ -52,7 +52,7 @@ def roster_read(
 ) -> RosterRead:
     """Return one page of those on file who match, with what is taken of their days."""
     access = roster_access(session, actor, studio_id)
-    everybody, found = found_entries(session, studio_id, wanted)
+    all_entries, found = found_entries(session, studio_id, wanted)
     start = _after(found, cursor)
     shown = found[start : start + PAGE]
     ids = [entry.id for entry in shown]
@@ -65,11 +65,11 @@ def roster_read(
         ],
         next=str(shown[-1].id) if start + PAGE < len(found) else None,
         found=len(found),
-        total=len(everybody),
+        total=len(all_entries),
         first_week_on=monday_of(access.today),
-        specialities=_counts([entry.specialities for entry in everybody]),
-        services=_counts([entry.services for entry in everybody]),
-        languages=_counts([entry.languages for entry in everybody]),
+        specialities=_counts([entry.specialities for entry in all_entries]),
+        services=_counts([entry.services for entry in all_entries]),
+        languages=_counts([entry.languages for entry in all_entries]),
     )
 
 

@@ -42,7 +42,7 @@ class RosterEntryWrite(Schema):
     languages: Words = Field(default_factory=list)
     equipment: Prose = ""
     credits: Prose = ""
-    referees: Prose = Field(default="", description="Who can speak for their work.")
+    referees: Prose = Field(default="", description="People who can recommend them.")
     links: Annotated[list[RosterLink], Field(max_length=20)] = Field(default_factory=list)
     exclusivity: Exclusivity = Exclusivity.UNKNOWN
     weekly_hours: Annotated[int, Field(ge=1, le=168)] | None = Field(

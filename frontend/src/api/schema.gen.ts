@@ -17706,7 +17706,7 @@ export interface components {
             credits: string;
             /**
              * Referees
-             * @description Who can speak for their work.
+             * @description People who can recommend them.
              * @default
              */
             referees: string;
@@ -17851,7 +17851,7 @@ export interface components {
             credits: string;
             /**
              * Referees
-             * @description Who can speak for their work.
+             * @description People who can recommend them.
              * @default
              */
             referees: string;

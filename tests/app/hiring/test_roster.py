@@ -53,10 +53,10 @@ def test_a_designer_is_kept_found_changed_and_removed(world: World) -> None:
     added = add(world).json()
     assert (added["name"], added["revision"], added["designer"]) == ("Designer A", 1, None)
     add(world, name="Designer B", email="b@example.test", specialities=["UI"], services=[], languages=[], equipment="")
-    everybody = roster(world)
-    assert names(everybody) == ["Designer A", "Designer B"]
-    assert (everybody["found"], everybody["total"], everybody["next"]) == (2, 2, None)
-    assert {one["value"] for one in everybody["specialities"]} == {"Weapons", "creatures", "UI"}
+    all_entries = roster(world)
+    assert names(all_entries) == ["Designer A", "Designer B"]
+    assert (all_entries["found"], all_entries["total"], all_entries["next"]) == (2, 2, None)
+    assert {one["value"] for one in all_entries["specialities"]} == {"Weapons", "creatures", "UI"}
     for wanted in ({"q": "ribbon"}, {"speciality": "weapons"}, {"service": "composes"}, {"language": "german"}):
         assert names(roster(world, **wanted)) == ["Designer A"], wanted
     assert names(roster(world, q="nobody")) == []
@@ -259,7 +259,7 @@ def test_an_account_is_linked_by_its_proven_address_where_it_works_for_the_studi
 
     address = world.server.in_database(lambda session: session.get_one(Person, world.designer_id).email)
     entry = add(world, email=address).json()
-    assert entry["designer"] is None, "an address that is not proven could be anybody's"
+    assert entry["designer"] is None, "an address that is not proven could be of another person"
     world.server.in_database(prove)
     assert world.producer.get(f"/v1/roster/{entry['id']}").json()["designer"]["id"] == str(world.designer_id)
     assert roster(world)["items"][0]["works_here"]

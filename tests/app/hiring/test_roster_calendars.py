@@ -51,7 +51,7 @@ def test_short_events_of_one_day_add_up() -> None:
 
 
 def test_a_repeating_event_is_followed_for_a_year_and_no_further() -> None:
-    fridays = parse_calendar(calendar("DTSTART;VALUE=DATE:20200103 RRULE:FREQ=WEEKLY"), TODAY)  # for ever
+    fridays = parse_calendar(calendar("DTSTART;VALUE=DATE:20200103 RRULE:FREQ=WEEKLY"), TODAY)  # without an end
     assert fridays[0] == ("2026-11-27", "2026-11-27", "booked")
     assert len(fridays) == 52
     assert fridays[-1][0] <= "2027-11-24"

@@ -182,7 +182,7 @@ export function EntryForm({ entry }: { entry: Entry }) {
         />
         {prose('credits', 'Credits')}
         {prose('equipment', 'Equipment')}
-        {prose('referees', 'References', 'Who can speak for their work')}
+        {prose('referees', 'References', 'People who can recommend them')}
         {prose('notes', 'Notes', 'Never shown to the designer')}
         <div className={forms.wide}>
           {wrong && <p role="alert">{wrong}</p>}

@@ -321,7 +321,7 @@ function PlayKey({ person, player }: { person: RosterRow; player: ReturnType<typ
   )
 }
 
-/** Whether the days that were asked about are free; without days, from when on somebody is. */
+/** Whether the days that were asked about are free; without days, the first free day. */
 function Free({ person, asksDays }: { person: RosterRow; asksDays: boolean }) {
   const [first, ...more] = person.clashes
   if (asksDays && first) {
