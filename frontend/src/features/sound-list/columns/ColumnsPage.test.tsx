@@ -1,4 +1,4 @@
-import { screen, waitFor, within } from '@testing-library/react'
+import { screen, waitFor } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
 import { expect, test } from 'vitest'
@@ -12,7 +12,10 @@ const BANK = { id: 'c-bank', name: 'Bank', kind: 'text', choices: [] }
 
 async function opened(part: 'team' | 'designer' = 'team') {
   const server = new ListServer(
-    [aCue(1, 'shield_hit', { extra: { Mood: 'calm', Scene: 'bridge' } }), aCue(2, 'whale', { extra: { Scene: 'sea' } })],
+    [
+      aCue(1, 'shield_hit', { extra: { Mood: 'calm', Scene: 'bridge' } }),
+      aCue(2, 'whale', { extra: { Scene: 'sea' } }),
+    ],
     {},
     part,
   )
@@ -34,11 +37,11 @@ const save = () => userEvent.click(screen.getByRole('button', { name: /Save colu
 test('a column is added with its choices, moved, and saved as one', async () => {
   const { put } = await opened()
   await userEvent.click(await screen.findByRole('button', { name: 'Add a column' }))
-  const third = () => within(screen.getAllByRole('listitem').find((item) => within(item).queryByLabelText('Choices, one a line') && within(item).queryByDisplayValue('Layer')) ?? document.body)
   const names = screen.getAllByRole('textbox', { name: 'Name' })
   await userEvent.type(names[2] ?? document.body, 'Layer')
   await userEvent.selectOptions(screen.getAllByRole('combobox', { name: 'Type' })[2] ?? document.body, 'Choice')
-  await userEvent.type(third().getByRole('textbox', { name: 'Choices, one a line' }), 'near{Enter}far')
+  const choices = screen.getAllByRole('textbox', { name: 'Choices, one a line' })
+  await userEvent.type(choices.at(-1) ?? document.body, 'near{Enter}far')
   await userEvent.click(screen.getByRole('button', { name: 'Move Layer up' }))
   const { violations } = await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })
   expect(violations.map(({ id }) => id)).toEqual([])

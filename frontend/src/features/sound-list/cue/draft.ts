@@ -169,7 +169,8 @@ export function refusedRows(problem: ApiProblem): Map<number, Refused> {
     const name = row?.[2] ?? path?.[2] ?? where.split('.').at(-1)
     const refused = rows.get(place) ?? { fields: {}, whole: [] }
     if (isField(name)) refused.fields[name] = asSentence(message)
-    else refused.whole.push(row || path || name === undefined ? asSentence(message) : `${where}: ${asSentence(message)}`)
+    else
+      refused.whole.push(row || path || name === undefined ? asSentence(message) : `${where}: ${asSentence(message)}`)
     rows.set(place, refused)
   }
   return rows

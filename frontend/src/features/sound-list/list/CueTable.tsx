@@ -197,13 +197,7 @@ export function CueTable(props: CueTableProps) {
       </tbody>
     </table>
   )
-  return scrolls ? (
-    <div className={classes.scrolls}>
-      {drawnTable}
-    </div>
-  ) : (
-    drawnTable
-  )
+  return scrolls ? <div className={classes.scrolls}>{drawnTable}</div> : drawnTable
 }
 
 function Gap({ heightPx, columns }: { heightPx: number; columns: number }) {

@@ -186,7 +186,11 @@ describe('several cues in one line', () => {
 
   test('a line that makes nothing says why, and nothing is added', async () => {
     const server = served()
-    server.answers[`GET ${server.at}/cue-matrix`] = refusal(422, 'matrix-invalid', 'a part is missing before or after ×')
+    server.answers[`GET ${server.at}/cue-matrix`] = refusal(
+      422,
+      'matrix-invalid',
+      'a part is missing before or after ×',
+    )
     await typed(server)
     expect(await screen.findByText('a part is missing before or after ×')).toBeInTheDocument()
     await userEvent.keyboard('{Control>}{Enter}{/Control}')
