@@ -1,6 +1,6 @@
 """Invoices that a program reads: EN 16931 as XML, alone or inside the PDF (Factur-X)."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from uuid import UUID
 
@@ -156,25 +156,27 @@ def _parties(session: Session, contract: Contract, invoice: Invoice, *, is_credi
 
     seller = details_as_of(history_of_person(session, invoice.designer_id), invoice.created_at, lacks_of_seller)
     buyer = details_as_of(history_of_studio(session, invoice.studio_id), invoice.created_at, lacks_of_buyer)
-    missing = [(contract.designer.name, "seller", field) for field in lacks_of_seller(seller)]
-    missing += [(contract.project.studio.name, "buyer", field) for field in lacks_of_buyer(buyer)]
-    if missing:
+    lacking = {"seller": lacks_of_seller(seller), "buyer": lacks_of_buyer(buyer)}
+    if missing := {part: fields for part, fields in lacking.items() if fields}:
         raise _details_missing(contract, missing)
     return Parties(seller, buyer)
 
 
-def _details_missing(contract: Contract, missing: Sequence[tuple[str, str, str]]) -> InvoiceDetailsMissing:
-    designer, studio = contract.designer.name, contract.project.studio.name
-    parts = {
-        "seller": f"{designer} enters theirs on the page Account, under Invoice details",
-        "buyer": f"a producer of {studio} enters those of the studio on the page Studio, under Invoice details",
+def _details_missing(contract: Contract, missing: Mapping[str, Sequence[str]]) -> InvoiceDetailsMissing:
+    names = {"seller": contract.designer.name, "buyer": contract.project.studio.name}
+    fixes = {
+        "seller": f"{names['seller']} enters theirs on the page Account, under Invoice details",
+        "buyer": f"a producer of {names['buyer']} enters those of the studio on the page Studio, under Invoice details",
     }
-    fixes = [fix for part, fix in parts.items() if any(where == part for _, where, _ in missing)]
+    lists = [
+        f"of {names[part]}: {', '.join(FIELD_WORDS[field] for field in fields)}" for part, fields in missing.items()
+    ]
     return InvoiceDetailsMissing(
-        "the electronic invoice lacks " + ", ".join(f"{FIELD_WORDS[field]} of {name}" for name, _, field in missing),
-        fix="; ".join(fixes),
+        f"the electronic invoice lacks {'; '.join(lists)}",
+        fix="; ".join(fixes[part] for part in missing),
         errors=[
-            {"where": f"{part}.{field}", "message": f"the {FIELD_WORDS[field]} of {name} is missing"}
-            for name, part, field in missing
+            {"where": f"{part}.{field}", "message": f"the {FIELD_WORDS[field]} of {names[part]} is missing"}
+            for part, fields in missing.items()
+            for field in fields
         ],
     )

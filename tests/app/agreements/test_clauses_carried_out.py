@@ -29,7 +29,7 @@ def named(cell: str) -> set[str]:
 
 
 def terms_of_the_code() -> set[str]:
-    """Return the terms that the software reads: of money, of silence, and those that change orders, credits and reminders look up."""
+    """Return the terms that the software reads: of money, of silence, of credits and days, and of change orders."""
     money = {field.name for field in dataclasses.fields(MoneyTerms)}
     silence = {"silence_days", "silence_reminder_days"}
     assert DeemedAcceptance.of(dict.fromkeys(silence, 5)) is not None

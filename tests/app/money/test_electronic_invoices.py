@@ -180,6 +180,7 @@ def test_what_is_missing_is_named_with_who_fills_it_in(world: World) -> None:
         assert refused(answer) == (409, "invoice-details-missing")
         problem = answer.json()
         assert [error["where"] for error in problem["errors"]] == ["seller.street", "buyer.vat_id"]
+        assert problem["detail"].startswith("the electronic invoice lacks of Sound designer: street; of ")
         assert "under Invoice details; a producer of" in problem["fix"]
 
 

@@ -70,7 +70,7 @@ function RolesCard({ credits: { credits, left_out: leftOut, is_editor: isEditor 
       )}
       {roles.map((role) => (
         <section key={role} aria-label={role}>
-          <h3 className={classes.role}>{role}</h3>
+          <h3 className={`small mid ${classes.role}`}>{role}</h3>
           <Rows aria-label={role}>
             {credits
               .filter((one) => one.role === role)
