@@ -1,7 +1,7 @@
 """The roster, stated without a database: what is kept of a designer, who matches a search, which weeks are free."""
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from datetime import date, timedelta
 from enum import StrEnum
@@ -140,28 +140,30 @@ def weeks(ranges: Sequence[Busy], today: date, available_from_on: date | None = 
     Days before `available_from_on` are booked.
     """
     first = monday_of(today)
+    last = first + WEEKS_SHOWN * WEEK
+    booked, half = set(_days(ranges, BusyKind.BOOKED, today, last)), set(_days(ranges, BusyKind.HALF_DAYS, today, last))
     states = []
     for place in range(WEEKS_SHOWN):
         monday = first + place * WEEK
         days = [day for offset in range(WORKING_DAYS) if (day := monday + timedelta(days=offset)) >= today]
-        taken = [_kind_on(day, ranges, available_from_on) for day in days]
-        booked = sum(kind is BusyKind.BOOKED for kind in taken)
-        if days and booked == len(days):
+        taken = sum(day in booked or (available_from_on is not None and day < available_from_on) for day in days)
+        if days and taken == len(days):
             states.append(WeekState.BOOKED)
-        elif booked:
+        elif taken:
             states.append(WeekState.PARTLY)
-        elif any(taken):
+        elif half.intersection(days):
             states.append(WeekState.HALF_DAYS)
         else:
             states.append(WeekState.FREE)
     return states
 
 
-def _kind_on(day: date, ranges: Sequence[Busy], available_from_on: date | None) -> BusyKind | None:
-    if available_from_on is not None and day < available_from_on:
-        return BusyKind.BOOKED
-    kinds = {one.kind for one in ranges if one.from_on <= day <= one.to_on}
-    return BusyKind.BOOKED if BusyKind.BOOKED in kinds else next(iter(kinds), None)
+def _days(ranges: Sequence[Busy], kind: BusyKind, first: date, last: date) -> Iterator[date]:
+    for one in ranges:
+        if one.kind is kind:
+            start = max(one.from_on, first)
+            for offset in range((min(one.to_on, last) - start).days + 1):
+                yield start + timedelta(days=offset)
 
 
 def clashes(
