@@ -1,4 +1,4 @@
-"""The answer to a line that stands for several cues."""
+"""The answer to a line that makes several cues."""
 
 from pydantic import Field
 

@@ -6,7 +6,7 @@ import type { components } from '@/api/schema.gen'
 
 export type MatrixRow = components['schemas']['MatrixRow']
 
-/** Whether a typed name stands for several cues; an x between words does so only in a line with a list. */
+/** Whether a typed name makes several cues; an x between words does so only in a line with a list. */
 export const isMatrix = (name: string): boolean => /[×✕*]/.test(name) || (/\sx\s/i.test(name) && /[,;]/.test(name))
 
 /** The cues that a line makes under the project's names; nothing is added. */
