@@ -188,6 +188,8 @@ ADJUSTED: dict[str, dict[str, Any]] = {
     "add_reference_version": {"url": "https://example.test/clip"},
     "add_take": {"file_name": "shield_hit.wav"},
     "check_spec_draft": {"tables": {"format": 1}},
+    "import_voice_lines": {"format": "paste", "text": "character\ttext\nCaptain\tGo.", "dry_run": True},
+    "add_voice_release": {"valid_from": "2026-01-01"},
     "import_sound_list": {"format": "paste", "text": "name\nRadar ping", "dry_run": True},
     "import_into_roster": {"format": "paste", "text": "name\temail\nA\ta@example.test", "dry_run": True},
     "read_roster_calendar": {"content_base64": base64.b64encode(b"BEGIN:VCALENDAR\nEND:VCALENDAR\n").decode()},
