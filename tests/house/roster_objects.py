@@ -5,12 +5,15 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.hiring.models import ReelSound, RosterEntry
+from app.hiring.reel import upload_scope
+from app.kit import clock
+from app.kit.uploads import Upload
 
 
 def add_roster_entry(
     session: Session, *, studio_id: UUID, added_by: UUID, sha256: str, file_bytes: int
 ) -> dict[str, UUID]:
-    """Put a designer without an account on file; return the ids by the names in paths."""
+    """Put a designer without an account on file, with a sound and an upload; return their ids by name."""
     entry = RosterEntry(
         studio_id=studio_id,
         name="A designer on file",
@@ -33,6 +36,15 @@ def add_roster_entry(
         file_bytes=file_bytes,
         added_by=added_by,
     )
-    session.add(sound)
+    upload = Upload(
+        studio_id=studio_id,
+        owner_id=added_by,
+        scope=upload_scope(entry.id),
+        file_name="reel.wav",
+        length=file_bytes,
+        sha256=sha256,
+        finished_at=clock.now(),
+    )
+    session.add_all([sound, upload])
     session.flush()
-    return {"roster_entry_id": entry.id, "reel_sound_id": sound.id}
+    return {"roster_entry_id": entry.id, "reel_sound_id": sound.id, "reel_upload_id": upload.id}

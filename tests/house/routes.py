@@ -192,6 +192,8 @@ ADJUSTED: dict[str, dict[str, Any]] = {
     "add_voice_release": {"valid_from": "2026-01-01"},
     "import_sound_list": {"format": "paste", "text": "name\nRadar ping", "dry_run": True},
     "import_into_roster": {"format": "paste", "text": "name\temail\nA\ta@example.test", "dry_run": True},
+    "invite_from_roster": {"entry_ids": [Named("roster_entry_id")]},
+    "add_reel_sound": {"upload_id": Named("reel_upload_id")},
     "read_roster_calendar": {"content_base64": base64.b64encode(b"BEGIN:VCALENDAR\nEND:VCALENDAR\n").decode()},
     "change_cue": {"name": "Shield hit"},
 }

@@ -129,7 +129,7 @@ export function EntryForm({ entry }: { entry: Entry }) {
         </div>
         {text('name', 'Name')}
         {text('email', 'Email')}
-        {text('specialities', 'Specialities', 'Separated by commas: weapons, creatures')}
+        {text('specialities', 'Specialities', 'Separated by commas')}
         {text('languages', 'Languages', 'Separated by commas')}
         <fieldset className={forms.wide} style={{ border: 0, padding: 0, margin: 0 }}>
           <legend className="small mid">Also</legend>
