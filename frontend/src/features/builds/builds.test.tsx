@@ -33,36 +33,35 @@ const audit = (label: string, drifted: number, new_drifts: number) => ({
   new_drifts,
   created_at: AT,
 })
-const sound = (place: number, more: object = {}): AuditedSound =>
-  ({
-    place,
-    path: `foot_deck_walk_0${place}.wav`,
-    cue: { id: 'c1', label: 'SW-008', name: 'foot_deck_walk' },
-    status: 'gain',
-    played_status: 'gain',
-    has_drifted: true,
-    is_new: true,
-    gain_db: 6,
-    file_db: 0,
-    property_db: 6,
-    message: 'the game plays it 6.0 dB louder',
-    moves: [
-      {
-        object: '\\Sounds\\foot_deck_walk',
-        property: 'Volume',
-        file: 'x.wwu',
-        approved_db: 0,
-        gain_db: 6,
-        changelist: { id: '48211', on: '2026-11-19', subject: 'Raise the footsteps' },
-      },
-    ],
-    depends: [],
-    events: ['Play_foot_deck_walk'],
-    accepted: null,
-    task_id: null,
-    sound: null,
-    ...more,
-  }) as AuditedSound
+const sound = (place: number, more: object = {}): AuditedSound => ({
+  place,
+  path: `foot_deck_walk_0${place}.wav`,
+  cue: { id: 'c1', label: 'SW-008', name: 'foot_deck_walk' },
+  status: 'gain',
+  played_status: 'gain',
+  has_drifted: true,
+  is_new: true,
+  gain_db: 6,
+  file_db: 0,
+  property_db: 6,
+  message: 'the game plays it 6.0 dB louder',
+  moves: [
+    {
+      object: '\\Sounds\\foot_deck_walk',
+      property: 'Volume',
+      file: 'x.wwu',
+      approved_db: 0,
+      gain_db: 6,
+      changelist: { id: '48211', on: '2026-11-19', subject: 'Raise the footsteps' },
+    },
+  ],
+  depends: [],
+  events: ['Play_foot_deck_walk'],
+  accepted: null,
+  task_id: null,
+  sound: null,
+  ...more,
+})
 
 const STATES = {
   cues: 3,
