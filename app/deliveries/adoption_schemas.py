@@ -19,7 +19,7 @@ class ShippedFileIn(Schema):
     """A file of the folder, as the client found it."""
 
     path: Path = Field(description="Relative to the folder.", examples=["ui/click.wav"])
-    sha256: Annotated[str, StringConstraints(pattern="^[0-9a-f]{64}$")]
+    sha256: Annotated[str, StringConstraints(min_length=64, max_length=64)] = Field(description="In hex.")
     size_bytes: int = Field(ge=0, le=1 << 53)
     sample_rate_hz: int | None = Field(default=None, ge=1, le=10_000_000, description="As its header says.")
     bit_depth: int | None = Field(default=None, ge=1, le=64)

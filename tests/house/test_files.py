@@ -35,6 +35,7 @@ MAX_LINES = {
     "training": 600,
 }
 SERVER_COMMANDS = {
+    "adopt",
     "serve",
     "worker",
     "migrate",

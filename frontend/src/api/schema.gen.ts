@@ -18528,7 +18528,10 @@ export interface components {
              * @example ui/click.wav
              */
             path: string;
-            /** Sha256 */
+            /**
+             * Sha256
+             * @description In hex.
+             */
             sha256: string;
             /** Size Bytes */
             size_bytes: number;
