@@ -208,7 +208,7 @@ class SourceStatement(Base):
 
 
 class Adoption(Base):
-    """A folder of shipped files that becomes cues with approved takes; what it made is in one revision and one delivery.
+    """A folder of shipped files that becomes cues with approved takes, in one revision and one delivery.
 
     It stays on record when it is undone.
     """
