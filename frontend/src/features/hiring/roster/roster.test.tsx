@@ -214,10 +214,9 @@ test('an entry is changed with the revision that was read, and what was typed su
 
 test('an audio lead sees no rate and sends none', async () => {
   const lead = anEntry({ may_see_rate: false, rate: null })
-  const { asked } = served(
-    { 'GET /v1/roster/e1': lead, 'GET /v1/roster/e1/postings': [], 'PUT /v1/roster/e1': lead },
-    ['liaison'],
-  )
+  const { asked } = served({ 'GET /v1/roster/e1': lead, 'GET /v1/roster/e1/postings': [], 'PUT /v1/roster/e1': lead }, [
+    'liaison',
+  ])
   openApp('/roster/e1')
   await userEvent.type(await screen.findByRole('textbox', { name: 'Notes' }), 'Called.')
   expect(screen.queryByRole('textbox', { name: /Rate/ })).not.toBeInTheDocument()
