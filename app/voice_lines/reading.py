@@ -138,7 +138,7 @@ class ScriptReader:
 
     @cached_property
     def _original_lengths(self) -> dict[UUID, float | None]:
-        """How long the approved take of each line is in the original language, whoever made it."""
+        """How long the approved take of each line is in the original language, by any designer."""
         cues = [text.cue_id for text in self._original.values()]
         takes = queries.takes_of(self._session, self._project.id, cues, None)
         return {line_id: approved_duration_s(takes[text.cue_id]) for line_id, text in self._original.items()}
