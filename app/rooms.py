@@ -26,7 +26,7 @@ from app.builds.handover_endpoints import router as handovers
 from app.builds.listening_endpoints import router as listening
 from app.builds.manifest_endpoints import router as manifests
 from app.conformance.endpoints import router as conformance
-from app.dashboards.credit_endpoints import router as credits
+from app.dashboards.credit_endpoints import router as credit_lists
 from app.dashboards.endpoints import router as dashboards
 from app.dashboards.event_endpoints import router as events
 from app.deliveries.endpoints import router as deliveries
@@ -101,7 +101,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     manifests,
     game_files,
     dashboards,
-    credits,
+    credit_lists,
     events,
     notifications,
     mail_preferences,
