@@ -3,6 +3,8 @@
 The terms of the standard stand beside what fills them: BT-1 is the invoice's number.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import date
@@ -151,7 +153,7 @@ def printable(text: str) -> str:
     return "".join(letter for letter in text if letter >= " " or letter in "\n\t")
 
 
-def _add_party(party: "TradeParty", details: PartyDetails) -> None:
+def _add_party(party: TradeParty, details: PartyDetails) -> None:
     from drafthorse.models.party import TaxRegistration
 
     party.name = details.name  # BT-27, BT-44
@@ -164,7 +166,7 @@ def _add_party(party: "TradeParty", details: PartyDetails) -> None:
             party.tax_registrations.add(TaxRegistration(id=(scheme, number)))
 
 
-def _add_lines(document: "Document", invoice: BilledInvoice) -> None:
+def _add_lines(document: Document, invoice: BilledInvoice) -> None:
     from drafthorse.models.tradelines import LineItem
 
     amount = _amounts(invoice)
@@ -182,7 +184,7 @@ def _add_lines(document: "Document", invoice: BilledInvoice) -> None:
         document.trade.items.add(item)
 
 
-def _add_settlement(document: "Document", invoice: BilledInvoice) -> None:
+def _add_settlement(document: Document, invoice: BilledInvoice) -> None:
     from drafthorse.models.payment import PaymentMeans, PaymentTerms
 
     amount, settlement = _amounts(invoice), document.trade.settlement
@@ -213,7 +215,7 @@ def _add_settlement(document: "Document", invoice: BilledInvoice) -> None:
     sums.grand_total = sums.due_amount = net + tax  # BT-112, BT-115
 
 
-def _add_taxes(document: "Document", invoice: BilledInvoice) -> None:
+def _add_taxes(document: Document, invoice: BilledInvoice) -> None:
     from drafthorse.models.accounting import ApplicableTradeTax
 
     amount = _amounts(invoice)

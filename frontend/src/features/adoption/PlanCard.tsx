@@ -75,7 +75,7 @@ interface FilesProps {
   isOpen?: boolean
 }
 
-export function Files({ head, note, rows, isOpen = false }: FilesProps): ReactNode {
+function Files({ head, note, rows, isOpen = false }: FilesProps): ReactNode {
   if (rows.length === 0) return null
   return (
     <details className={classes.files} open={isOpen && rows.length <= 20}>

@@ -52,7 +52,7 @@ export function InGameCard({ projectId }: { projectId: string }) {
       )}
       {mark.error instanceof ApiProblem && <ProblemNote detail={mark.error.detail} />}
       <div className={classes.inside}>
-        <ButtonLink component={Link} to="/projects/$projectId/listening" params={{ projectId }} icon="headphones">
+        <ButtonLink component={Link} to={`/projects/${projectId}/listening`} icon="headphones">
           Listening pass
         </ButtonLink>
       </div>

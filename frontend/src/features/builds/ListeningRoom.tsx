@@ -20,7 +20,7 @@ const GROUP = 'Listening pass'
 const UNHEARD = new Set(['missing', 'not-reached'])
 
 /** Where a pass goes on: at the first cue that nobody heard and I said nothing of. */
-export function firstOpen(cues: readonly CueToHear[], notes: readonly ShownNote[]): number {
+function firstOpen(cues: readonly CueToHear[], notes: readonly ShownNote[]): number {
   const said = new Set(notes.filter(({ isMine }) => isMine).map(({ cueId }) => cueId))
   const at = cues.findIndex(({ cue, heard }) => !heard && !said.has(cue.id))
   return Math.max(0, at)

@@ -130,7 +130,7 @@ interface SceneLines {
 }
 
 /** Lines that follow each other in one scene, together. */
-export function scenesOf(lines: readonly VoiceLine[]): SceneLines[] {
+function scenesOf(lines: readonly VoiceLine[]): SceneLines[] {
   const scenes: SceneLines[] = []
   for (const line of lines) {
     const last = scenes.at(-1)

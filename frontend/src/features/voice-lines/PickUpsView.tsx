@@ -95,7 +95,7 @@ interface Part {
 }
 
 /** The lines of one character in one language, together; they come sorted by both. */
-export function partsOf(lines: readonly VoiceLine[]): Part[] {
+function partsOf(lines: readonly VoiceLine[]): Part[] {
   const parts: Part[] = []
   for (const line of lines) {
     const key = `${line.language} ${line.character.id}`

@@ -102,11 +102,6 @@ export const useCast = (projectId: string, characterId: string, language: string
     ),
   )
 
-export const useAddRelease = (projectId: string) =>
-  useChange(projectId, (body: ReleaseAdd) =>
-    answered(api.POST('/v1/projects/{project_id}/voice-releases', { params: of(projectId), body })),
-  )
-
 export const useRemoveRelease = (projectId: string) =>
   useChange(projectId, (releaseId: string) =>
     answered(

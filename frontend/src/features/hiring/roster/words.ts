@@ -1,5 +1,4 @@
 import type { components } from '@/api/schema.gen'
-import { money } from '@/money/words'
 import { shortDay } from '@/ui/format'
 
 type Schemas = components['schemas']
@@ -61,10 +60,6 @@ export const FIELD_WORDS: Record<Schemas['RosterImportColumn']['field'], string>
   notes: 'Notes',
   ignore: 'Do not import',
 }
-
-/** "$45.00 an hour". */
-export const rateInWords = ({ amount_minor: minor, currency, unit }: Rate): string =>
-  `${money(minor, currency)} ${unit === 'hour' ? 'an hour' : 'a day'}`
 
 /** "30 Nov to 11 Dec, half days, another game". */
 export const busyInWords = ({ from_on: from, to_on: to, kind, note }: Busy): string =>
