@@ -26,7 +26,7 @@ from app.voice_lines.errors import (
     VoiceTextChanged,
 )
 from app.voice_lines.imports import import_script
-from app.voice_lines.reading import ScriptReader
+from app.voice_lines.reading import ScriptReader, line_of_cue
 from app.voice_lines.rules import LineState
 from app.voice_lines.schemas import (
     CastingChange,
@@ -193,7 +193,7 @@ def export_pick_ups_xlsx(
 def get_voice_line_of_cue(cue_id: UUID, session: DbSession, actor: Actor = MAY_SEE) -> VoiceLineRead | None:
     """Return the voice line that a cue is for; null for a cue that is none."""
     access, _ = visible_cue(session, actor, cue_id)
-    return ScriptReader(session, access).of_cue(cue_id)
+    return line_of_cue(session, access, cue_id)
 
 
 @router.patch("/voice-lines/{voice_line_id}", status_code=204, responses=problems(VoiceLineNotFound, TeamNeeded))

@@ -4,7 +4,7 @@ from collections import defaultdict
 from collections.abc import Collection, Iterable, Sequence
 from uuid import UUID
 
-from sqlalchemy import exists, select
+from sqlalchemy import exists, select, tuple_
 from sqlalchemy.orm import Session, joinedload
 
 from app.conformance.models import CheckRun
@@ -64,16 +64,37 @@ def lines_of(session: Session, project_id: UUID) -> Sequence[VoiceLine]:
     return session.scalars(of_project.order_by(VoiceLine.position, VoiceLine.id)).all()
 
 
+def lines_around(session: Session, line: VoiceLine) -> Sequence[VoiceLine]:
+    """Return a line with the one before and the one after it in the script, with their characters."""
+    place = tuple_(VoiceLine.position, VoiceLine.id)
+    of_project = (
+        select(VoiceLine)
+        .where(VoiceLine.project_id == line.project_id)
+        .options(joinedload(VoiceLine.character))
+        .limit(1)
+    )
+    before = of_project.where(place < (line.position, line.id)).order_by(VoiceLine.position.desc(), VoiceLine.id.desc())
+    after = of_project.where(place > (line.position, line.id)).order_by(VoiceLine.position, VoiceLine.id)
+    return [*session.scalars(before), line, *session.scalars(after)]
+
+
 def line_by_id(session: Session, line_id: UUID) -> VoiceLine | None:
     """Return a line with its character."""
     return session.scalar(select(VoiceLine).where(VoiceLine.id == line_id).options(joinedload(VoiceLine.character)))
 
 
-def texts_of(session: Session, project_id: UUID, languages: Collection[str] | None = None) -> Sequence[VoiceText]:
-    """Return the texts of a project with their cues: in all languages, or in those named."""
+def texts_of(
+    session: Session,
+    project_id: UUID,
+    languages: Collection[str] | None = None,
+    line_ids: Collection[UUID] | None = None,
+) -> Sequence[VoiceText]:
+    """Return the texts of a project with their cues: of all lines and languages, or of those named."""
     found = select(VoiceText).where(VoiceText.project_id == project_id).options(joinedload(VoiceText.cue))
     if languages is not None:
         found = found.where(VoiceText.language.in_(languages))
+    if line_ids is not None:
+        found = found.where(VoiceText.line_id.in_(line_ids))
     return session.scalars(found.order_by(VoiceText.language, VoiceText.id)).all()
 
 
@@ -84,8 +105,9 @@ def text_locked(session: Session, line_id: UUID, language: str) -> VoiceText | N
 
 
 def text_of_cue(session: Session, cue_id: UUID) -> VoiceText | None:
-    """Return the text that a cue is for; None for a cue that is no voice line."""
-    return session.scalar(select(VoiceText).where(VoiceText.cue_id == cue_id))
+    """Return the text that a cue is for, with its line; None for a cue that is no voice line."""
+    with_line = joinedload(VoiceText.line).joinedload(VoiceLine.character)
+    return session.scalar(select(VoiceText).where(VoiceText.cue_id == cue_id).options(with_line))
 
 
 def languages_of(session: Session, project_id: UUID) -> list[str]:

@@ -49,10 +49,11 @@ class _Said(NamedTuple):
 
 
 class ScriptReader:
-    """Reads the script of one project, as one person sees it."""
+    """Reads the script of one project, as one person sees it: all of its lines, or one with those beside it."""
 
-    def __init__(self, session: Session, access: ProjectAccess) -> None:
+    def __init__(self, session: Session, access: ProjectAccess, *, around: VoiceLine | None = None) -> None:
         self._session = session
+        self._around = around
         self._access = access
         self._project = access.project
         settings = queries.settings_of(session, access.project.id)
@@ -62,7 +63,15 @@ class ScriptReader:
     @cached_property
     def lines(self) -> Sequence[VoiceLine]:
         """The lines in the order of the script."""
+        if self._around is not None:
+            return queries.lines_around(self._session, self._around)
         return queries.lines_of(self._session, self._project.id)
+
+    def _texts(self, language: str) -> dict[UUID, VoiceText]:
+        """Return the texts in one language by their lines."""
+        only = [line.id for line in self.lines] if self._around is not None else None
+        texts = queries.texts_of(self._session, self._project.id, {language}, only)
+        return {text.line_id: text for text in texts}
 
     @cached_property
     def languages(self) -> list[str]:
@@ -124,17 +133,9 @@ class ScriptReader:
         found.sort(key=lambda one: (order[one.language], one.character.name.casefold()))  # stable: keeps the script's
         return PickUpsRead(lines=found, languages=list(dict.fromkeys(one.language for one in found)))
 
-    def of_cue(self, cue_id: UUID) -> VoiceLineRead | None:
-        """Return the line that a cue is for."""
-        text = queries.text_of_cue(self._session, cue_id)
-        if text is None:
-            return None
-        return next(one for one in self.in_language(text.language) if one.id == text.line_id)
-
     @cached_property
     def _original(self) -> dict[UUID, VoiceText]:
-        texts = queries.texts_of(self._session, self._project.id, {self.original_language})
-        return {text.line_id: text for text in texts}
+        return self._texts(self.original_language)
 
     @cached_property
     def _original_lengths(self) -> dict[UUID, float | None]:
@@ -149,7 +150,7 @@ class ScriptReader:
         return {(one.character_id, one.language): one for one in castings}
 
     def _said(self, language: str) -> _Said:
-        texts = {text.line_id: text for text in queries.texts_of(self._session, self._project.id, {language})}
+        texts = self._texts(language)
         versions = queries.versions_of(self._session, [text.id for text in texts.values()])
         cues = [text.cue_id for text in texts.values()]
         takes = queries.takes_of(self._session, self._project.id, cues, self._access.only_designer_id)
@@ -210,6 +211,15 @@ class ScriptReader:
             return None
         cue = text.cue
         return LineCue(id=cue.id, number=cue.number, label=label(self._project.cue_prefix, cue.number), name=cue.name)
+
+
+def line_of_cue(session: Session, access: ProjectAccess, cue_id: UUID) -> VoiceLineRead | None:
+    """Return the line that a cue is for; None for a cue that is no voice line."""
+    text = queries.text_of_cue(session, cue_id)
+    if text is None:
+        return None
+    reader = ScriptReader(session, access, around=text.line)
+    return next(one for one in reader.in_language(text.language) if one.id == text.line_id)
 
 
 def may_change(access: ProjectAccess) -> bool:

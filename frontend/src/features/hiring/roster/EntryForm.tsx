@@ -34,7 +34,7 @@ const typedEntry = (entry: Entry) => ({
 })
 type Typed = ReturnType<typeof typedEntry>
 
-/** "Reel https://…": the last word of a line is the address. */
+/** "Reel https://…": each line ends with the address. */
 const linksOf = (typed: string) =>
   typed
     .split('\n')
