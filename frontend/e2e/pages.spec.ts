@@ -15,7 +15,9 @@ interface Place {
 const SIZES = { wide: { width: 1440, height: 900 }, narrow: { width: 390, height: 844 } }
 const SCHEMES = ['light', 'dark'] as const
 
-type Part = 'producer' | 'approver' | 'designer' | 'guest'
+type Part = 'producer' | 'rooms' | 'approver' | 'designer' | 'guest'
+/** Who looks: the producer has more pages than one walk should take. */
+const LOOKS = { producer: 'producer', rooms: 'producer', approver: 'approver', designer: 'designer', guest: 'producer' }
 
 async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: string): Promise<Place[]> {
   const { url, projectId } = demo
@@ -75,10 +77,38 @@ async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: s
         { name: 'operations', path: '/operations', shows: 'Jobs and storage' },
         { name: 'nowhere', path: '/no/such/page', shows: 'Page not found' },
       ]
+    case 'rooms':
+      return [
+        { name: 'brief', path: `${project}/brief`, shows: 'Next topic' },
+        { name: 'brief-versions', path: `${project}/brief/versions`, shows: 'Versions of the brief' },
+        { name: 'kits', path: `${project}/sound-list/kits`, shows: 'Start from a kit' },
+        { name: 'adopt', path: `${project}/sound-list/adopt`, shows: 'Choose a folder' },
+        { name: 'columns', path: `${project}/sound-list/columns`, shows: 'Add a column' },
+        { name: 'references', path: `${project}/references`, shows: 'References' },
+        { name: 'postings', path: `${project}/postings`, shows: 'Postings' },
+        { name: 'roster', path: '/roster', shows: 'Add a person' },
+        { name: 'roster-import', path: '/roster/import', shows: 'Import into the roster' },
+        { name: 'voice-lines', path: `${project}/voice-lines`, shows: 'By the light of a thousand suns.' },
+        { name: 'voice-script', path: `${project}/voice-lines/import`, shows: 'Import a script' },
+        { name: 'changes', path: `${contract}/changes`, shows: 'Propose a change order' },
+        { name: 'ending', path: `${contract}/ending`, shows: 'Forecast' },
+        { name: 'redlines', path: `${contract}/redlines`, shows: 'Redlines' },
+        { name: 'drift', path: `${project}/drift`, shows: 'Volume' },
+        { name: 'listening', path: `${project}/listening`, shows: /^Begin with build/ },
+        { name: 'game-tasks', path: `${project}/game-tasks`, shows: 'Sounds to correct in the game' },
+        { name: 'credits', path: `${project}/credits`, shows: 'Add a name' },
+        { name: 'verify', path: '/verify', shows: 'Verify a contract' },
+      ]
     case 'approver':
       return team
     case 'designer':
-      return [{ name: 'desk', path: `${project}/desk`, shows: 'final_FINAL_sting2.wav' }, ...between, ...list]
+      return [
+        { name: 'desk', path: `${project}/desk`, shows: 'final_FINAL_sting2.wav' },
+        { name: 'work', path: '/work', shows: 'Your work' },
+        { name: 'voice-lines', path: `${project}/voice-lines`, shows: 'By the light of a thousand suns.' },
+        ...between,
+        ...list,
+      ]
     case 'guest':
       return [
         { name: 'sign-in', path: '/sign-in', shows: 'Forgot password?' },
@@ -136,14 +166,12 @@ function troubles(page: Page): string[] {
   return found
 }
 
-for (const part of ['producer', 'approver', 'designer', 'guest'] as const) {
+for (const part of ['producer', 'rooms', 'approver', 'designer', 'guest'] as const) {
   for (const size of ['wide', 'narrow'] as const) {
     test.describe(() => {
       test.describe.configure({ mode: 'parallel' })
       test(`pages of the ${part}, ${size}`, async ({ demo, context, page }) => {
-        await context.addCookies([
-          { name: 'soundlist_demo_part', value: part === 'guest' ? 'producer' : part, url: demo.url },
-        ])
+        await context.addCookies([{ name: 'soundlist_demo_part', value: LOOKS[part], url: demo.url }])
         await page.setViewportSize(SIZES[size])
         await page.goto(`${demo.url}/sign-in`)
         await expect(page.getByText('This is the demo. You need no account:')).toBeVisible()
