@@ -182,9 +182,3 @@ def _is_kept(store: Store, contract: Contract, sha256: str) -> bool:
         return hashlib.sha256(store.read(contract.studio_id, sha256)).hexdigest() == sha256
     except BlobMissing:
         return False
-
-
-def faults_of_all(session: Session, store: Store) -> Iterator[tuple[Contract, list[str]]]:
-    """Yield every contract of every studio with what is wrong with its record and its texts."""
-    for contract in queries.every_contract(session):
-        yield contract, [*faults_of(session, contract), *text_faults(session, store, contract)]

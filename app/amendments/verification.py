@@ -10,7 +10,7 @@ from sqlalchemy.orm import Session
 from app.agreements import record
 from app.agreements.documents import sha256_of
 from app.agreements.models import Contract, ContractAcceptance
-from app.agreements.queries import events_of, versions_of
+from app.agreements.queries import events_of, every_contract, versions_of
 from app.agreements.redline_rules import faults_of_sent
 from app.agreements.redlines import rounds, texts_of
 from app.agreements.rules import ContractState
@@ -42,13 +42,19 @@ ORDER_STATE_AFTER = {
 
 
 def faults_of_all(session: Session, store: Store) -> Iterator[tuple[Contract, list[str]]]:
-    """Yield every contract of every studio with what is wrong with its record, its texts and its tables.
+    """Yield every contract of every studio with what is wrong with it."""
+    for contract in every_contract(session):
+        yield contract, faults_of(session, store, contract)
+
+
+def faults_of(session: Session, store: Store, contract: Contract) -> list[str]:
+    """Return what is wrong with the record, the texts and the tables of a contract.
 
     Tables are held against a record that is whole; where it is not, that is what has to be looked into first.
     """
-    for contract, faults in record.faults_of_all(session, store):
-        is_whole = not any(record.faults_of(session, contract))
-        yield contract, [*faults, *(_table_faults_or_why_not(session, contract) if is_whole else ())]
+    of_record = list(record.faults_of(session, contract))
+    of_tables = [] if of_record else _table_faults_or_why_not(session, contract)
+    return [*of_record, *record.text_faults(session, store, contract), *of_tables]
 
 
 def _table_faults_or_why_not(session: Session, contract: Contract) -> list[str]:

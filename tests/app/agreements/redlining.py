@@ -1,11 +1,13 @@
 """A contract that was sent, and what both parties do with its redlines."""
 
 from typing import Any
+from uuid import UUID
 
 from httpx import Response
 from sqlalchemy.orm import Session
 
-from app.amendments.verification import faults_of_all
+from app.agreements.queries import contract_by_id
+from app.amendments.verification import faults_of
 from tests.app.agreements.conftest import Contracts
 from tests.support.server import World
 
@@ -67,8 +69,8 @@ class Redlining:
         """Return what `soundlist verify` says of the contract."""
 
         def found(session: Session) -> list[str]:
-            store = self.world.server.runtime.store
-            return next(faults for one, faults in faults_of_all(session, store) if str(one.id) == self.sent["id"])
+            contract = contract_by_id(session, UUID(self.sent["id"]))
+            return faults_of(session, self.world.server.runtime.store, contract)
 
         said: list[str] = self.world.server.in_database(found)
         return said

@@ -10,7 +10,8 @@ from sqlalchemy.orm import Session
 from app.accounts.models import Membership, Person
 from app.accounts.rules import Role
 from app.agreements.models import ContractSigner
-from app.amendments.verification import faults_of_all
+from app.agreements.queries import contract_by_id
+from app.amendments.verification import faults_of
 from app.kit.db import new_id
 from tests.app.amendments.test_change_orders import Order, move
 from tests.app.money.agreed import day
@@ -134,8 +135,7 @@ def faults(order: Order) -> list[str]:
     """Return what is wrong with the contract, whose text and state no test has put on record."""
 
     def found(session: Session) -> list[str]:
-        every = faults_of_all(session, order.world.server.runtime.store)
-        return next(faults for one, faults in every if one.id == order.contract_id)
+        return faults_of(session, order.world.server.runtime.store, contract_by_id(session, order.contract_id))
 
     said: list[str] = order.world.server.in_database(found)
     return said

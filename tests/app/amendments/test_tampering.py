@@ -15,11 +15,11 @@ from typer.testing import CliRunner
 
 from app.agreements.heads import head_of
 from app.agreements.models import Contract, ContractAcceptance, ContractEvent, ContractVersion, Seal
-from app.agreements.queries import contract_by_id
+from app.agreements.queries import contract_by_id, contract_by_id_or_none
 from app.agreements.rules import ContractState
 from app.amendments.models import AmendmentAcceptance, ChangeOrder, Notice
 from app.amendments.rules import ChangeOrderState
-from app.amendments.verification import faults_of_all
+from app.amendments.verification import faults_of
 from app.cli import cli, keeping
 from app.kit import clock
 from app.kit.record import START, canonical, link
@@ -28,6 +28,7 @@ from app.money.rules import LineKind
 from app.notifications import contract_jobs
 from app.settings import Settings
 from tests.app.agreements.conftest import Contracts
+from tests.app.amendments.test_tampering_work import faults_after
 from tests.app.money.agreed import TODAY, Agreed, deposit, milestone
 from tests.app.reviews.making import Stage, body_of
 from tests.support.server import World
@@ -65,9 +66,7 @@ def contract_id(world: World, contracts: Contracts) -> UUID:
 
 def faults(world: World, contract_id: UUID) -> list[str]:
     def found(session: Session) -> list[str]:
-        return next(
-            faults for one, faults in faults_of_all(session, world.server.runtime.store) if one.id == contract_id
-        )
+        return faults_of(session, world.server.runtime.store, contract_by_id(session, contract_id))
 
     said: list[str] = world.server.in_database(found)
     return said
@@ -135,12 +134,16 @@ DEEDS: dict[str, tuple[UpdateBase, str]] = {
 }
 
 
-@pytest.mark.parametrize("deed", DEEDS)
-def test_each_deed_is_named(world: World, contract_id: UUID, deed: str) -> None:
-    statement, words = DEEDS[deed]
+def of_contract(statement: UpdateBase, contract_id: UUID) -> UpdateBase:
     named = sa.column("id" if statement.table.name == "contracts_contracts" else "contract_id", sa.Uuid)
-    world.server.in_database(lambda session: session.execute(statement.where(named == contract_id)))
-    assert any(words in fault for fault in faults(world, contract_id)), faults(world, contract_id)
+    return statement.where(named == contract_id)
+
+
+def test_each_deed_is_named(world: World, contract_id: UUID) -> None:
+    deeds = {deed: of_contract(statement, contract_id) for deed, (statement, _) in DEEDS.items()}
+    named = faults_after(world, contract_id, deeds)
+    assert {deed: said for deed, said in named.items() if not any(DEEDS[deed][1] in fault for fault in said)} == {}
+    assert faults(world, contract_id) == [], "each was taken back"
 
 
 def empty_the_record(session: Session, contract_id: UUID) -> None:
@@ -291,12 +294,8 @@ def test_a_kept_head_shows_what_is_whole_in_itself(
     world.server.in_database(lambda session: deed(session, nda_id))
 
     def others_say(session: Session) -> list[str]:
-        return [
-            fault
-            for one, found in faults_of_all(session, world.server.runtime.store)
-            for fault in found
-            if one.id == nda_id
-        ]
+        contract = contract_by_id_or_none(session, nda_id)
+        return faults_of(session, world.server.runtime.store, contract) if contract else []
 
     assert world.server.in_database(others_say) == []
     assert any(words in fault for fault in verified_with(world, head, monkeypatch))
