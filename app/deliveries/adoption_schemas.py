@@ -20,7 +20,7 @@ class ShippedFileIn(Schema):
 
     path: Path = Field(description="Relative to the folder.", examples=["ui/click.wav"])
     sha256: Annotated[str, StringConstraints(min_length=64, max_length=64)] = Field(description="In hex.")
-    size_bytes: int = Field(ge=0, le=1 << 53)
+    size_bytes: int = Field(ge=0, le=2**53 - 1)
     sample_rate_hz: int | None = Field(default=None, ge=1, le=10_000_000, description="As its header says.")
     bit_depth: int | None = Field(default=None, ge=1, le=64)
 

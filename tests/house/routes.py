@@ -178,6 +178,7 @@ QUERIES: dict[str, dict[str, str]] = {
     "compare_revisions": {"from": "0", "to": "0"},
     "find": {"q": "shield"},
     "watch_changes": {"seconds": "0"},
+    "read_cue_matrix": {"line": "deck, sand × walk, run × 2"},
     "compare_contract_versions": {"from_version": "1", "to_version": "1"},
 }
 ADJUSTED: dict[str, dict[str, Any]] = {
@@ -189,7 +190,7 @@ ADJUSTED: dict[str, dict[str, Any]] = {
     "add_take": {"file_name": "shield_hit.wav"},
     "check_spec_draft": {"tables": {"format": 1}},
     "import_voice_lines": {"format": "paste", "text": "character\ttext\nCaptain\tGo.", "dry_run": True},
-    "add_voice_release": {"valid_from": "2026-01-01"},
+    "add_voice_release": {"upload_id": Named("voice_upload_id"), "valid_from": "2026-01-01"},
     "import_sound_list": {"format": "paste", "text": "name\nRadar ping", "dry_run": True},
     "import_into_roster": {"format": "paste", "text": "name\temail\nA\ta@example.test", "dry_run": True},
     "invite_from_roster": {"entry_ids": [Named("roster_entry_id")]},

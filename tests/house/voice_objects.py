@@ -5,6 +5,9 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
+from app.kit import clock
+from app.kit.uploads import Upload
+from app.references.service import upload_scope
 from app.sound_lists.models import Cue
 from app.voice_lines.models import Casting, Character, Performer, Release, VoiceLine, VoiceText, VoiceTextVersion
 from app.voice_lines.rules import SyntheticUse
@@ -35,12 +38,22 @@ def add_voice_line(
         synthetic_use=SyntheticUse.NO,
         added_by=added_by,
     )
-    session.add_all([text, casting, release])
+    upload = Upload(
+        studio_id=of["studio_id"],
+        owner_id=added_by,
+        scope=upload_scope(of["project_id"]),
+        file_name="release.pdf",
+        length=file_bytes,
+        sha256=sha256,
+        finished_at=clock.now(),
+    )
+    session.add_all([text, casting, release, upload])
     session.flush()
     session.add(VoiceTextVersion(**of, text_id=text.id, number=1, text="Go.", written_by=added_by))
     return {
         "voice_line_id": line.id,
         "voice_character_id": character.id,
         "voice_release_id": release.id,
+        "voice_upload_id": upload.id,
         "language": "en",
     }

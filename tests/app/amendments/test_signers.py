@@ -68,7 +68,7 @@ def test_a_change_order_holds_once_both_signers_and_the_designer_have_signed(ord
     agreed = body_of(order.accept(executive, "E. Producer"))["orders"][0]
     assert (agreed["state"], order.plan_now()[2][2]) == ("agreed", day(32))
     assert signed(order) == [("studio", "P. Producer"), ("designer", "N. Designer"), ("studio", "E. Producer")]
-    assert order.entries()[-4:] == ["change_accepted", "change_accepted", "change_accepted", "changed"]
+    assert order.entries()[-5:] == ["change_accepted", "change_accepted", "change_accepted", "changed", "planned"]
     assert faults(order) == before
 
 
