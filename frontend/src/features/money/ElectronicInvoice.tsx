@@ -21,7 +21,7 @@ export function ElectronicInvoice({ invoice }: { invoice: Invoice }) {
         variant="quiet"
         icon="download"
         aria-busy={save.isPending}
-        aria-label={`Download electronic invoice ${number}`}
+        aria-label={`Download E-invoice ${number}`}
         onClick={() => save.mutate()}
       >
         E-invoice

@@ -207,7 +207,7 @@ describe('a producer', () => {
     vi.stubGlobal('URL', Object.assign(URL, { createObjectURL, revokeObjectURL: vi.fn() }))
     await opened()
     const effects = within(screen.getByRole('region', { name: 'Effects, Sound designer' }))
-    const button = effects.getByRole('button', { name: 'Download electronic invoice 1' })
+    const button = effects.getByRole('button', { name: 'Download E-invoice 1' })
     await userEvent.click(button)
     expect(await effects.findByText(new RegExp(fix))).toBeVisible()
     expect(createObjectURL).not.toHaveBeenCalled()
