@@ -39,7 +39,7 @@ test: .make/s3  ## Set up and pass every test; two parts at a time, for much in 
 
 test-all: test  ## The same, then every test of rooms and journeys on PostgreSQL and S3 too, and the long walks in the browser
 	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres --store s3 tests/app tests/journeys
-	@cd frontend && LONG_WALKS=1 npm run --silent e2e -- judging leaving
+	@cd frontend && LONG_WALKS=1 npm run --silent e2e -- judging leaving worked-example
 
 beside-unit-postgres: beside-unit  # which records what PostgreSQL has to be sent
 parallel-%: setup .make/postgresql .make/browser .make/librosa

@@ -17,7 +17,6 @@ export default defineConfig({
       testMatch: [
         'main-job.spec.ts',
         'contract.spec.ts',
-        'worked-example.spec.ts',
         'fix.spec.ts',
         'resume.spec.ts',
         'tray.spec.ts',
@@ -25,7 +24,7 @@ export default defineConfig({
         'hiring.spec.ts',
         'walk.spec.ts',
         // Minutes each, beside other tests: `make test-all` walks them.
-        ...(process.env.LONG_WALKS ? ['judging.spec.ts', 'leaving.spec.ts'] : []),
+        ...(process.env.LONG_WALKS ? ['judging.spec.ts', 'leaving.spec.ts', 'worked-example.spec.ts'] : []),
       ],
     },
     { name: 'parts', testMatch: ['parts.spec.ts', 'heard.spec.ts'] },

@@ -75,7 +75,7 @@ async function hire(browser: Browser, url: string): Promise<void> {
     await producer.getByRole('navigation', { name: 'Screens' }).getByRole('link', { name: 'Sound list' }).click()
     await producer.getByRole('link', { name: /kit/i }).first().click()
     await producer
-      .getByRole('link', { name: /^Look at the .* kit$/ })
+      .getByRole('link', { name: /^Look at its cues/ })
       .first()
       .click()
     const add = producer.getByRole('button', { name: /^Add \d+ cues/ })

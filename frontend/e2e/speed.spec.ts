@@ -114,7 +114,7 @@ for (const { name, part, path, shows } of [
     const base = loaded.requests.find(({ path: at }) => at.startsWith('/assets/base-') && at.endsWith('.js'))
     const data = loaded.requests.find(({ path: at }) => at.startsWith('/v1/'))
     expect.soft(data?.startedAtS, 'data asked for while the script is on its way').toBeLessThan(base?.endedAtS ?? 0)
-    expect.soft(bytesOf(loaded, 'script'), 'compressed script').toBeLessThan(200_000)
+    expect.soft(bytesOf(loaded, 'script'), 'compressed script').toBeLessThan(200 * 1_024)
     expect.soft(bytesOf(loaded, 'style'), 'compressed styles').toBeLessThan(30_000)
     expect.soft(loaded.shift, 'layout shift').toBeLessThanOrEqual(0.05)
   })

@@ -28,7 +28,7 @@ interface Story {
 }
 
 async function walk(server: Server, browser: Browser): Promise<void> {
-  test.setTimeout(300_000) // nine sounds are checked and rendered meanwhile
+  test.setTimeout(900_000) // nine sounds are checked and rendered meanwhile
   const arrive = async () => Party.arrive(server.url, await browser.newContext({ baseURL: server.url }))
   const story = await begin(await arrive(), await arrive(), await arrive())
   const { project, cues, producer, signer, designer } = story

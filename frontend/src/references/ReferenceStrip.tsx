@@ -24,7 +24,7 @@ export function ReferenceStrip({ projectId, cueId, mayAdd = false }: ReferenceSt
   return (
     <section className={classes.strip} aria-label="References">
       <header className={classes.stripHead}>
-        <h3>References</h3>
+        <h2>References</h2>
         {references.length > 0 && <Count of={references.length} />}
         <Link
           className="link small end"

@@ -23,6 +23,7 @@ export function ReferenceTile({ reference, onShow, children }: ReferenceTileProp
   const [isUnplayable, setUnplayable] = useState(false)
   const open = useOpenVersion(reference.project_id)
   const title = titleOf(reference)
+  const excerpt = version.excerpt.slice(0, 400)
   const opened = (then: () => void) => open.mutate(version.id, { onSuccess: then })
   const problem = open.error instanceof ApiProblem ? open.error : null
   const url = `${partOf(version.id, 'file')}${fragmentOf(reference)}`
@@ -35,7 +36,12 @@ export function ReferenceTile({ reference, onShow, children }: ReferenceTileProp
     onError: () => setUnplayable(true),
   }
   const act = (label: string, run: () => void, inside: ReactNode) => (
-    <button type="button" className={classes.th} aria-label={`${label} ${title}`} onClick={run}>
+    <button
+      type="button"
+      className={classes.th}
+      aria-label={`${label} ${title}${excerpt && `: ${excerpt}`}`}
+      onClick={run}
+    >
       {inside}
     </button>
   )
@@ -60,11 +66,7 @@ export function ReferenceTile({ reference, onShow, children }: ReferenceTileProp
           </span>,
         )
       case 'text':
-        return act(
-          'Read',
-          () => opened(() => onShow(reference)),
-          <span className={classes.excerpt}>{version.excerpt.slice(0, 400)}</span>,
-        )
+        return act('Read', () => opened(() => onShow(reference)), <span className={classes.excerpt}>{excerpt}</span>)
       case 'video':
       case 'audio':
         if (isUnplayable) {

@@ -1,4 +1,5 @@
 import { useQuery } from '@tanstack/react-query'
+import { useState } from 'react'
 
 import { useLazy } from '@/ui/useLazy'
 
@@ -6,9 +7,16 @@ import { cueReferencesQuery } from './api'
 
 const load = () => import('./ReferenceStrip').then((part) => part.ReferenceStrip)
 
-/** The references of a cue, loaded only where there are any: for pages that most people open without them. */
+/** How many references a cue has; they are loaded once they are asked for, since most cues are judged without. */
 export function ReferencesWhereAny({ projectId, cueId }: { projectId: string; cueId: string }) {
   const { data: references } = useQuery(cueReferencesQuery(projectId, cueId))
-  const Strip = useLazy(load, references !== undefined && references.length > 0)
-  return Strip && <Strip projectId={projectId} cueId={cueId} />
+  const [isOpen, setOpen] = useState(false)
+  const Strip = useLazy(load, isOpen)
+  if (references === undefined || references.length === 0) return null
+  return (
+    <details onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
+      <summary className="small strong">{`${references.length} ${references.length === 1 ? 'reference' : 'references'}`}</summary>
+      {isOpen && Strip && <Strip projectId={projectId} cueId={cueId} />}
+    </details>
+  )
 }

@@ -106,6 +106,7 @@ test('references of the cue stand beside its notes, where there are any', async 
   }
   server.on(`GET /v1/projects/${PROJECT}/references`, { items: [splash], next: null })
   await opened()
+  await userEvent.click(await screen.findByText('1 reference'))
   const strip = await screen.findByRole('region', { name: 'References' })
   expect(within(strip).getByText('The clank we mean')).toBeTruthy()
   const [asked] = server.of(`GET /v1/projects/${PROJECT}/references`)

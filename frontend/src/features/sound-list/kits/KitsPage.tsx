@@ -111,7 +111,7 @@ function KitCards({ kits, projectId }: { kits: readonly Kit[]; projectId: string
                 to="/projects/$projectId/sound-list/kits"
                 params={{ projectId }}
                 search={{ kit: kit.key }}
-                aria-label={`Look at the ${kit.name} kit`}
+                aria-label={`Look at its cues: ${kit.name}`}
               >
                 Look at its cues
               </Link>

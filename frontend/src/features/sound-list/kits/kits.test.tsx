@@ -54,7 +54,7 @@ test('an empty list leads to the kits, each with what is usual, marked as a gues
   const kit = await screen.findByRole('region', { name: 'Puzzle' })
   expect(kit).toHaveTextContent('3 cues, 8 files')
   expect(kit).toHaveTextContent('Usually 30–80 cues, 30–80 hours, 30–80 MB. These are guesses.')
-  await userEvent.click(within(kit).getByRole('link', { name: 'Look at the Puzzle kit' }))
+  await userEvent.click(within(kit).getByRole('link', { name: 'Look at its cues: Puzzle' }))
   expect(await screen.findByRole('checkbox', { name: 'Keep Hint' })).toBeChecked()
 })
 
