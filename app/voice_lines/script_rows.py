@@ -18,7 +18,7 @@ from app.voice_lines.rules import (
 )
 from app.voice_lines.script_columns import ScriptField, meaning_of
 
-LONGEST = {
+LONGEST: Mapping[str, int] = {
     ScriptField.KEY: MAX_KEY_CHARS,
     ScriptField.CHARACTER: MAX_NAME_CHARS,
     ScriptField.SCENE: MAX_SCENE_CHARS,
@@ -157,7 +157,7 @@ def _faults_of(row: int, given: Mapping[str, str]) -> Iterator[RowFault]:
     if not any(text for meaning, text in given.items() if meaning not in LONGEST):
         yield RowFault(row, None, "no text in any language; wanted what is spoken")
     for meaning, text in given.items():
-        longest = LONGEST.get(meaning, MAX_TEXT_CHARS)  # type: ignore[call-overload]
+        longest = LONGEST.get(meaning, MAX_TEXT_CHARS)
         if len(text) > longest:
             yield RowFault(row, meaning, f"{len(text):,} characters; at most {longest:,} are kept")
 

@@ -50,7 +50,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
         cues.findIndex(({ cue: { id } }) => id === last.cueId),
       ),
     )
-    showToast(`${last.cueName}: taken back.`)
+    showToast(`${last.cueName}: undone.`)
   }
   useHotkeys([
     { keys: 'j', label: 'Next sound, without a note', group: GROUP, run: () => step(1), repeats: true },

@@ -246,7 +246,7 @@ function Decision({ group, audit, projectId }: SoundDetailProps) {
       </div>
       {isAsked && reason.trim() === '' && (
         <p id="drift-reason-asked" role="alert" className="small">
-          An accepted drift needs a reason; it is kept with your name and the date.
+          An accepted drift needs a reason; your name and the date are saved with it.
         </p>
       )}
       {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}

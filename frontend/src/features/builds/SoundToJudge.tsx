@@ -116,7 +116,7 @@ export function SoundToJudge({ cue, passId, buildLabel, said, next, onSay, onUnd
           className={classes.text}
           value={choice.text}
           maxLength={1_000}
-          placeholder="In words, if one key does not say it"
+          placeholder="Comment (optional)"
           onChange={({ target }) => setChoice((now) => ({ ...now, text: target.value }))}
           onKeyDown={({ key, nativeEvent }) => {
             if (key === 'Enter' && !nativeEvent.isComposing) say(choice.said)
