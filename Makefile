@@ -41,7 +41,7 @@ test-all: test  ## The same, then every test of rooms and journeys on PostgreSQL
 	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres --store s3 tests/app tests/journeys
 	@cd frontend && LONG_WALKS=1 npm run --silent e2e -- judging leaving worked-example
 
-beside-unit-postgres: beside-unit  # which records what PostgreSQL has to be sent
+parallel-unit-postgres: parallel-unit  # which records what PostgreSQL has to be sent
 parallel-%: setup .make/postgresql .make/browser .make/librosa
 	@.ci/part $* $(MAKE) --no-print-directory $*
 

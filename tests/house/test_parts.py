@@ -33,3 +33,11 @@ def test_a_part_that_fails_says_so_and_keeps_its_end(folder: Path):
     assert ran.returncode == 1
     kept = (folder / ".make/unit.failed").read_text().splitlines()
     assert kept == ["unit FAILED; it ended with", *map(str, range(61, 101))]
+
+
+def test_postgresql_waits_for_the_statements_that_the_other_part_records():
+    """Both workers choose their tests by these records: chosen while they grow, the two would not run the same tests."""
+    command = ["make", "--always-make", "--dry-run", "parallel-unit-postgres"]
+    printed = subprocess.run(command, cwd=PART.parents[1], capture_output=True, text=True, check=True).stdout
+    parts = [line.split()[1] for line in printed.splitlines() if line.startswith(".ci/part ")]
+    assert parts == ["unit", "unit-postgres"]
