@@ -28,7 +28,7 @@ pytestmark = pytest.mark.both_databases
 
 @pytest.fixture
 def contract_id(world: World, contracts: Contracts) -> UUID:
-    """Return an agreed contract: a cue accepted, one cut in work, one changed on the list and commented; another spec."""
+    """Return an agreed contract: a cue accepted, one cut in work, one changed and commented; another spec."""
     stage = Stage(world)
     ping, clamp, hum = (stage.cue(name) for name in ("radar_ping", "dock_clamp", "reactor_hum"))
     begun = contracts.begin()
