@@ -33,7 +33,7 @@ SERVERS_OWN = frozenset({"kit_heartbeats", "accounts_rate_limits", "accounts_sig
 PERSONAL = frozenset(
     {
         *("accounts_sign_ins", "accounts_password_resets", "accounts_email_verifications", "accounts_operators"),
-        "notifications_mail_preferences",
+        *("notifications_mail_preferences", "notifications_notices"),
     }
 )
 TEAMS_OWN = frozenset(  # no designer reads them

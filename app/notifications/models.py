@@ -4,7 +4,7 @@ from datetime import datetime, time
 from typing import Any
 from uuid import UUID
 
-from sqlalchemy import ForeignKey, Index, text
+from sqlalchemy import ForeignKey, Index, UniqueConstraint, text
 from sqlalchemy.orm import Mapped, mapped_column
 
 from app.kit import clock
@@ -56,3 +56,32 @@ class MailPreferences(Base):
     daily_at: Mapped[time]  # in that time zone, as the two below
     quiet_from: Mapped[time | None]
     quiet_until: Mapped[time | None]
+
+
+class Notice(Base):
+    """News for one person, shown in the app whatever they are mailed."""
+
+    __tablename__ = "notifications_notices"
+    __table_args__ = (
+        UniqueConstraint("person_id", "topic", "event_id"),  # an event is noticed once, however often its job runs
+        Index("ix_notifications_notices_of_person", "person_id", "id"),
+        Index(
+            "ix_notifications_notices_unread",
+            "person_id",
+            sqlite_where=text("read_at is null"),
+            postgresql_where=text("read_at is null"),
+        ),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID | None] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    topic: Mapped[str]
+    event_id: Mapped[str]
+    news: Mapped[str]  # its kind, as of mails
+    subject: Mapped[str]
+    text: Mapped[str]
+    path: Mapped[str]  # of the page it leads to
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    read_at: Mapped[datetime | None] = mapped_column(index=True)

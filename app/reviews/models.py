@@ -28,7 +28,7 @@ class Verdict(Base):
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
-    cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)
+    cue_id: Mapped[UUID] = mapped_column(index=True)  # no foreign key: an undone adoption removes cues, not verdicts
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
     action_id: Mapped[UUID] = mapped_column(index=True)  # decisions of one click are undone together
     kind: Mapped[VerdictKind]
@@ -46,6 +46,18 @@ class Verdict(Base):
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     author: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[given_by])
     represented: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[on_behalf_of])
+
+
+class GameLevel(Base):
+    """How the game played a variation of a cue when its folder was adopted: the level that counts as approved."""
+
+    __tablename__ = "reviews_game_levels"
+
+    cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), primary_key=True)
+    variation: Mapped[int] = mapped_column(primary_key=True)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    plays: Mapped[list[dict[str, Any]]]  # as a manifest for audits has them
 
 
 class ClockPause(Base):
@@ -124,6 +136,7 @@ class ChangeRequest(Base):
     written_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     feedback_id: Mapped[UUID | None] = mapped_column(ForeignKey("reviews_feedback.id"), index=True)
+    mentions: Mapped[dict[str, Any]] = mapped_column(default=dict)  # by person: the name that stands after the @
     cue: Mapped[Cue] = relationship(lazy="raise")  # its take may be moved to another one, or to none
     take: Mapped[Take] = relationship(lazy="raise")
     author: Mapped[Person] = relationship(lazy="raise")
@@ -170,7 +183,24 @@ class Comment(Base):
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     resolved_at: Mapped[datetime | None]
     resolved_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
+    mentions: Mapped[dict[str, Any]] = mapped_column(default=dict)  # by person: the name that stands after the @
     author: Mapped[Person] = relationship(lazy="raise", foreign_keys=[written_by])
+    acknowledgements: Mapped[list["Acknowledgement"]] = relationship(lazy="raise", order_by="Acknowledgement.id")
+
+
+class Acknowledgement(Base):
+    """A person who is mentioned in a comment, or made the sound, has seen it."""
+
+    __tablename__ = "reviews_acknowledgements"
+    __table_args__ = (UniqueConstraint("comment_id", "person_id"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    comment_id: Mapped[UUID] = mapped_column(ForeignKey("reviews_comments.id"))
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    person: Mapped[Person] = relationship(lazy="raise")
 
 
 class NoteAnswer(Base):
