@@ -226,6 +226,7 @@ class Adoption(Base):
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     folder: Mapped[str]  # its name, without the path to it
     files: Mapped[list[dict[str, Any]]]  # see ShippedFileIn
+    game: Mapped[dict[str, Any] | None]  # what the game's project says of its sounds; None: no project was sent
     opened_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: a build
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     delivery_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_deliveries.id"))  # that holds its takes
