@@ -50,6 +50,14 @@ def mark_cue(session: Session, actor: Actor, cue_id: UUID, *, mark: CueMark, is_
     return _states(session, access)
 
 
+def cues_in_build(session: Session, project_id: UUID) -> set[UUID]:
+    """Return the cues that are in the build: by the newest audit, or set by hand."""
+    newest = audit_queries.newest_audit(session, project_id)
+    statuses = audit_queries.statuses_by_cue(session, newest.id) if newest else {}
+    marked = {one.cue_id for one in audit_queries.marks_of(session, project_id) if one.mark is CueMark.IN_BUILD}
+    return marked | {cue_id for cue_id, of_cue in statuses.items() if is_in_build(of_cue)}
+
+
 def _states(session: Session, access: ProjectAccess) -> GameStates:
     project_id = access.project.id
     cues = audit_queries.wanted_cues(session, project_id)

@@ -18,7 +18,8 @@ from app.agreements.rules import ContractKind, ContractState, Party
 from app.agreements.signing_rules import Turn
 from app.amendments.waiting import Amendment, waiting_amendments
 from app.briefs import queries as briefs
-from app.dashboards import progress_queries, queries
+from app.builds.game_states import cues_in_build
+from app.dashboards import named_queries, progress_queries, queries
 from app.dashboards.progress import counted
 from app.dashboards.rules import CAME_BACK, STEP_ORDER, UNFINISHED, AwaitedKind, CueStatus, NextStepKind
 from app.dashboards.step_schemas import Awaited, NextStep, NextSteps
@@ -86,6 +87,7 @@ class _Steps:
             )
             self._counted(NextStepKind.ANSWER_FOLLOW_UPS, briefs.open_follow_ups(session, project.id))
         self._verdicts()
+        self._named()
         back_since = queries.back_since(session, project.id, project.studio_id)
         self._await(AwaitedKind.FIXES, "", None, (sum(counts.get(status, 0) for status in CAME_BACK), back_since))
 
@@ -104,6 +106,7 @@ class _Steps:
         self._counted(NextStepKind.FIX, (sum(counts.get(status, 0) for status in CAME_BACK), back_since))
         self._counted(NextStepKind.MATCH, queries.tray_since(session, project.id, designer_id))
         self._counted(NextStepKind.MAKE, (sum(counts.get(status, 0) for status in UNFINISHED), None))
+        self._named()
         rights = approval_rights(session, project)
         if rights.by_category:
             self._await_verdicts(rights, Take.designer_id == designer_id)
@@ -123,6 +126,16 @@ class _Steps:
         count, since = found
         if count:
             self.awaited.append(Awaited(kind=kind, who=who, person_id=person_id, count=count, since=since))
+
+    def _named(self) -> None:
+        """Add the cues that name the caller: those to record, and accepted ones that are not in the build."""
+        session, project_id, person_id = self._session, self._project.id, self._access.actor.person
+        self._counted(NextStepKind.RECORD, (named_queries.cues_to_record(session, project_id, person_id), None))
+        accepted = named_queries.accepted_for_implementer(session, project_id, person_id)
+        if accepted:
+            in_build = cues_in_build(session, project_id)
+            waiting = [since for cue_id, since in accepted.items() if cue_id not in in_build]
+            self._counted(NextStepKind.IMPLEMENT, (len(waiting), min(waiting, default=None)))
 
     def _verdicts(self) -> None:
         session, project, person_id = self._session, self._project, self._access.actor.person

@@ -61,6 +61,8 @@ class NextStepKind(StrEnum):
     INVOICE_DUE = "invoice_due"
     NAME_APPROVER = "name_approver"
     MAKE = "make"
+    RECORD = "record"
+    IMPLEMENT = "implement"
 
 
 STEP_ORDER = {kind: place for place, kind in enumerate(NextStepKind)}

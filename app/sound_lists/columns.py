@@ -44,6 +44,9 @@ HEADS: Mapping[str, str] = {
     "échéance|date limite|fecha límite",
     "placeholder": "placeholder|temp|is placeholder|platzhalter",
     "palette": "palette|in palette",
+    "implementer": "implementer|implemented by|integrator|integrated by|puts it in|audio implementer|eingebaut von|"
+    "implementiert von|einbau",
+    "recorder": "recorder|recorded by|recordist|records|aufgenommen von|aufnahme|aufnahme von",
 }
 UNITS: Mapping[str, float] = {
     **dict.fromkeys(("s", "sec", "secs", "second", "seconds", "sek", "sekunde", "sekunden"), 1.0),

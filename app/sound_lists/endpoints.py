@@ -33,6 +33,7 @@ from app.sound_lists.errors import (
     SheetUnreadable,
 )
 from app.sound_lists.imports import import_sheet
+from app.sound_lists.people import known_people
 from app.sound_lists.rules import MAX_PAGE, PAGE
 from app.sound_lists.schemas import (
     AnswerAdd,
@@ -76,11 +77,11 @@ def get_sound_list(
     actor: Actor = allows(Audience.PROJECT, build=Scope.LIST_READ),
 ) -> SoundListRead:
     """Return one page of the project's cues in list order, cut ones too."""
-    project = project_access(session, actor, project_id).project
-    cues, following = service.page_of(session, project.id, cursor=cursor, limit=limit)
+    access = project_access(session, actor, project_id)
+    cues, following = service.page_of(session, project_id, cursor=cursor, limit=limit)
     return SoundListRead(
-        revision=queries.revision_number(session, project.id),
-        cues=service.cues_read(session, project, cues),
+        revision=queries.revision_number(session, project_id),
+        cues=service.cues_read(session, access, cues),
         next=following,
     )
 
@@ -105,9 +106,10 @@ def export_sound_list(
     project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT, build=Scope.LIST_READ)
 ) -> Response:
     """Return the list as the CSV that `audio-checks check --list` and spreadsheets read."""
-    project = project_access(session, actor, project_id).project
-    columns = queries.own_columns(session, project.id)
-    text = export.sound_list_csv(queries.cues_of(session, project.id), columns, project.cue_prefix)
+    access = project_access(session, actor, project_id)
+    columns = queries.own_columns(session, project_id)
+    people = known_people(session, access)
+    text = export.sound_list_csv(queries.cues_of(session, project_id), columns, people, access.project.cue_prefix)
     headers = {"Content-Disposition": 'attachment; filename="sounds.csv"'}
     return Response(text, media_type="text/csv; charset=utf-8", headers=headers)
 
@@ -124,9 +126,10 @@ def export_workbook(
     project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT, build=Scope.LIST_READ)
 ) -> Response:
     """Return the list as a workbook with every field and column, which an import reads back without a difference."""
-    project = project_access(session, actor, project_id).project
-    columns = queries.own_columns(session, project.id)
-    content = workbook.sound_list_workbook(queries.cues_of(session, project.id), columns, project.cue_prefix)
+    access = project_access(session, actor, project_id)
+    columns = queries.own_columns(session, project_id)
+    people, prefix = known_people(session, access), access.project.cue_prefix
+    content = workbook.sound_list_workbook(queries.cues_of(session, project_id), columns, people, prefix)
     headers = {"Content-Disposition": 'attachment; filename="sounds.xlsx"'}
     return Response(content, media_type=workbook.MEDIA_TYPE, headers=headers)
 
@@ -143,9 +146,9 @@ def add_cues(
 ) -> list[CueRead]:
     """Add typed rows to the end of the list: all of them, or none."""
     added = service.add_cues(session, actor, project_id, [cue.model_dump() for cue in body.cues])
-    project = project_access(session, actor, project_id).project
+    access = project_access(session, actor, project_id)
     cues = queries.cues_by_id(session, project_id, [cue.id for cue in added])
-    return [service.cue_read(cues[cue.id], project.cue_prefix) for cue in added]
+    return [service.cue_read(access, cues[cue.id]) for cue in added]
 
 
 @router.get("/cues/{cue_id}", response_model=CueDetail, responses=problems(CueNotFound))
@@ -155,7 +158,7 @@ def get_cue(cue_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRO
     asked = queries.questions_of(session, cue.project_id, cue_id=cue.id)
     still_open = sum(question.answered_at is None for question in asked)
     return CueDetail(
-        **service.cue_read(cue, access.project.cue_prefix, still_open).model_dump(),
+        **service.cue_read(access, cue, still_open).model_dump(),
         project_id=cue.project_id,
         questions=[questions.question_read(question, access) for question in asked],
     )
@@ -191,9 +194,9 @@ def _changed(
     session: DbSession, actor: Actor, cue_id: UUID, edition: int | None, changes: dict[str, object]
 ) -> CueRead:
     cue = service.change_cue(session, actor, cue_id, edition, changes)
-    prefix = project_access(session, actor, cue.project_id).project.cue_prefix
+    access = project_access(session, actor, cue.project_id)
     open_questions = queries.open_question_counts(session, cue.project_id)
-    return service.cue_read(cue, prefix, open_questions.get(cue.id, 0))
+    return service.cue_read(access, cue, open_questions.get(cue.id, 0))
 
 
 @router.post(

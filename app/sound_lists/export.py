@@ -7,7 +7,8 @@ from datetime import date
 import audio_checks
 from app.sound_lists.models import Cue
 from app.sound_lists.own_column_rules import Column, key_of
-from app.sound_lists.rules import NEW_CUE, label, spreadsheet_safe
+from app.sound_lists.people_rules import KnownPeople
+from app.sound_lists.rules import NEW_CUE, PEOPLE, label, spreadsheet_safe
 from app.sound_lists.service import cue_facts
 
 OWN_COLUMNS = (
@@ -19,11 +20,19 @@ OWN_COLUMNS = (
 )  # in the export, besides those that every tool knows
 
 
-def sound_list_csv(cues: Sequence[Cue], columns: Sequence[Column], cue_prefix: str) -> str:
+def sound_list_csv(cues: Sequence[Cue], columns: Sequence[Column], people: KnownPeople, cue_prefix: str) -> str:
     """Return the list as the CSV that spreadsheets, CI and our own import read; no cell is a formula."""
     own = [column for column in OWN_COLUMNS if any(getattr(cue, column) != NEW_CUE[column] for cue in cues)]
+    named = {
+        column: texts
+        for column, fact in PEOPLE.items()
+        if any(texts := [people.text_of(getattr(cue, fact)) for cue in cues])
+    }
     extras = value_columns(cues, columns)
-    return audio_checks.write_sound_list(_exported(cue, cue_prefix, own, extras) for cue in cues)
+    return audio_checks.write_sound_list(
+        _exported(cue, cue_prefix, own, {column: texts[at] for column, texts in named.items()}, extras)
+        for at, cue in enumerate(cues)
+    )
 
 
 def value_columns(cues: Sequence[Cue], columns: Sequence[Column]) -> dict[str, str]:
@@ -39,9 +48,11 @@ def values_by_key(cue: Cue) -> dict[str, str]:
     return {key_of(name): text for name, text in cue.extra.items()}
 
 
-def _exported(cue: Cue, cue_prefix: str, own: Sequence[str], extras: Mapping[str, str]) -> audio_checks.CueFacts:
+def _exported(
+    cue: Cue, cue_prefix: str, own: Sequence[str], named: Mapping[str, str], extras: Mapping[str, str]
+) -> audio_checks.CueFacts:
     more = {"description": cue.description, "use": cue.use, "trigger": cue.trigger}
-    more |= {column: _plain(getattr(cue, column)) for column in own}
+    more |= {column: _plain(getattr(cue, column)) for column in own} | named
     values = values_by_key(cue)
     more |= {column: values.get(key, "") for key, column in extras.items()}
     return replace(

@@ -16,7 +16,9 @@ from app.sound_lists.errors import ColumnUnknown
 from app.sound_lists.models import Cue
 from app.sound_lists.own_column_rules import Column as OwnColumn
 from app.sound_lists.own_column_rules import by_key, kept_name, key_of, read_value
-from app.sound_lists.rules import NEW_CUE, CueState, Facts, label, read_label, tidy_text, typed_text
+from app.sound_lists.people import known_people
+from app.sound_lists.people_rules import KnownPeople
+from app.sound_lists.rules import NEW_CUE, PEOPLE, CueState, Facts, label, read_label, tidy_text, typed_text
 from app.sound_lists.save_edits import Edit, RowFault, row_faults, save, whole_facts, with_fitted_values
 from app.sound_lists.schemas import FieldChange, ImportColumn, ImportFault, ImportRead, ImportRow
 from app.sound_lists.sheets import Sheet
@@ -66,8 +68,9 @@ def import_sheet(
     cues = queries.cues_of(session, project.id)
     own = by_key(queries.own_columns(session, project.id))
     kept = {key_of(name) for cue in cues for name in cue.extra}
+    people = known_people(session, access)
     columns = _columns(sheet, _Known(project.cue_prefix, own, kept), mapping or {})
-    plan = _plan(cues, project, sheet, columns, match, own)
+    plan = _plan(cues, project, sheet, columns, match, _Into(project.cue_prefix, own, people))
     plan.edits, unfit = with_fitted_values(session, project, plan.edits)
     plan.faults += unfit
     failed = {fault.row for fault in plan.faults}
@@ -76,7 +79,7 @@ def import_sheet(
     if not sheet.rows:
         plan.faults.append(RowFault(sheet.header_row or 1, None, "there are no rows below the header"))
     imports = not dry_run and not plan.faults
-    rows = [_row_read(edit, project.cue_prefix) for edit in plan.edits]
+    rows = [_row_read(edit, project.cue_prefix, people) for edit in plan.edits]
     names = _names(sheet, columns)
     if imports:
         save(session, project, actor.person, plan.edits)
@@ -209,14 +212,14 @@ def _plan(
     sheet: Sheet,
     columns: Sequence[Column],
     match: str,
-    own: Mapping[str, OwnColumn],
+    into: "_Into",
 ) -> Plan:
     plan = Plan()
     finder = _Finder(cues, project.cue_prefix, match)
     seen: dict[UUID, int] = {}
     for row, cells in sheet.rows:
         given: Facts = {}
-        faults = list(_read_row(project.cue_prefix, columns, own, row, cells, given))
+        faults = list(_read_row(columns, into, row, cells, given))
         number = given.pop("number", None)
         if not faults:
             try:
@@ -251,13 +254,17 @@ def _by_column(faults: Sequence[RowFault], columns: Sequence[Column], sheet: She
     yield from faults
 
 
+@dataclass(frozen=True)
+class _Into:
+    """What cells are read against."""
+
+    cue_prefix: str
+    own: Mapping[str, OwnColumn]
+    people: KnownPeople
+
+
 def _read_row(
-    cue_prefix: str,
-    columns: Sequence[Column],
-    own: Mapping[str, OwnColumn],
-    row: int,
-    cells: Sequence[str],
-    given: Facts,
+    columns: Sequence[Column], into: _Into, row: int, cells: Sequence[str], given: Facts
 ) -> Iterator[RowFault]:
     """Add a row's values to `given`, and yield the cells that cannot be read."""
     extra: dict[str, str] = {}
@@ -268,18 +275,21 @@ def _read_row(
         if column.field == "extra":
             extra[kept_name(typed_text(column.name))] = tidy_text(text)
         elif column.field.startswith(OWN):
-            into = own[key_of(column.field.removeprefix(OWN))]
+            own = into.own[key_of(column.field.removeprefix(OWN))]
             try:
-                extra[into.name] = read_value(into, text, column.day_first)
+                extra[own.name] = read_value(own, text, column.day_first)
             except ValueError as error:
                 yield RowFault(row, column.field, str(error))
         elif column.field == "number":
-            given["number"] = read_label(cue_prefix, text) if text else None
+            given["number"] = read_label(into.cue_prefix, text) if text else None
             if text and given["number"] is None:
-                yield RowFault(row, "number", f'wanted {label(cue_prefix, 14)} or 14, found "{text[:40]}"')
+                yield RowFault(row, "number", f'wanted {label(into.cue_prefix, 14)} or 14, found "{text[:40]}"')
         else:
             try:
-                given[column.field] = read_cell(column.field, text, column.unit_s, column.day_first)
+                if column.field in PEOPLE:
+                    given[PEOPLE[column.field]] = into.people.id_of(text)
+                else:
+                    given[column.field] = read_cell(column.field, text, column.unit_s, column.day_first)
             except ValueError as error:
                 yield RowFault(row, column.field, str(error))
     given["extra"] = extra
@@ -308,10 +318,10 @@ def _edit(cue_prefix: str, row: int, given: Facts, cue: Cue | None, number: int 
     return edit, None
 
 
-def _row_read(edit: Edit, cue_prefix: str) -> ImportRow:
+def _row_read(edit: Edit, cue_prefix: str, people: KnownPeople) -> ImportRow:
     before = edit.before
     changes = [
-        FieldChange(field=fact, before=before[fact], after=value)
+        FieldChange(field=fact, before=_shown(fact, before[fact], people), after=_shown(fact, value, people))
         for fact, value in edit.facts.items()
         if before and before[fact] != value
     ]
@@ -324,3 +334,7 @@ def _row_read(edit: Edit, cue_prefix: str) -> ImportRow:
         changes=changes,
         **{fact: edit.facts[fact] for fact in shown},
     )
+
+
+def _shown(fact: str, value: Any, people: KnownPeople) -> Any:
+    return people.text_of(value) if fact in PEOPLE.values() else value

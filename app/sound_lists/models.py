@@ -65,6 +65,8 @@ class Cue(Base):
     due_on: Mapped[date | None]  # the day on which the sound is needed
     placeholder: Mapped[bool] = mapped_column(default=False)  # the game plays a placeholder file until the sound comes
     palette: Mapped[bool] = mapped_column(default=False)
+    implementer_id: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"), index=True)
+    recorder_id: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"), index=True)
     extra: Mapped[dict[str, Any]] = mapped_column(default=dict)  # by column: the project's own, and imported ones
     dismissed_facts: Mapped[list[str]] = mapped_column(default=list)  # what the clarity check asks no more
     edition: Mapped[int] = mapped_column(default=1)  # counts edits, so that two editors notice each other

@@ -5,11 +5,12 @@ from collections.abc import Collection, Sequence
 from functools import cache
 from uuid import UUID
 
-from sqlalchemy import Row, Select, bindparam, func, select, tuple_
+from sqlalchemy import Row, Select, bindparam, func, or_, select, tuple_
 from sqlalchemy.orm import Session, joinedload, selectinload
 
+from app.accounts.models import Membership, Person
 from app.kit.in_array import in_array
-from app.projects.models import Project
+from app.projects.models import Engagement, Project
 from app.sound_lists.models import Cue, CueChange, OwnColumn, Question, Revision, Stem
 from app.sound_lists.own_column_rules import Column
 from app.sound_lists.rules import CueState, Need, folded
@@ -50,6 +51,27 @@ def words_of_cues(session: Session, project_id: UUID) -> Sequence[Row[str, str, 
     """Return category, name, file name, description, use, trigger and need of the cues that are not cut."""
     words = select(Cue.category, Cue.name, Cue.file_name, Cue.description, Cue.use, Cue.trigger, Cue.need)
     return session.execute(words.where(Cue.project_id == project_id, Cue.state != CueState.CUT)).all()
+
+
+def designers_of(session: Session, project_id: UUID) -> set[UUID]:
+    """Return the people who are engaged on a project."""
+    engaged = select(Engagement.designer_id).where(Engagement.project_id == project_id, Engagement.ended_at.is_(None))
+    return set(session.scalars(engaged))
+
+
+def people_of_list(
+    session: Session, studio_id: UUID, project_id: UUID, designers: Collection[UUID]
+) -> Sequence[Row[UUID, str, str]]:
+    """Return id, name and address of a studio's members, of designers, and of the people whom cues name, by name."""
+    members = select(Membership.person_id).where(Membership.studio_id == studio_id)
+    named = [
+        select(column).where(Cue.project_id == project_id, column.is_not(None))
+        for column in (Cue.implementer_id, Cue.recorder_id)
+    ]
+    found = select(Person.id, Person.name, Person.email).where(
+        or_(Person.id.in_(designers), *(Person.id.in_(some) for some in (members, *named)))
+    )
+    return session.execute(found.order_by(Person.name, Person.id)).all()
 
 
 def cue_page(session: Session, project_id: UUID, *, after: tuple[int, int] | None, limit: int) -> Sequence[Cue]:

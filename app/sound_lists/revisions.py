@@ -1,5 +1,6 @@
 """Revisions of the list, compared."""
 
+from typing import Any
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -8,7 +9,9 @@ from app.projects.service import ProjectAccess
 from app.sound_lists import queries
 from app.sound_lists.errors import RevisionNotFound
 from app.sound_lists.models import Cue
-from app.sound_lists.rules import NEW_CUE, CueState, Facts, label
+from app.sound_lists.people import known_people
+from app.sound_lists.people_rules import KnownPeople
+from app.sound_lists.rules import NEW_CUE, PEOPLE, CueState, Facts, label
 from app.sound_lists.schemas import CueDifference, FieldChange, ListComparison
 
 
@@ -20,6 +23,7 @@ def compare_revisions(session: Session, access: ProjectAccess, first: int, last:
             raise RevisionNotFound(f"the list has no revision {number}; its newest is {newest}")
     if first > last:
         raise RevisionNotFound(f"revision {first} is newer than {last}; name the older one first")
+    people = known_people(session, access)
     cues: dict[UUID, Cue] = {}
     before: dict[UUID, Facts] = {}
     after: dict[UUID, Facts] = {}
@@ -36,9 +40,10 @@ def compare_revisions(session: Session, access: ProjectAccess, first: int, last:
         facts = after[cue_id]
         old = dict(NEW_CUE) if cue_id in new else before.get(cue_id, {})
         changes = [
-            FieldChange(field=fact, before=None if cue_id in new else old.get(fact), after=value)
+            change
             for fact, value in facts.items()
             if fact in NEW_CUE and value != old.get(fact)
+            if (change := _change(fact, None if cue_id in new else old.get(fact), value, people))
         ]
         is_cut = facts.get("state") == CueState.CUT
         if not (changes or cue_id in new):
@@ -55,3 +60,12 @@ def compare_revisions(session: Session, access: ProjectAccess, first: int, last:
             )
         )
     return compared
+
+
+def _change(fact: str, before: Any, after: Any, people: KnownPeople) -> FieldChange | None:
+    """Return a change as the caller may see it, None for one of people whom they may not know."""
+    if fact in PEOPLE.values():
+        before, after = (people.text_of(UUID(one)) or None if one else None for one in (before, after))
+        if before == after:
+            return None
+    return FieldChange(field=fact, before=before, after=after)

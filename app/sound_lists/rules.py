@@ -5,6 +5,7 @@ import unicodedata
 from collections.abc import Iterator, Mapping
 from enum import StrEnum
 from typing import Any
+from uuid import UUID
 
 import audio_checks
 
@@ -60,8 +61,11 @@ NEW_CUE: Mapping[str, Any] = {
     "due_on": None,
     "placeholder": False,
     "palette": False,
+    "implementer_id": None,
+    "recorder_id": None,
     "extra": {},
 }
+PEOPLE: Mapping[str, str] = {"implementer": "implementer_id", "recorder": "recorder_id"}  # columns of sheets, facts
 CHECKED_FACTS = frozenset({"category", "duration_s", "length_locked", "frame_rate_fps", "loop", "reverb"})
 NAMING_FACTS = frozenset({"name", "file_name", "variations"})
 LINES = {"name": 200, "file_name": 200, "category": 60}
@@ -75,6 +79,13 @@ _UNSEEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u200b-\u200f\u2028-\u202e\u20
 _NOT_IN_FILE_NAMES = re.compile(r'[<>:"/\\|?*]')
 _DEVICE_NAME = re.compile(r"(con|prn|aux|nul|com[0-9]|lpt[0-9])(\..*)?", re.IGNORECASE)
 FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
+
+
+def facts_seen(facts: Facts, designer_id: UUID | None) -> Facts:
+    """Return the facts of a cue as the caller may see them: of its people, a designer sees only themselves."""
+    if designer_id is None:
+        return facts
+    return facts | {fact: facts[fact] if facts[fact] == designer_id else None for fact in PEOPLE.values()}
 
 
 def label(cue_prefix: str, number: int) -> str:

@@ -18,10 +18,12 @@ from app.projects.models import Project
 from app.sound_lists import queries
 from app.sound_lists.models import Cue, CueChange, Revision, Stem
 from app.sound_lists.own_column_rules import by_key, fitted
+from app.sound_lists.people import people_in
 from app.sound_lists.rules import (
     CHECKED_FACTS,
     NAMING_FACTS,
     NEW_CUE,
+    PEOPLE,
     CueState,
     Facts,
     Need,
@@ -100,9 +102,23 @@ def row_faults(session: Session, project: Project, edits: Sequence[Edit]) -> lis
     faults = [RowFault(edit.row, field, message) for edit in edits for field, message in faults_of(edit.facts)]
     wrong = {fault.row for fault in faults}
     sound = [edit for edit in edits if edit.row not in wrong]
+    faults += _people_faults(session, project, sound)
     faults += _number_faults(session, project, sound)
     faults += _stem_faults(session, project, sound)
     return sorted(faults, key=lambda fault: fault.row)
+
+
+def _people_faults(session: Session, project: Project, edits: Sequence[Edit]) -> Iterator[RowFault]:
+    named = [
+        (edit, column, edit.facts[fact])
+        for edit in edits
+        for column, fact in PEOPLE.items()
+        if edit.facts[fact] not in (None, edit.before.get(fact))
+    ]
+    known = {person.id for person in people_in(session, project)} if named else set()
+    for edit, column, person_id in named:
+        if person_id not in known:
+            yield RowFault(edit.row, PEOPLE[column], "choose a member of the studio or a designer of the project")
 
 
 def _number_faults(session: Session, project: Project, edits: Sequence[Edit]) -> Iterator[RowFault]:
@@ -193,7 +209,7 @@ def save(session: Session, project: Project, person_id: UUID, edits: Sequence[Ed
 
 
 def _as_json(facts: Facts) -> Facts:
-    return {fact: value.isoformat() if isinstance(value, date) else value for fact, value in facts.items()}
+    return {fact: str(value) if isinstance(value, (date, UUID)) else value for fact, value in facts.items()}
 
 
 def cut(session: Session, project: Project, person_id: UUID, cue: Cue, reason: str) -> None:

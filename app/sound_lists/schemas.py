@@ -44,6 +44,8 @@ class CueRead(Schema):
     due_on: date | None = Field(description="The day on which the sound is needed.")
     placeholder: bool
     palette: bool
+    implementer_id: UUID | None = Field(description="Who puts it into the game; a designer sees only themselves.")
+    recorder_id: UUID | None = Field(description="Who records it; a designer sees only themselves.")
     extra: dict[str, str] = Field(description="Imported columns without a field.")
     edition: int = Field(description="Send it back with a change, so that two editors notice each other.")
     cut_reason: str | None
@@ -87,6 +89,8 @@ class CueFields(Schema):
     due_on: date | None = None
     placeholder: bool = False
     palette: bool = False
+    implementer_id: UUID | None = None
+    recorder_id: UUID | None = None
     extra: dict[Text, Text] = Field(default_factory=dict)
 
 
@@ -217,6 +221,8 @@ ImportField = Literal[
     "due_on",
     "placeholder",
     "palette",
+    "implementer",
+    "recorder",
     "extra",
     "ignore",
 ]

@@ -16,23 +16,23 @@ from app.projects.service import ProjectAccess, project_access
 from app.sound_lists import queries, save_edits
 from app.sound_lists.errors import CueChanged, CueIsCut, CueNotFound, OrderInvalid, RowsInvalid
 from app.sound_lists.models import Cue
-from app.sound_lists.rules import CueState, label
+from app.sound_lists.rules import CueState, facts_seen, label
 from app.sound_lists.save_edits import Edit, facts_of, whole_facts
 from app.sound_lists.schemas import CueRead, PreviewCue
 
 
-def cue_read(cue: Cue, cue_prefix: str, open_questions: int = 0) -> CueRead:
+def cue_read(access: ProjectAccess, cue: Cue, open_questions: int = 0) -> CueRead:
     """Return a cue, loaded with its stems, as it is answered."""
     stems = [stem.stem for stem in sorted(cue.stems, key=lambda stem: stem.variation)]
-    return _cue_read(cue, cue_prefix, stems, open_questions)
+    return _cue_read(access, cue, stems, open_questions)
 
 
-def _cue_read(cue: Cue, cue_prefix: str, stems: list[str], open_questions: int) -> CueRead:
+def _cue_read(access: ProjectAccess, cue: Cue, stems: list[str], open_questions: int) -> CueRead:
     return CueRead(
-        **facts_of(cue),
+        **facts_seen(facts_of(cue), access.only_designer_id),
         id=cue.id,
         number=cue.number,
-        label=label(cue_prefix, cue.number),
+        label=label(access.project.cue_prefix, cue.number),
         position=cue.position,
         stems=stems,
         edition=cue.edition,
@@ -50,14 +50,11 @@ def page_of(session: Session, project_id: UUID, *, cursor: str | None, limit: in
     return page, cursor_of(page[-1].position, page[-1].number) if len(found) > limit else None
 
 
-def cues_read(session: Session, project: Project, cues: Sequence[Cue]) -> list[CueRead]:
+def cues_read(session: Session, access: ProjectAccess, cues: Sequence[Cue]) -> list[CueRead]:
     """Return a page of the list as it is answered."""
     stems = queries.stems_by_cue(session, [cue.id for cue in cues])
-    open_questions = queries.open_question_counts(session, project.id)
-    return [
-        _cue_read(cue, project.cue_prefix, [stem for _, stem in stems[cue.id]], open_questions.get(cue.id, 0))
-        for cue in cues
-    ]
+    open_questions = queries.open_question_counts(session, access.project.id)
+    return [_cue_read(access, cue, [stem for _, stem in stems[cue.id]], open_questions.get(cue.id, 0)) for cue in cues]
 
 
 def preview_cues(cues: Sequence[Cue], cue_prefix: str) -> list[PreviewCue]:

@@ -14,7 +14,8 @@ from app.sound_lists.columns import HEADS
 from app.sound_lists.export import value_columns, values_by_key
 from app.sound_lists.models import Cue
 from app.sound_lists.own_column_rules import Column, ColumnKind, key_of
-from app.sound_lists.rules import CueState, Need, Reverb, label, typed_text
+from app.sound_lists.people_rules import KnownPeople
+from app.sound_lists.rules import PEOPLE, CueState, Need, Reverb, label, typed_text
 
 MEDIA_TYPE = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet"
 FIRST_DAY = date(1901, 1, 1)  # workbooks count days from 1900, and take that year for a leap year
@@ -30,7 +31,7 @@ OFFERED: dict[str, Sequence[str]] = {
 }
 
 
-def sound_list_workbook(cues: Sequence[Cue], columns: Sequence[Column], cue_prefix: str) -> bytes:
+def sound_list_workbook(cues: Sequence[Cue], columns: Sequence[Column], people: KnownPeople, cue_prefix: str) -> bytes:
     """Return the list as a workbook: every field that an import has, the project's own columns, then kept ones."""
     out = io.BytesIO()
     book = xlsxwriter.Workbook(out, {"in_memory": True})
@@ -44,7 +45,7 @@ def sound_list_workbook(cues: Sequence[Cue], columns: Sequence[Column], cue_pref
         sheet.set_column(place, place, WIDE.get(head, 14))
     for row, cue in enumerate(cues, start=1):
         values = values_by_key(cue)
-        cells = [label(cue_prefix, cue.number), *(getattr(cue, field) for field in HEADS if field != "number")]
+        cells = [label(cue_prefix, cue.number), *(_value(cue, field, people) for field in HEADS if field != "number")]
         cells += [_typed(kinds.get(key, ColumnKind.TEXT), values.get(key, "")) for key in extras]
         for place, cell in enumerate(cells):
             _write(sheet, row, place, cell, day)
@@ -53,6 +54,10 @@ def sound_list_workbook(cues: Sequence[Cue], columns: Sequence[Column], cue_pref
     sheet.autofilter(0, 0, len(cues), len(heads) - 1)
     book.close()
     return out.getvalue()
+
+
+def _value(cue: Cue, field: str, people: KnownPeople) -> Any:
+    return people.text_of(getattr(cue, PEOPLE[field])) if field in PEOPLE else getattr(cue, field)
 
 
 def _typed(kind: ColumnKind, text: str) -> Any:

@@ -1,0 +1,22 @@
+"""The endpoint of the people whom cues name."""
+
+from uuid import UUID
+
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience
+from app.kit.http import DbSession, Route, Router, problems
+from app.projects.errors import ProjectNotFound
+from app.projects.service import project_access
+from app.sound_lists.people import people_seen
+from app.sound_lists.people_schemas import CuePersonRead
+
+router = Router(prefix="/v1", tags=["sound-lists"], route_class=Route)
+
+
+@router.get("/projects/{project_id}/cue-people", responses=problems(ProjectNotFound))
+def list_cue_people(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> list[CuePersonRead]:
+    """Return who may be named as implementer or recorder of a cue, by name; a designer sees only themselves."""
+    people = people_seen(session, project_access(session, actor, project_id))
+    return [CuePersonRead.model_validate(person) for person in people]
