@@ -53,6 +53,7 @@ from app.sound_lists.endpoints import router as sound_lists
 from app.sound_lists.kit_endpoints import router as kits
 from app.sound_lists.matrix_endpoints import router as matrices
 from app.sound_lists.own_column_endpoints import router as own_columns
+from app.sound_lists.people_endpoints import router as cue_people
 from app.voice_lines.endpoints import router as voice_lines
 from app.voice_lines.release_endpoints import router as voice_releases
 
@@ -72,6 +73,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     kits,
     matrices,
     own_columns,
+    cue_people,
     references,
     hiring,
     bids,
