@@ -42,13 +42,15 @@ if TYPE_CHECKING:
     from audio_checks.matching.adoption import AdoptionPlan, ShippedFile, folded_stem, plan_adoption
     from audio_checks.matching.index import ListedCue, NameIndex
     from audio_checks.measure.average_spectrum import BandLevels
+    from audio_checks.measure.masking import BLOCK_S, CENTRES_HZ, Masking, masking
+    from audio_checks.measure.true_peak import true_peak_dbtp
     from audio_checks.measure.waveform import WaveShape
     from audio_checks.middleware.project import read_project
     from audio_checks.middleware.values import PlayedSound, Project
     from audio_checks.placeholders.make import Placeholder, make_placeholder, make_placeholders
     from audio_checks.placeholders.speech import synthesize_speech
     from audio_checks.render.key import render_key
-    from audio_checks.render.preview import average_spectrum, is_preview, preview, spectrogram, wave_shapes
+    from audio_checks.render.preview import average_spectrum, excitation, is_preview, preview, spectrogram, wave_shapes
     from audio_checks.render.provenance import Exported, Provenance, export_master
     from audio_checks.render.render import render_master
     from audio_checks.render.rendered import Loss, Rendered
@@ -76,6 +78,8 @@ if TYPE_CHECKING:
     from audio_checks.system.text_files import read_toml
 
 __all__ = [
+    "BLOCK_S",
+    "CENTRES_HZ",
     "CODINGS",
     "FINGERPRINT_VERSION",
     "FIXER_VERSION",
@@ -103,6 +107,7 @@ __all__ = [
     "JudgedFile",
     "ListedCue",
     "Loss",
+    "Masking",
     "Memory",
     "MemoryUse",
     "NameIndex",
@@ -140,6 +145,7 @@ __all__ = [
     "confinement_gaps",
     "dry_stem_name",
     "ensure_declared",
+    "excitation",
     "export_master",
     "fingerprint_files",
     "fix_in_words",
@@ -153,6 +159,7 @@ __all__ = [
     "make_placeholders",
     "manifest_entry",
     "manifest_of",
+    "masking",
     "measure_file",
     "memory_use",
     "new_spec",
@@ -176,6 +183,7 @@ __all__ = [
     "stem_of_file",
     "stems_of",
     "synthesize_speech",
+    "true_peak_dbtp",
     "wave_shapes",
     "with_plays",
     "with_project",
@@ -211,6 +219,8 @@ _HOMES = {
     "audio_checks.matching.adoption": ("AdoptionPlan", "ShippedFile", "folded_stem", "plan_adoption"),
     "audio_checks.matching.index": ("ListedCue", "NameIndex"),
     "audio_checks.measure.average_spectrum": ("BandLevels",),
+    "audio_checks.measure.true_peak": ("true_peak_dbtp",),
+    "audio_checks.measure.masking": ("BLOCK_S", "CENTRES_HZ", "Masking", "masking"),
     "audio_checks.measure.waveform": ("WaveShape",),
     "audio_checks.run.memory_budget": ("Memory", "MemoryUse", "SoundSize", "memory_use", "requested_sizes"),
     "audio_checks.fixing.fix_master": ("fix_master",),
@@ -222,7 +232,14 @@ _HOMES = {
     "audio_checks.render.provenance": ("Exported", "Provenance", "export_master"),
     "audio_checks.run.rehearsal": ("rehearse_check", "write_rehearsal_sound"),
     "audio_checks.render.key": ("render_key",),
-    "audio_checks.render.preview": ("average_spectrum", "is_preview", "preview", "spectrogram", "wave_shapes"),
+    "audio_checks.render.preview": (
+        "average_spectrum",
+        "excitation",
+        "is_preview",
+        "preview",
+        "spectrogram",
+        "wave_shapes",
+    ),
     "audio_checks.render.render": ("render_master",),
     "audio_checks.render.work": ("RENDERER_VERSION",),
     "audio_checks.render.rendered": ("Loss", "Rendered"),

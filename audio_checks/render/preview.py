@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from audio_checks import wav
 from audio_checks.audio.sound_files import open_sound
 from audio_checks.measure.average_spectrum import AverageSpectrum, BandLevels
+from audio_checks.measure.masking import Excitation
 from audio_checks.measure.spectrogram import Spectrogram
 from audio_checks.measure.waveform import LARGE_POINTS, SMALL_POINTS, Waveform, WaveShape
 from audio_checks.render.recipe import Recipe
@@ -165,6 +166,31 @@ def spectrogram(path: str | os.PathLike[str]) -> NDArray[np.float64]:
         for block in wav.blocks(sound.file, layout):
             levels.add(block)
         return levels.levels()
+
+
+def excitation(path: str | os.PathLike[str], *, max_s: float) -> NDArray[np.float64]:
+    """Return how far a sound excites each band of the ear, streaming it up to `max_s` seconds; see `Excitation`.
+
+    Returns
+    -------
+    ndarray, shape (blocks, 37)
+        A block every 40 ms.
+
+    Raises
+    ------
+    Unreadable
+        When the file breaks a rule of structure.
+    """
+    with open_sound(path, coded=True) as sound:
+        layout = sound.layout
+        found = Excitation(layout.sample_rate_hz, layout.channels)
+        left = round(max_s * layout.sample_rate_hz)
+        for block in wav.blocks(sound.file, layout):
+            found.add(block[:left])
+            left -= len(block)
+            if left <= 0:
+                break
+        return found.power()
 
 
 def playable_rate_hz(sample_rate_hz: int) -> int:
