@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     from audio_checks.measure.masking import BLOCK_S, CENTRES_HZ, Masking, masking
     from audio_checks.measure.true_peak import true_peak_dbtp
     from audio_checks.measure.waveform import WaveShape
-    from audio_checks.middleware.project import read_project
+    from audio_checks.middleware.project import read_project, read_project_texts
     from audio_checks.middleware.values import PlayedSound, Project
     from audio_checks.placeholders.make import Placeholder, make_placeholder, make_placeholders
     from audio_checks.placeholders.speech import synthesize_speech
@@ -170,6 +170,7 @@ __all__ = [
     "preview",
     "read_manifest",
     "read_project",
+    "read_project_texts",
     "read_sound_list",
     "read_toml",
     "rehearse_check",
@@ -200,7 +201,7 @@ _HOMES = {
     "audio_checks.audit.manifest": ("manifest_entry", "manifest_of", "read_manifest", "write_manifest"),
     "audio_checks.audit.played": ("with_plays", "with_project"),
     "audio_checks.audit.report": ("Audit",),
-    "audio_checks.middleware.project": ("read_project",),
+    "audio_checks.middleware.project": ("read_project", "read_project_texts"),
     "audio_checks.middleware.values": ("PlayedSound", "Project"),
     "audio_checks.judge.compare.dry_stem": ("compare_reverb_with_dry",),
     "audio_checks.errors": (

@@ -7,20 +7,14 @@ from dataclasses import replace
 
 from audio_checks.audit.changelists import Changelist, Changelists
 from audio_checks.audit.fingerprinted import FingerprintedFile
-from audio_checks.audit.plays import MovedPart, Play, approved_plays, held_to, sounds_by_path
+from audio_checks.audit.plays import MovedPart, Play, approved_plays, held_to
 from audio_checks.audit.report import Audit, Entry
 from audio_checks.audit.statuses import Status
+from audio_checks.middleware.by_path import NOT_PLAYED, sounds_by_path
 from audio_checks.middleware.values import PlayedSound, Project
 
 LIMIT_DB = 0.1  # a level that differs by as much is another
 SHOWN_PARTS = 3
-BEGINS = {
-    "wwise": "no event plays it",
-    "fmod": "no event of a bank plays it",
-    "unity": "no scene, prefab or script plays it",
-    "unreal": "nothing in the project refers to it",
-    "godot": "no scene or script plays it",
-}
 
 
 def with_project(
@@ -90,7 +84,7 @@ def _played(
 def _judged(entry: Entry, project: Project, limit_db: float) -> Entry:
     used = [play for play in entry.plays if play.sound.is_used is not False]
     if not used:
-        return _joined(entry, "unused", BEGINS[project.engine], None)
+        return _joined(entry, "unused", NOT_PLAYED[project.engine], None)
     drifted = [play for play in used if abs(play.drift_db or 0.0) >= limit_db]
     harms = list(dict.fromkeys(f"{one.setting}: {one.harm}" for play in used for one in play.sound.conversions))
     state = list(dict.fromkeys(what for play in used for what in play.state))

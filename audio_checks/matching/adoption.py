@@ -12,6 +12,9 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
+from audio_checks.matching.played_files import PlayedFile, played_files, set_name
+from audio_checks.middleware.by_path import NOT_PLAYED
+from audio_checks.middleware.values import Project
 from audio_checks.spec.sound_list import AUDIO_SUFFIXES, dry_stem_name, slug, stem_of_file, stems_of
 
 MASTER_SUFFIXES = frozenset({".wav", ".wave", ".bwf", ".flac"})
@@ -22,7 +25,7 @@ SHARED_PREFIX_FILES = 3  # that begin with one word, so that it names a category
 ODD_SHARE = 0.1  # a rate or depth that fewer of the files have is an odd one
 
 SkipCode = Literal["coded", "no-sound", "dry-stem", "name", "listed"]
-OddityCode = Literal["renamed", "numbering", "format"]
+OddityCode = Literal["renamed", "numbering", "format", "unused"]
 
 _FORBIDDEN = re.compile(r'[<>:"/\\|?*\x00-\x1f\x7f-\x9f\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff]')
 _DEVICE = re.compile(r"(con|prn|aux|nul|com[0-9]|lpt[0-9])(\..*)?", re.IGNORECASE)
@@ -58,12 +61,18 @@ class AdoptedCue:
         As the list is to have them; the category may be empty.
     paths : tuple of str
         One for a single file, one for each variation of a set.
+    loop : bool
+        Whether the game's project plays each of them in a loop.
+    events : tuple of str
+        What begins them in the project.
     """
 
     name: str
     file_name: str
     category: str
     paths: tuple[str, ...]
+    loop: bool = False
+    events: tuple[str, ...] = ()
 
 
 class Oddity(NamedTuple):
@@ -112,7 +121,11 @@ class _Named(NamedTuple):
 
 
 def plan_adoption(
-    files: Iterable[ShippedFile], *, owned: Mapping[str, str] | None = None, categories: Collection[str] = ()
+    files: Iterable[ShippedFile],
+    *,
+    owned: Mapping[str, str] | None = None,
+    categories: Collection[str] = (),
+    project: Project | None = None,
 ) -> AdoptionPlan:
     """Return what a folder of shipped files becomes; the same for the same files in any order.
 
@@ -124,14 +137,18 @@ def plan_adoption(
         The folded stems that the list has already, each with the label of its cue; see `folded_stem`.
     categories : collection of str
         Those that the spec names: a folder that is called like one of them says the category before others do.
+    project : Project, optional
+        The game's: its random containers are sets, its tree says categories before folders do, and a file that it does
+        not play is named.
     """
     owned = owned or {}
     skipped: list[SkippedFile] = []
     oddities: list[Oddity] = []
     named = list(_named(sorted(files), skipped))
+    played = played_files(project, [one.file.path for one in named]) if project else {}
     taken: dict[str, str] = {}  # by folded stem: the path that has it
     kept: list[tuple[str, list[_Named]]] = []
-    for file_name, group in _grouped(named, oddities):
+    for file_name, group in _grouped(named, played, oddities):
         listed = next((owned[key] for key in _keys(file_name, group) if key in owned), None)
         if listed is not None:
             why = f"{listed} has this name already; deliver the file for that cue"
@@ -141,9 +158,11 @@ def plan_adoption(
         taken |= dict.fromkeys(_keys(free, group), group[0].file.path)
         oddities += _renamed(free, group)
         kept.append((free, group))
-    cues = _with_categories(kept, {_category(one): one for one in categories})
+    cues = _with_categories(kept, played, {_category(one): one for one in categories})
     adopted = [one.file for _, group in kept for one in group]
     oddities += _odd_formats(adopted)
+    if project is not None:
+        oddities += _unused(adopted, played, NOT_PLAYED[project.engine])
     return AdoptionPlan(cues, _duplicates(adopted), tuple(sorted(oddities)), tuple(sorted(skipped)))
 
 
@@ -184,7 +203,35 @@ def _possible_name(stem: str) -> str:
     return f"{name}_" if _DEVICE.fullmatch(name) else name
 
 
-def _grouped(named: Sequence[_Named], oddities: list[Oddity]) -> list[tuple[str, list[_Named]]]:
+def _grouped(
+    named: Sequence[_Named], played: Mapping[str, PlayedFile], oddities: list[Oddity]
+) -> list[tuple[str, list[_Named]]]:
+    """Return files by cue: those of one random container are a set, then numbered ones as their names say."""
+    sets = list(_random_sets(named, played))
+    in_sets = {one.file.path for _, files in sets for one in files}
+    by_name = _by_name([one for one in named if one.file.path not in in_sets], oddities)
+    return sorted([*sets, *by_name], key=lambda group: group[1][0].file.path)
+
+
+def _random_sets(named: Sequence[_Named], played: Mapping[str, PlayedFile]) -> Iterator[tuple[str, list[_Named]]]:
+    """Yield each random container with the files that it plays, under the name that they share, else its own."""
+    held: dict[str, list[_Named]] = defaultdict(list)
+    for one in named:
+        if (by := played.get(one.file.path)) is not None and by.random_set:
+            held[by.random_set].append(one)
+    for random_set, files in held.items():
+        numbers = [found for one in files if (found := _NUMBERED.fullmatch(one.name)) is not None]
+        bases = {number[1] for number in numbers}
+        base, in_order = "", files
+        if len(numbers) == len(files) and len(bases) == 1:
+            base = bases.pop()
+            in_order = [files[place] for place in sorted(range(len(files)), key=lambda at: int(numbers[at][2]))]
+        name = _possible_name(base) or _possible_name(set_name(random_set))
+        if 2 <= len(files) <= MOST_VARIATIONS and name:
+            yield name, in_order
+
+
+def _by_name(named: Sequence[_Named], oddities: list[Oddity]) -> list[tuple[str, list[_Named]]]:
     """Return files by cue: numbered ones of one folder and name that count from 1 without a gap are one set."""
     numbered: dict[tuple[tuple[str, ...], str], dict[int, list[_Named]]] = defaultdict(lambda: defaultdict(list))
     for one in named:
@@ -203,8 +250,7 @@ def _grouped(named: Sequence[_Named], oddities: list[Oddity]) -> list[tuple[str,
             shown = ", ".join(str(number) for number in sorted(places)[:8])
             why = f"numbers {shown} of {base} found; a set counts 1, 2, 3 without a gap, so each file is its own cue"
             oddities += [Oddity(one.file.path, "numbering", why) for one in files]
-    groups += [(one.name, [one]) for one in named if one.file.path not in in_sets]
-    return sorted(groups, key=lambda group: group[1][0].file.path)
+    return [*groups, *((one.name, [one]) for one in named if one.file.path not in in_sets)]
 
 
 def _keys(file_name: str, group: Sequence[_Named]) -> list[str]:
@@ -231,19 +277,27 @@ def _renamed(file_name: str, group: Sequence[_Named]) -> Iterator[Oddity]:
             yield Oddity(one.file.path, "renamed", f"its name in the list is {stem}")
 
 
-def _with_categories(kept: Sequence[tuple[str, list[_Named]]], known: Mapping[str, str]) -> tuple[AdoptedCue, ...]:
-    shared = _shared_folders([group[0].folders for _, group in kept])
+def _with_categories(
+    kept: Sequence[tuple[str, list[_Named]]], played: Mapping[str, PlayedFile], known: Mapping[str, str]
+) -> tuple[AdoptedCue, ...]:
+    of_group = [[by for one in group if (by := played.get(one.file.path)) is not None] for _, group in kept]
+    trees = [next((by.containers for by in plays if by.containers), ()) for plays in of_group]
+    own_folders = [group[0].folders for _, group in kept]
+    shared = _shared_folders([one for one, tree in zip(own_folders, trees, strict=True) if not tree])
+    shared_of_tree = _shared_folders([tree for tree in trees if tree])
     words = [_first_word(name) for name, _ in kept]
     counts = Counter(words)
     cues = []
-    for (file_name, group), word in zip(kept, words, strict=True):
-        folders = [_category(one) for one in group[0].folders]
-        own = [one for one in folders[shared:] if one]
+    for (file_name, group), word, tree, plays in zip(kept, words, trees, of_group, strict=True):
+        folders = [_category(one) for one in tree or group[0].folders]
+        own = [one for one in folders[shared_of_tree if tree else shared :] if one]
         category = next((known[one] for one in folders if one in known), own[0] if own else "")
         if not category and word and counts[word] >= SHARED_PREFIX_FILES:
             category = word
         name = re.sub(r"[\s_.\-]+", " ", file_name).strip() or file_name
-        cues.append(AdoptedCue(name, file_name, category, tuple(one.file.path for one in group)))
+        loop = len(plays) == len(group) and all(by.is_looped for by in plays)
+        events = tuple(dict.fromkeys(event for by in plays for event in by.events))
+        cues.append(AdoptedCue(name, file_name, category, tuple(one.file.path for one in group), loop, events))
     return tuple(cues)
 
 
@@ -271,6 +325,12 @@ def _duplicates(files: Sequence[ShippedFile]) -> tuple[tuple[str, ...], ...]:
     for file in files:
         same[file.sha256].append(file.path)
     return tuple(sorted(tuple(sorted(paths)) for paths in same.values() if len(paths) > 1))
+
+
+def _unused(files: Sequence[ShippedFile], played: Mapping[str, PlayedFile], why: str) -> Iterator[Oddity]:
+    for file in files:
+        if file.path not in played or played[file.path].is_used is False:
+            yield Oddity(file.path, "unused", f"{why} in the project")
 
 
 def _odd_formats(files: Sequence[ShippedFile]) -> Iterator[Oddity]:

@@ -7,7 +7,7 @@ its default is not written.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -42,15 +42,17 @@ class _Object:
         return next(iter(self.relations.get(name, ())), "")
 
 
-def read_fmod(project: Path) -> Project:
+def read_fmod(project: Path, texts: Mapping[str, str] | None = None) -> Project:
     """Return what an FMOD Studio project says of its sounds.
 
     Parameters
     ----------
     project : Path
         The `.fspro` file.
+    texts : mapping of str to str, optional
+        See `ProjectFiles`.
     """
-    files = ProjectFiles(project.parent, skipped=lambda name: name.startswith(".") or name == "Build")
+    files = ProjectFiles(project.parent, skipped=lambda name: name.startswith(".") or name == "Build", texts=texts)
     version = _model(files, project.name)
     reading = _Reading(files)
     for file, text in files.texts(one for one in files.ending(".xml") if one.startswith("Metadata/")):
@@ -151,8 +153,19 @@ class _Reading:
         return PlayedSound(
             f"Assets/{asset.properties['assetPath']}".replace("\\", "/"), self._place(sound, asset), parts,
             tuple(dict.fromkeys(depends)), (), (name,) if heard else (), heard, True, looped,
-            asset.properties.get("isStreaming") == "true",
+            asset.properties.get("isStreaming") == "true", self._random_set(route),
         )  # fmt: skip
+
+    def _random_set(self, route: tuple[_Object, ...]) -> str:
+        """Return where the instrument is that plays one of its sounds: the event, where it is alone there."""
+        multi = next((one for one in route if one.kind == "MultiSound"), None)
+        event = self._events.get(multi.file) if multi is not None else None
+        if multi is None or event is None:
+            return ""
+        others = [one.id for one in self._by_kind["MultiSound"] if one.file == multi.file]
+        if len(others) == 1:
+            return self._event_path(event)
+        return f"{self._event_path(event)}/{multi.properties.get('name') or f'part {others.index(multi.id) + 1}'}"
 
     def _routes(self, sound: _Object, most: int) -> Iterator[tuple[_Object, ...]]:
         """Yield the objects from an instrument to the master bus, for each event that plays it."""

@@ -6,7 +6,7 @@ Players and buses have their gains in dB. A scene may hold other scenes and chan
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -63,15 +63,17 @@ class _Scene:
     animated: list[str] = field(default_factory=list)  # paths with a property, such as "Player:volume_db"
 
 
-def read_godot(root: Path) -> Project:
+def read_godot(root: Path, texts: Mapping[str, str] | None = None) -> Project:
     """Return what a Godot project says of its sounds.
 
     Parameters
     ----------
     root : Path
         The folder of `project.godot`.
+    texts : mapping of str to str, optional
+        See `ProjectFiles`.
     """
-    files = ProjectFiles(root)
+    files = ProjectFiles(root, texts=texts)
     reading = _Reading(files)
     return Project(
         "godot", str(root), reading.version, in_order(at_most(reading.played(), files.leave_out)), tuple(files.unread)
@@ -209,16 +211,17 @@ class _Reading:
         if any(one.partition(":")[0].rpartition("/")[2] == name for one in scene.animated):
             depends += (Dependency(place, "volume_db", "state", "an animation"),)
         bus_parts, bus_depends = self._buses.chain(text_of(node.properties.get("bus", "Master").lstrip("&")))
-        for sound, more, others in self._sounds(node.properties.get("stream", ""), node.resources, 0):
+        for sound, more, others, is_random in self._sounds(node.properties.get("stream", ""), node.resources, 0):
             yield PlayedSound(
                 sound, place, more + parts + bus_parts, (*others, *depends, *bus_depends),
                 self._conversions.get(sound, ()), (scene.file,), True, True, self._looped.get(sound), None,
+                place if is_random else "",
             )  # fmt: skip
 
     def _sounds(
         self, stream: str, resources: _Resources, depth: int
-    ) -> Iterator[tuple[str, tuple[Part, ...], tuple[Dependency, ...]]]:
-        """Yield the files that a stream plays, with the gains within it."""
+    ) -> Iterator[tuple[str, tuple[Part, ...], tuple[Dependency, ...], bool]]:
+        """Yield the files that a stream plays, its gains, and whether it is one of several at random."""
         kind, id_ = reference(stream)
         if depth > MOST_STREAMS_DEEP or not id_:
             return
@@ -226,7 +229,7 @@ class _Reading:
         if kind == "ExtResource":
             path = resources.external.get(id_, "")
             if path.lower().endswith(AUDIO):
-                yield path, (), ()
+                yield path, (), (), False
                 return
             resources = self._streams.get(path, _Resources())
             section = resources.main
@@ -244,8 +247,8 @@ class _Reading:
             if _STREAM.fullmatch(key) or key in ("audio_stream", "stream"):
                 volume_key = f"{key.partition('/')[0]}/volume"
                 own = gain(place, volume_key, number(section.properties.get(volume_key)), resources.file, section.line)
-                for sound, more, others in self._sounds(text, resources, depth + 1):
-                    yield sound, more + own, others + depends
+                for sound, more, others, is_random in self._sounds(text, resources, depth + 1):
+                    yield sound, more + own, others + depends, is_random or kind == "AudioStreamRandomizer"
 
     def _of_holder(self, scene: _Scene, path: str, node: _Node) -> Iterator[PlayedSound]:
         """Yield the files that a node other than a player holds: its script plays them."""

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from collections.abc import Mapping
+from pathlib import Path, PurePosixPath
 
 from audio_checks.middleware.fmod import read_fmod
 from audio_checks.middleware.godot import read_godot
@@ -50,6 +51,37 @@ def read_project(path: str | Path) -> Project:
     if name.endswith(".json"):
         return read_unreal(place)
     raise ProjectRefused(f"{place}: is no project that is known; {WANTED}")
+
+
+def read_project_texts(path: str, texts: Mapping[str, str]) -> Project:
+    """Return what `read_project` does, of a project whose texts were sent; nothing is read from a disk.
+
+    Parameters
+    ----------
+    path : str
+        The project's file from its root, such as "Game.wproj"; empty for a Unity project, which is its folder.
+    texts : mapping of str to str
+        The project's texts by their paths from its root, with slashes.
+
+    Raises
+    ------
+    ProjectRefused
+        There is no such project among the texts.
+    """
+    name = PurePosixPath(path).name.lower()
+    if path and path not in texts:
+        raise ProjectRefused(f"{path}: was not sent; {WANTED}")
+    if name.endswith(".wproj"):
+        return read_wwise(Path(path), texts)
+    if name.endswith(".fspro"):
+        return read_fmod(Path(path), texts)
+    if name == "project.godot":
+        return read_godot(Path(), texts)
+    if name.endswith(".json"):
+        return read_unreal(Path(path), texts)
+    if not path and any(file.startswith("Assets/") for file in texts):
+        return read_unity(Path(), texts)
+    raise ProjectRefused(f"{path or 'what was sent'}: is no project that is known; {WANTED}")
 
 
 def sound_folder(project: Project) -> Path:

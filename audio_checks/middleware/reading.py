@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
@@ -55,14 +55,26 @@ class ProjectFiles:
         Where the project begins; links to folders are not followed.
     skipped : callable, optional
         Says of a folder's name whether it is left out.
+    texts : mapping of str to str, optional
+        The project's texts by their paths from the root, where they were sent: nothing is then read from a disk.
     """
 
-    def __init__(self, root: Path, *, skipped: Callable[[str], bool] = lambda name: name in SKIPPED_FOLDERS) -> None:
+    def __init__(
+        self,
+        root: Path,
+        *,
+        skipped: Callable[[str], bool] = lambda name: name in SKIPPED_FOLDERS,
+        texts: Mapping[str, str] | None = None,
+    ) -> None:
         self.root = root
         self.unread: list[Unread] = []
         self.files: list[str] = []
         self._bytes = 0
-        self._list(skipped)
+        self._texts = texts
+        if texts is None:
+            self._list(skipped)
+        else:
+            self.files = sorted(path for path in texts if not any(skipped(folder) for folder in path.split("/")[:-1]))
 
     def _list(self, skipped: Callable[[str], bool]) -> None:
         waiting, entries = [("", 0)], 0
@@ -94,7 +106,7 @@ class ProjectFiles:
     def text(self, file: str) -> str:
         """Return the text of a file; NotRead where it is none, or too much."""
         try:
-            text = read_text(self.root / file, most_bytes=MOST_FILE_BYTES)
+            text = self._text(file)
         except SpecError as error:
             raise NotRead(str(error)) from None
         if (lines := text.count("\n")) > MOST_LINES:
@@ -103,6 +115,13 @@ class ProjectFiles:
         if self._bytes > MOST_PROJECT_BYTES:
             raise NotRead(f"the project's files hold more than {MOST_PROJECT_BYTES >> 20} MiB together")
         return text
+
+    def _text(self, file: str) -> str:
+        if self._texts is None:
+            return read_text(self.root / file, most_bytes=MOST_FILE_BYTES)
+        if file not in self._texts:
+            raise SpecError("is not there", where=file)
+        return self._texts[file]
 
     def texts(self, files: Iterable[str]) -> Iterator[tuple[str, str]]:
         """Yield each file with its text; those that cannot be read are left out."""

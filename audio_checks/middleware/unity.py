@@ -7,11 +7,10 @@ over it, so there are neither tags nor aliases. A volume of a source is a factor
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from audio_checks.errors import SpecError
 from audio_checks.middleware.reading import SKIPPED_FOLDERS, NotRead, ProjectFiles, at_most
 from audio_checks.middleware.unity_mixers import Mixers
 from audio_checks.middleware.unity_text import Document, documents, flow, value
@@ -26,7 +25,6 @@ from audio_checks.middleware.values import (
     in_order,
     number,
 )
-from audio_checks.system.text_files import read_text
 
 AUDIO = (".wav", ".ogg", ".mp3", ".aif", ".aiff", ".flac", ".opus", ".it", ".mod", ".s3m", ".xm")
 HOLDERS = (".unity", ".prefab", ".asset", ".playable", ".controller")
@@ -65,24 +63,26 @@ class _Holder:
     instances: list[Document] = field(default_factory=list)
 
 
-def read_unity(root: Path) -> Project:
+def read_unity(root: Path, texts: Mapping[str, str] | None = None) -> Project:
     """Return what a Unity project says of its sounds.
 
     Parameters
     ----------
     root : Path
         The folder that holds `Assets` and `ProjectSettings`.
+    texts : mapping of str to str, optional
+        See `ProjectFiles`.
     """
-    files = ProjectFiles(root, skipped=lambda name: name in SKIPPED_FOLDERS or name.endswith("~"))
+    files = ProjectFiles(root, skipped=lambda name: name in SKIPPED_FOLDERS or name.endswith("~"), texts=texts)
     reading = _Reading(files)
     played = in_order(at_most(reading.played(), files.leave_out))
-    return Project("unity", str(root), _version(root), played, tuple(files.unread))
+    return Project("unity", str(root), _version(files), played, tuple(files.unread))
 
 
-def _version(root: Path) -> str:
+def _version(files: ProjectFiles) -> str:
     try:
-        text = read_text(root / "ProjectSettings" / "ProjectVersion.txt", most_bytes=1 << 16)
-    except SpecError:
+        text = files.text("ProjectSettings/ProjectVersion.txt")
+    except NotRead:
         return ""  # it is only shown
     return value(text, "m_EditorVersion", indent=0)[:64]
 
@@ -249,8 +249,12 @@ class _Reading:
             depends += (Dependency(place, "panLevelCustomCurve", "distance", "3D sound"),)
         return PlayedSound(
             self._file_of[clip], place, parts + group_parts + self._manager, depends, self._conversions.get(clip, ()),
-            (holder.file,), True, True, source.is_looped, self._streamed.get(clip),
+            (holder.file,), True, True, source.is_looped, self._streamed.get(clip), self._random_set(source),
         )  # fmt: skip
+
+    def _random_set(self, source: _Source) -> str:
+        file = self._holders[source.resource].file if source.resource in self._containers else ""
+        return file.removesuffix(".asset")
 
 
 def _with_changes(base: _Source, instance: Document, id_: str, of: str, file: str) -> _Source:

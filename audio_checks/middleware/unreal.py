@@ -5,7 +5,7 @@ factors, that of a submix is in dB.
 
     {"format": 1, "tool": "audio-checks for Unreal", "engine_version": "5.4.1",
      "waves": [{"path": "/Game/Audio/step", "file": "Audio/step.wav", "volume": 1.0, "class": "/Game/SFX", …}],
-     "cues": [{"path": "/Game/Audio/step_cue", "volume": 1.0, "class": "", "plays": [{"wave": "…", "nodes": [{…}]}]}],
+     "cues": [{"path": "/Game/steps", "volume": 1.0, "class": "…", "plays": [{"wave": "…", "random": true, …}]}],
      "classes": [{"path": "/Game/SFX", "volume": 1.0, "parent": "/Game/Master"}],
      "submixes": [{"path": "/Game/Main", "volume_db": 0.0, "parent": ""}]}
 """
@@ -13,7 +13,7 @@ factors, that of a submix is in dB.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -41,13 +41,15 @@ LISTS = ("waves", "cues", "classes", "submixes")
 ON: dict[str, DependsOn] = {"SoundNodeAttenuation": "distance", "SoundNodeModulator": "random"}
 
 
-def read_unreal(export: Path) -> Project:
+def read_unreal(export: Path, texts: Mapping[str, str] | None = None) -> Project:
     """Return what an export of an Unreal project says of its sounds.
 
     Parameters
     ----------
     export : Path
         The JSON file that the script wrote.
+    texts : mapping of str to str, optional
+        Its text by its name, where it was sent.
 
     Raises
     ------
@@ -55,7 +57,7 @@ def read_unreal(export: Path) -> Project:
         It is none, or of another version.
     """
     try:
-        text = read_text(export, most_bytes=MOST_FILE_BYTES)
+        text = read_text(export, most_bytes=MOST_FILE_BYTES) if texts is None else texts[str(export)]
         if text.count("{") + text.count("[") > MOST_BRACKETS:
             raise ProjectRefused(f"{export.name}: has more than {MOST_BRACKETS:,} brackets")
         document = json.loads(text)
@@ -142,6 +144,7 @@ class _Reading:
         return PlayedSound(
             _text(wave, "file") or wave_path, path, parts, tuple(depends), tuple(self._harms(wave)),
             (path,) if cue is not None else (), used, True, _flag(wave, "looped"), _flag(wave, "streamed"),
+            path if play is not None and play.get("random") is True else "",
         )  # fmt: skip
 
     def _factor(self, place: str, name: str, volume: object) -> tuple[Part, ...]:

@@ -104,6 +104,8 @@ class PlayedSound:
         None where only a script could say.
     is_known : bool
         False where the gain is set in a script alone; `gain_db` is then None.
+    random_set : str
+        Where the container is that plays one of its sounds at random; empty where there is none.
     """
 
     file: str
@@ -116,6 +118,7 @@ class PlayedSound:
     is_known: bool = True
     is_looped: bool | None = None
     is_streamed: bool | None = None
+    random_set: str = ""
 
     @property
     def gain_db(self) -> float | None:

@@ -6,7 +6,7 @@ property at its default is not written. Of a value for each platform the one wit
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from xml.etree import ElementTree as ET
@@ -21,15 +21,16 @@ from audio_checks.middleware.reading import (
     xml_root,
 )
 from audio_checks.middleware.values import Conversion, Dependency, Part, PlayedSound, Project, gain, in_order, number
+from audio_checks.middleware.wwise_text import GAINS, changes_of, harms_of, properties_of, states_of, value_of
 
 CATEGORIES = (
     "AudioObjects", "Containers", "InteractiveMusic", "Busses", "Events", "Conversions", "DynamicDialogue",
 )  # fmt: skip
 OBJECT_GAINS = ("Volume", "MakeUpGain", "OutputBusVolume")
 BUS_GAINS = ("BusVolume", "Volume", "OutputBusVolume")
-GAINS = frozenset({*OBJECT_GAINS, *BUS_GAINS, "VolumeOffset"})
 BUSES = ("Bus", "AuxBus")
 PLAY = "1"  # the type of an action that plays; also the default
+SEQUENCE = "0"  # a container's mode; the default, random, is not written
 MOST_EVENTS_DEEP = 8  # that play one another
 MASTER = ("Master Audio Bus", "{1514A4D8-1DA6-412A-A17E-75CA0C2149F3}")  # of every project
 
@@ -59,15 +60,19 @@ class _Source:
     offset_db: float
 
 
-def read_wwise(project: Path) -> Project:
+def read_wwise(project: Path, texts: Mapping[str, str] | None = None) -> Project:
     """Return what a Wwise project says of its sounds.
 
     Parameters
     ----------
     project : Path
         The `.wproj` file.
+    texts : mapping of str to str, optional
+        See `ProjectFiles`.
     """
-    files = ProjectFiles(project.parent, skipped=lambda name: name.startswith(".") or name == "GeneratedSoundBanks")
+    files = ProjectFiles(
+        project.parent, skipped=lambda name: name.startswith(".") or name == "GeneratedSoundBanks", texts=texts
+    )
     reading = _Reading(files)
     version = reading.read_project_file(project.name)
     for file, text in files.texts(files.ending(".wwu")):
@@ -140,7 +145,7 @@ class _Reading:
                 elif child.tag == "Event":
                     self._event(child)
                 elif child.tag == "Conversion":
-                    self._conversions[id_] = _harms(child, file)
+                    self._conversions[id_] = harms_of(child, file)
                 elif child.tag == "DialogueEvent":
                     for target in child.iter("ObjectRef"):
                         self._targets.setdefault(target.get("ID", ""), []).append(child.get("Name", ""))
@@ -156,9 +161,9 @@ class _Reading:
         if holder is None or not audio_file:
             return
         offset_db = 0.0
-        for name, property_ in _properties(element):
+        for name, property_ in properties_of(element):
             if name == "VolumeOffset":
-                offset_db = number(_value(property_)) or 0.0
+                offset_db = number(value_of(property_)) or 0.0
         language = (element.findtext("Language") or "SFX").strip()
         holder.sources.append(_Source(element.get("ID", ""), element.get("Name", ""), language, audio_file, offset_db))
 
@@ -166,8 +171,8 @@ class _Reading:
         name = event.get("Name", "")
         _, plays = self._events.setdefault(event.get("ID", ""), (name, []))
         for action in event.iterfind("ChildrenList/Action"):
-            properties = dict(_properties(action))
-            kind = _value(properties["ActionType"]) if "ActionType" in properties else PLAY
+            properties = dict(properties_of(action))
+            kind = value_of(properties["ActionType"]) if "ActionType" in properties else PLAY
             target = action.find("ReferenceList/Reference[@Name='Target']/ObjectRef")
             if target is None:
                 continue
@@ -216,8 +221,15 @@ class _Reading:
             streamed = one.settings.get("IsStreamingEnabled") == "True"
         return PlayedSound(
             self._file_of(source), path, offset + parts, depends, conversion,
-            tuple(events), bool(events), True, looped, streamed,
+            tuple(events), bool(events), True, looped, streamed, self._random_set(one),
         )  # fmt: skip
+
+    def _random_set(self, one: _Object) -> str:
+        """Return the nearest container that plays its sounds at random; one that plays a sequence is none."""
+        for holder in self._holders(one):
+            if holder.tag == "RandomSequenceContainer":
+                return "" if holder.settings.get("RandomOrSequence") == SEQUENCE else self._path(holder.id)
+        return ""
 
     def _file_of(self, source: _Source) -> str:
         folder = "SFX" if source.language == "SFX" else f"Voices/{source.language}"
@@ -304,18 +316,19 @@ class _Reading:
 
 def _object(element: ET.Element, parent: str, file: str) -> _Object:
     one = _Object(element.get("ID", ""), element.tag, element.get("Name", ""), file, parent)
-    for name, property_ in _properties(element):
+    for name, property_ in properties_of(element):
         if name in GAINS:
-            if (value := number(_value(property_))) is not None:
+            if (value := number(value_of(property_))) is not None:
                 one.gains[name] = value
-            one.depends += _changes(name, property_)
+            one.depends += changes_of(name, property_)
         elif name in (
             "OverrideOutput", "OverrideConversion", "OverridePositioning", "IsLoopingEnabled", "IsStreamingEnabled",
+            "RandomOrSequence",
         ):  # fmt: skip
-            one.settings[name] = _value(property_)
-        elif name == "EnableLoudnessNormalization" and _value(property_) == "True":
+            one.settings[name] = value_of(property_)
+        elif name == "EnableLoudnessNormalization" and value_of(property_) == "True":
             one.depends.append(Dependency("", name, "loudness", "loudness normalization of the source"))
-        elif name == "HdrEnable" and _value(property_) == "True":
+        elif name == "HdrEnable" and value_of(property_) == "True":
             one.depends.append(Dependency("", name, "state", "the HDR window"))
     for reference in element.iterfind("ReferenceList/Reference"):
         meant = reference.find("ObjectRef")
@@ -325,58 +338,15 @@ def _object(element: ET.Element, parent: str, file: str) -> _Object:
         if name.startswith("Effect") and name[6:].isdigit():
             what = meant.get("Name", "") if meant is not None else reference.get("PluginName", "")
             one.depends.append(Dependency("", name, "effect", f'effect "{what}"'))
-    one.depends += _states(element)
+    one.depends += states_of(element)
     for track in element.iterfind("BlendTrackList/BlendTrack"):
-        for name, property_ in _properties(track):
+        for name, property_ in properties_of(track):
             if name in GAINS:
-                one.depends += _changes(name, property_)
+                one.depends += changes_of(name, property_)
     for duck in element.iter("DuckInfo") if element.tag in BUSES else ():
         one.depends.append(Dependency("", "Ducking", "state", f'ducked buses "{duck.get("Name", "")}"'))
     one.active = {source.get("ID", "") for source in element.iterfind("ActiveSourceList/ActiveSource")}
     return one
-
-
-def _properties(element: ET.Element) -> Iterator[tuple[str, ET.Element]]:
-    for list_ in element.iterfind("PropertyList"):
-        for property_ in list_:
-            yield property_.get("Name", ""), property_
-
-
-def _value(property_: ET.Element) -> str:
-    if (own := property_.get("Value")) is not None:
-        return own
-    values = property_.findall("ValueList/Value")
-    shared = next((value for value in values if "Platform" not in value.attrib), values[0] if values else None)
-    return (shared.text or "").strip() if shared is not None else ""
-
-
-def _changes(name: str, property_: ET.Element) -> list[Dependency]:
-    """Return what moves a property away from its value."""
-    found = []
-    for rtpc in property_.iterfind("RTPCList/RTPC"):
-        meant = rtpc.find("ReferenceList/Reference[@Name='ControlInput']/ObjectRef")
-        what = meant.get("Name", "") if meant is not None else rtpc.get("Name", "")
-        found.append(Dependency("", name, "state", f'game parameter "{what}"'))
-    for modifier in property_.iterfind("ModifierList/ModifierInfo/Modifier"):
-        values = {one: _value(two) for one, two in _properties(modifier)}
-        if values.get("Enabled") == "True":
-            what = f"random from {values.get('Min', '0')} to {values.get('Max', '0')} dB"
-            found.append(Dependency("", name, "random", what))
-    if property_.find("ValueList/Value[@Platform]") is not None:
-        values_of = {value.text for value in property_.iterfind("ValueList/Value")}
-        if len(values_of) > 1:
-            found.append(Dependency("", name, "state", "the platform"))
-    return found
-
-
-def _states(element: ET.Element) -> Iterator[Dependency]:
-    for state in element.iterfind("StateInfo/CustomStateList/CustomState"):
-        meant = state.find("StateRef")
-        for inner in state.iterfind("CustomState"):
-            for name, property_ in _properties(inner):
-                if name in GAINS and number(_value(property_)):
-                    what = f'state "{meant.get("Name", "") if meant is not None else ""}", {_value(property_)} dB'
-                    yield Dependency("", name, "state", what)
 
 
 def _active(one: _Object) -> list[_Source]:
@@ -384,14 +354,3 @@ def _active(one: _Object) -> list[_Source]:
     chosen = [source for source in one.sources if source.id in one.active]
     covered = {source.language for source in chosen}
     return [source for source in one.sources if source in chosen or source.language not in covered]
-
-
-def _harms(conversion: ET.Element, file: str) -> tuple[Conversion, ...]:
-    name = conversion.get("Name", "")
-    values = {key: _value(property_) for key, property_ in _properties(conversion)}
-    harms = []
-    if (rate := number(values.get("SampleRate"))) and rate >= 1_000:
-        harms.append(Conversion(f'"{name}": SampleRate', f"resampled to {rate:,.0f} Hz", file))
-    if any(one.get("PluginName") == "ADPCM" for one in conversion.iter("ConversionPlugin")):
-        harms.append(Conversion(f'"{name}": ADPCM', "4 bits a sample undo the dither", file))
-    return tuple(harms)

@@ -76,7 +76,7 @@ def wave(asset, referenced):
     }
 
 
-def plays(node, above, depth=0):
+def plays(node, above, depth=0, is_random=False):
     """Yield each wave below a node of a cue, with the nodes that change its level on the way."""
     if node is None or depth > MOST_NODES_DEEP:
         return
@@ -84,7 +84,7 @@ def plays(node, above, depth=0):
     if kind == "SoundNodeWavePlayer":
         asset = value(node, "sound_wave_asset_ptr") or value(node, "sound_wave")
         if asset:
-            yield {"wave": path_of(asset), "nodes": above}
+            yield {"wave": path_of(asset), "random": is_random, "nodes": above}
         return
     factors = value(node, LINEAR_NODES[kind], []) if kind in LINEAR_NODES else []
     own = []
@@ -97,7 +97,7 @@ def plays(node, above, depth=0):
         own = [{"kind": kind, "depends": True}]
     for at, child in enumerate(value(node, "child_nodes", [])):
         factor = [{"kind": kind, "property": f"InputVolume {at}", "volume": factors[at]}] if at < len(factors) else []
-        yield from plays(child, above + own + factor, depth + 1)
+        yield from plays(child, above + own + factor, depth + 1, is_random or kind == "SoundNodeRandom")
 
 
 def cue(asset, referenced):

@@ -9,7 +9,7 @@ import pytest
 
 from audio_checks.audit import report
 from audio_checks.audit.changelists import lines_of
-from audio_checks.audit.plays import sounds_by_path
+from audio_checks.middleware.by_path import sounds_by_path
 from audio_checks.middleware.values import PlayedSound, Project
 from benchmarks.audits.projects import KINDS
 from tests.support.waves import placeholder_mark, write_wav
