@@ -34,10 +34,17 @@ PERSONAL = frozenset(
     {
         *("accounts_sign_ins", "accounts_password_resets", "accounts_email_verifications", "accounts_operators"),
         *("notifications_mail_preferences", "notifications_notices"),
+        "shares_saved_views",
     }
 )
 TEAMS_OWN = frozenset(  # no designer reads them
-    {"hiring_scores", "hiring_roster_entries", "hiring_busy_ranges", "hiring_reel_sounds"}
+    {
+        *("hiring_scores", "hiring_roster_entries", "hiring_busy_ranges", "hiring_reel_sounds"),
+        *("scenes_beds", "scenes_sounds", "scenes_comparisons"),
+        *("shares_guest_links", "shares_guest_sounds", "shares_guest_visits", "shares_guest_plays"),
+        *("shares_guest_copies", "shares_playlists", "shares_playlist_entries", "shares_playlist_positions"),
+        *("shares_live_sessions", "shares_live_listeners"),
+    }
 )
 READ_ONLY = frozenset({"accounts_operators", "accounts_quotas"})  # set on the command line only
 

@@ -18,6 +18,8 @@ from app.projects import models as _projects
 from app.references import models as _references
 from app.renders import models as _renders
 from app.reviews import models as _reviews
+from app.scenes import models as _scenes
+from app.shares import models as _shares
 from app.sound_lists import models as _sound_lists
 from app.voice_lines import models as _voice_lines
 

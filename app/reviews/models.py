@@ -12,7 +12,7 @@ from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit import clock
 from app.kit.db import Base, new_id
-from app.reviews.rules import VerdictKind
+from app.reviews.rules import VerdictKind, mentioned_in
 from app.sound_lists.models import Cue
 
 
@@ -142,6 +142,11 @@ class ChangeRequest(Base):
     author: Mapped[Person] = relationship(lazy="raise")
     sending: Mapped[Feedback | None] = relationship(lazy="raise")
 
+    @property
+    def mentioned(self) -> list[dict[str, Any]]:
+        """Whom the text mentions, by id and name."""
+        return mentioned_in(self.mentions)
+
 
 class Round(Base):
     """One sending counted once for a cue or set, or the reason why it is not counted."""
@@ -167,7 +172,10 @@ class Comment(Base):
     """Advice on a take, at a time in the sound."""
 
     __tablename__ = "reviews_comments"
-    __table_args__ = (Index("ix_reviews_comments_project_id_id", "project_id", "id"),)
+    __table_args__ = (
+        Index("ix_reviews_comments_project_id_id", "project_id", "id"),
+        CheckConstraint("(written_by is null) <> (guest_name is null)", name="by_a_person_or_guest"),
+    )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
@@ -178,14 +186,27 @@ class Comment(Base):
     text: Mapped[str]
     start_s: Mapped[float | None]
     end_s: Mapped[float | None]
-    written_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    written_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: a guest
+    guest_name: Mapped[str | None]  # as a guest without an account typed it
     decides: Mapped[bool]  # whether the author was the approver when writing; all others advise
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     resolved_at: Mapped[datetime | None]
     resolved_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
     mentions: Mapped[dict[str, Any]] = mapped_column(default=dict)  # by person: the name that stands after the @
-    author: Mapped[Person] = relationship(lazy="raise", foreign_keys=[written_by])
+    author: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[written_by])
     acknowledgements: Mapped[list["Acknowledgement"]] = relationship(lazy="raise", order_by="Acknowledgement.id")
+
+    @property
+    def byline(self) -> dict[str, Any]:
+        """Who wrote it, as people read it; a guest has no account."""
+        if self.author is None:
+            return {"id": None, "name": f"guest {self.guest_name}"}
+        return {"id": self.author.id, "name": self.author.name}
+
+    @property
+    def mentioned(self) -> list[dict[str, Any]]:
+        """Whom the text mentions, by id and name."""
+        return mentioned_in(self.mentions)
 
 
 class Acknowledgement(Base):

@@ -38,6 +38,7 @@ from app.reviews.schemas import (
     CommentRead,
     CueReviewRead,
     HistoryEntry,
+    MentionRead,
     QueueCount,
     QueueItem,
     ReviewCue,
@@ -218,6 +219,7 @@ def change_request_read(request: ChangeRequest, prefix: str) -> ChangeRequestRea
         variation=request.take.variation,
         number=request.take.number or 0,
         text=request.text,
+        mentions=[MentionRead.model_validate(one) for one in request.mentioned],
         start_s=request.start_s,
         end_s=request.end_s,
         reverses=request.feedback_id is None and request.take.state is TakeState.APPROVED,
@@ -229,7 +231,7 @@ def change_request_read(request: ChangeRequest, prefix: str) -> ChangeRequestRea
 
 
 def comment_read(comment: Comment) -> CommentRead:
-    """Return a comment as it is shown; its author is loaded."""
+    """Return a comment as it is shown; its author and who has seen it are loaded."""
     return CommentRead.model_validate(comment)
 
 
@@ -347,8 +349,8 @@ def _said(session: Session, take: Take) -> Iterable[HistoryEntry]:
         yield HistoryEntry(
             at=comment.created_at,
             kind="comment",
-            by=PersonBrief.model_validate(comment.author),
-            text=comment.text,
+            by=PersonBrief.model_validate(comment.author) if comment.author else None,
+            text=comment.text if comment.author else f"{comment.byline['name']}: {comment.text}",
             start_s=comment.start_s,
             end_s=comment.end_s,
         )

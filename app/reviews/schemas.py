@@ -20,6 +20,10 @@ NO_NUL = "^[^\\x00]*$"  # PostgreSQL takes none in text
 Note = Annotated[str, Field(max_length=10_000, pattern=NO_NUL)]
 Said = Annotated[str, Field(min_length=1, max_length=10_000, pattern=NO_NUL)]
 Seconds = Annotated[float, Field(ge=0, allow_inf_nan=False)]
+Mentioned = Annotated[
+    list[UUID],
+    Field(max_length=20, description="People who may see the version, whose names stand in the text after an @."),
+]
 
 
 class ReviewCue(Schema):
@@ -53,6 +57,13 @@ class ReviewRender(SoundBrief):
     true_peak_dbtp: float | None
 
 
+class MentionRead(Schema):
+    """A person whom a text mentions, by the name that stands after the @ there."""
+
+    person_id: UUID
+    name: str
+
+
 class ChangeRequestRead(Schema):
     """A change request for a take; a draft while `sent_at` is null."""
 
@@ -64,6 +75,7 @@ class ChangeRequestRead(Schema):
     variation: int
     number: int
     text: str
+    mentions: list[MentionRead]
     start_s: float | None
     end_s: float | None
     reverses: bool = Field(description="Whether the take is approved now, so that sending counts no round.")
@@ -142,6 +154,7 @@ class VerdictGive(Schema):
         description="Where the page showed the take; another state now is answered 409 and changes nothing. "
         "Say `set_aside` to pick a take later, `approved` to reverse an approval.",
     )
+    mentions: Mentioned = Field(default=[])
 
 
 class VerdictGiven(Schema):
@@ -231,6 +244,21 @@ class CommentAdd(Schema):
     end_s: Seconds | None = None
     reply_to_id: UUID | None = Field(default=None, description="The comment on the same take that it answers.")
     change_request_id: UUID | None = Field(default=None, description="The sent change request that it answers.")
+    mentions: Mentioned = Field(default=[])
+
+
+class AcknowledgementRead(Schema):
+    """Who has seen a comment, and when."""
+
+    person: PersonBrief
+    created_at: datetime
+
+
+class CommentAuthor(Schema):
+    """Who wrote a comment: a person, or a guest by the name that they typed."""
+
+    id: UUID | None = Field(description="Null for a guest, who has no account.")
+    name: str = Field(examples=["guest Ada"])
 
 
 class CommentRead(Schema):
@@ -243,10 +271,12 @@ class CommentRead(Schema):
     text: str
     start_s: float | None
     end_s: float | None
-    author: PersonBrief
+    author: CommentAuthor = Field(validation_alias="byline")
     decides: bool = Field(description="Whether the author was the approver when writing; all others advise.")
     created_at: datetime
     resolved_at: datetime | None
+    mentions: list[MentionRead] = Field(validation_alias="mentioned")
+    acknowledgements: list[AcknowledgementRead] = Field(description="Who has acknowledged it, the first first.")
 
 
 class NoteAnswerGive(Schema):

@@ -28,6 +28,8 @@ ROOMS = (
     "references",
     "renders",
     "reviews",
+    "scenes",
+    "shares",
     "sound_lists",
     "voice_lines",
 )
