@@ -39,6 +39,7 @@ from app.money.electronic_invoice_endpoints import router as electronic_invoices
 from app.money.endpoints import router as money
 from app.money.ledger import charge_deposits
 from app.notifications.endpoints import router as notifications
+from app.notifications.notice_endpoints import router as notices
 from app.notifications.preference_endpoints import router as mail_preferences
 from app.operations.endpoints import router as operations
 from app.projects.approval_endpoints import router as approval
@@ -106,6 +107,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     credit_lists,
     events,
     notifications,
+    notices,
     mail_preferences,
     operations,
 )
@@ -129,6 +131,7 @@ JOB_MODULES = (
     "app.notifications.hiring_jobs",
     "app.notifications.jobs",
     "app.notifications.mail_jobs",
+    "app.notifications.notice_jobs",
 )
 PARSERS = (
     "app.sound_lists.sheets",
@@ -163,6 +166,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "question.answered": ("notifications.notify_answer",),
     "changes.sent": ("notifications.notify_changes",),
     "note.answered": ("notifications.notify_reply",),
+    "person.mentioned": ("notifications.notify_mention",),
     "take.approved": ("notifications.notify_approval", "builds.fingerprint_take"),
     "folder.adopted": ("reviews.check_adopted_takes",),
     "cue.cut": ("notifications.notify_cut",),

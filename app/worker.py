@@ -59,6 +59,7 @@ CHORES = (
     "notifications.mail_heads",
     "notifications.remind_of_days",
     "notifications.notify_overdue_checks",
+    "notifications.delete_old_notices",
 )
 
 

@@ -36,11 +36,13 @@ def _mail(
         session,
         event_id=payload["event_id"],
         studio_id=posting.studio_id,
+        project_id=None,
         topic=f"posting:{posting.id}",
         recipient=recipient,
         subject=f"{posting.title}: {subject}",
         lines=[line],
-        link=f"{runtime.settings.base_url}/postings/{posting.id}",
+        base_url=runtime.settings.base_url,
+        path=f"/postings/{posting.id}",
         delay_s=runtime.settings.digest_delay_s,
     )
 

@@ -122,6 +122,22 @@ def notify_reply(runtime: Runtime, payload: Payload) -> None:
         )
 
 
+@job("notifications.notify_mention")
+def notify_mention(runtime: Runtime, payload: Payload) -> None:
+    """Notify a person who is mentioned in a comment, a reply or a change request."""
+    with runtime.database.writing() as session:
+        said = queries.note_by_id(session, UUID(payload["said_id"]), is_comment=payload["kind"] == "comment")
+        take, project, cue = queries.take_with_place(session, said.take_id)
+        author = session.get_one(Person, said.written_by)
+        person_id = UUID(payload["person_id"])
+        at = f" at {said.start_s:.3f} s" if said.start_s is not None else ""
+        line = f"{cue_label(project, cue)}, version {take.number}{at}: {author.name} wrote: {said.text}"
+        page = None if person_id == take.designer_id or cue is None else f"review/{cue.id}"
+        Notifier(runtime, session, project, payload["event_id"]).notify(
+            queries.address_of(session, person_id), "mentions", f"{author.name} mentions you", line, page=page
+        )
+
+
 @job("notifications.notify_approval")
 def notify_approval(runtime: Runtime, payload: Payload) -> None:
     """Notify the designer that a take was approved, unless the verdict was undone meanwhile."""

@@ -1,4 +1,4 @@
-"""Lines of mail to the people of one project."""
+"""News for the people of one project."""
 
 from dataclasses import dataclass
 
@@ -22,16 +22,17 @@ class Notifier:
 
     def notify(self, recipient: str, topic: str, subject: str, *lines: str, page: str | None = None) -> None:
         """Add lines to the recipient's mail on the topic; without a page the link leads to the desk."""
-        base_url = self.runtime.settings.base_url
         service.write_news(
             self.session,
             event_id=self.event_id,
             studio_id=self.project.studio_id,
+            project_id=self.project.id,
             topic=f"{topic}:{self.project.id}",
             recipient=recipient,
             subject=f"{self.project.name}: {subject}",
             lines=lines,
-            link=f"{base_url}/desk" if page is None else f"{base_url}/projects/{self.project.id}/{page}".rstrip("/"),
+            base_url=self.runtime.settings.base_url,
+            path="/desk" if page is None else f"/projects/{self.project.id}/{page}".rstrip("/"),
             delay_s=self.runtime.settings.digest_delay_s,
         )
 

@@ -12,6 +12,7 @@ class News(StrEnum):
 
     SOUNDS = "sounds"  # to review, returned, approved, changes requested
     TALK = "talk"  # questions, answers, replies
+    MENTIONS = "mentions"  # comments and change requests that name the person
     LIST = "list"  # the sound list changed, a person joined, a build was refused
     CONTRACTS = "contracts"  # signatures, change orders, invoices
     HIRING = "hiring"  # postings and bids
@@ -30,6 +31,7 @@ ALWAYS_MAILED = frozenset({News.CONTRACTS})  # at the rarest daily: money and si
 NEWS_OF_TOPIC: Mapping[str, News] = {  # by the first word of a mail's topic
     **dict.fromkeys(("to-review", "returned", "approved", "changes", "reminders", "silence", "tasks"), News.SOUNDS),
     **dict.fromkeys(("questions", "answers", "replies"), News.TALK),
+    "mentions": News.MENTIONS,
     **dict.fromkeys(("list", "cut", "builds", "drift", "joined"), News.LIST),
     **dict.fromkeys(("contract", "deposit", "invoices", "head"), News.CONTRACTS),
     **dict.fromkeys(("bids", "posting-questions", "posting"), News.HIRING),

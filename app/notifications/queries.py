@@ -11,11 +11,11 @@ from app.accounts.models import Membership, Person
 from app.accounts.rules import Role
 from app.agreements.models import Contract, Milestone
 from app.deliveries.models import Take
-from app.notifications.models import Mail, MailPreferences
+from app.notifications.models import Mail, MailPreferences, Notice
 from app.projects.approval import approval_rights
 from app.projects.models import Engagement, Liaison, Project
 from app.projects.visibility import engaged_with_nda_accepted
-from app.reviews.models import ChangeRequest
+from app.reviews.models import ChangeRequest, Comment
 from app.sound_lists.models import Cue
 
 OUTBOX_ROWS = 200
@@ -147,6 +147,20 @@ def _addresses_with(session: Session, studio_id: UUID, role: Role) -> set[str]:
     return {email for email, roles in rows if role in roles}
 
 
+def notices_of(session: Session, person_id: UUID, *, before: UUID | None, limit: int) -> Sequence[Notice]:
+    """Return a person's notices, newest first."""
+    found = select(Notice).where(Notice.person_id == person_id)
+    if before is not None:
+        found = found.where(Notice.id < before)
+    return session.scalars(found.order_by(Notice.id.desc()).limit(limit)).all()
+
+
+def unread_notices(session: Session, person_id: UUID, *, limit: int) -> int:
+    """Return how many notices a person has not read, counted up to a limit."""
+    unread = select(Notice.id).where(Notice.person_id == person_id, Notice.read_at.is_(None)).limit(limit)
+    return session.scalar(select(func.count()).select_from(unread.subquery())) or 0
+
+
 def deposit_of(session: Session, contract_id: UUID) -> int:
     """Return the sum of a contract's deposits in whole minor units."""
     of_contract = Milestone.contract_id == contract_id
@@ -172,3 +186,8 @@ def take_with_place(session: Session, take_id: UUID) -> tuple[Take, Project, Cue
     found = select(Take, Project, Cue).join(Project, Project.id == Take.project_id)
     take, project, cue = session.execute(found.outerjoin(Cue, Cue.id == Take.cue_id).where(Take.id == take_id)).one()
     return take, project, cue
+
+
+def note_by_id(session: Session, note_id: UUID, *, is_comment: bool) -> Comment | ChangeRequest:
+    """Return a comment, or a change request."""
+    return session.get_one(Comment, note_id) if is_comment else session.get_one(ChangeRequest, note_id)

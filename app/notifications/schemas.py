@@ -56,3 +56,28 @@ class MailChoiceSave(Schema):
     """How often the news of the link is mailed from now on."""
 
     cadence: Cadence
+
+
+class NoticeRead(Schema):
+    """One piece of news for the caller."""
+
+    id: UUID
+    news: News
+    subject: str
+    text: str
+    path: str = Field(description="Of the page that it is about.")
+    created_at: datetime
+    read_at: datetime | None
+
+
+class UnreadRead(Schema):
+    """How many notices the caller has not read."""
+
+    unread: int = Field(description="100 where there are more than 99.")
+
+
+class NoticesMark(Schema):
+    """Notices that the caller has read."""
+
+    ids: list[UUID] = Field([], max_length=200)
+    up_to: UUID | None = Field(None, description="This notice and all before it; what came since stays unread.")

@@ -11,7 +11,7 @@ from app.accounts.service import ensure_producer_of
 from app.kit import clock
 from app.kit.db import insert_if_absent, new_id
 from app.kit.events import publish
-from app.notifications import preferences, queries
+from app.notifications import notices, preferences, queries
 from app.notifications.errors import MailBusy, MailNotFound
 from app.notifications.models import Mail
 from app.notifications.preference_rules import Cadence, news_of
@@ -74,15 +74,29 @@ def write_news(
     *,
     event_id: str,
     studio_id: UUID,
+    project_id: UUID | None,
     topic: str,
     recipient: str,
     subject: str,
     lines: Sequence[str],
-    link: str,
+    base_url: str,
+    path: str,
     delay_s: float,
 ) -> None:
-    """Write news as its reader wishes it: at once, in the mail of the hour or the day, or not at all."""
+    """Add a notice in the app, and mail the news as its reader wishes it: at once, hourly, daily or not at all."""
     news = news_of(topic)
+    notices.add(
+        session,
+        event_id=event_id,
+        studio_id=studio_id,
+        project_id=project_id,
+        topic=topic,
+        recipient=recipient,
+        subject=subject,
+        text="\n\n".join(lines),
+        path=path,
+    )
+    link = f"{base_url}{path}"
     cadence, send_after = preferences.timing(session, recipient, news, timedelta(seconds=delay_s))
     if cadence is Cadence.NEVER:
         return

@@ -90,7 +90,8 @@ class Decision:
         change_state(self._session, take, STATE_AFTER[kind])
         draft = queries.draft_of(self._session, take.id)
         if draft is not None and not keeps_draft:
-            verdict.dropped_draft = {"text": draft.text, "start_s": draft.start_s, "end_s": draft.end_s}
+            kept = ("text", "start_s", "end_s", "mentions")
+            verdict.dropped_draft = {name: getattr(draft, name) for name in kept}
             self._session.delete(draft)
         self._session.add(verdict)
 

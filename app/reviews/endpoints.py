@@ -7,11 +7,13 @@ from fastapi import Query
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
+from app.accounts.schemas import PersonBrief
 from app.deliveries.errors import DeliveryNotFound, TakeNotFound, WrongState
 from app.kit.http import BadCursor, DbSession, Page, Route, Router, problems
 from app.projects.errors import ApproverNeeded, ProducerNeeded, ProjectNotFound, TeamNeeded
 from app.reviews import carried_notes, comments, feedback, fit, review_room, service
 from app.reviews.errors import (
+    AcknowledgementNotDue,
     AlreadyAccepted,
     AlreadySent,
     ChangeRequestNotFound,
@@ -20,6 +22,7 @@ from app.reviews.errors import (
     NoteNotFound,
     NothingToSend,
     NothingToUndo,
+    NotMentionable,
     NotOfThisCue,
     NotReviewable,
     RangeInvalid,
@@ -90,7 +93,15 @@ def get_cue_review(cue_id: UUID, session: DbSession, actor: Actor = allows(Audie
     "/takes/{take_id}/verdict",
     response_model=VerdictGiven,
     responses=problems(
-        TakeNotFound, ApproverNeeded, StaleView, NotReviewable, WrongState, CueIsCut, NoteNeeded, RangeInvalid
+        TakeNotFound,
+        ApproverNeeded,
+        StaleView,
+        NotReviewable,
+        WrongState,
+        CueIsCut,
+        NoteNeeded,
+        RangeInvalid,
+        NotMentionable,
     ),
 )
 def give_verdict(
@@ -106,6 +117,7 @@ def give_verdict(
         start_s=body.start_s,
         end_s=body.end_s,
         seen_state=body.seen_state,
+        mentions=body.mentions,
     )
 
 
@@ -182,7 +194,7 @@ def list_comments(take_id: UUID, session: DbSession, actor: Actor = allows(Audie
     "/takes/{take_id}/comments",
     status_code=201,
     response_model=CommentRead,
-    responses=problems(TakeNotFound, RangeInvalid, CommentNotFound, ChangeRequestNotFound),
+    responses=problems(TakeNotFound, RangeInvalid, CommentNotFound, ChangeRequestNotFound, NotMentionable),
 )
 def add_comment(
     take_id: UUID, body: CommentAdd, session: DbSession, actor: Actor = allows(Audience.PROJECT)
@@ -196,6 +208,7 @@ def add_comment(
         start_s=body.start_s,
         end_s=body.end_s,
         answers=comments.Answered(body.reply_to_id, body.change_request_id),
+        mentions=body.mentions,
     )
 
 
@@ -207,6 +220,30 @@ def add_comment(
 def resolve_comment(comment_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> CommentRead:
     """Mark advice as seen to."""
     return comments.resolve_comment(session, actor, comment_id)
+
+
+@router.post("/comments/{comment_id}/reopen", response_model=CommentRead, responses=problems(CommentNotFound))
+def reopen_comment(comment_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> CommentRead:
+    """Open advice again that was marked as seen to."""
+    return comments.reopen_comment(session, actor, comment_id)
+
+
+@router.post(
+    "/comments/{comment_id}/acknowledgement",
+    response_model=CommentRead,
+    responses=problems(CommentNotFound, AcknowledgementNotDue),
+)
+def acknowledge_comment(comment_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> CommentRead:
+    """Say that the caller, whom a comment mentions or whose sound it is about, has seen it."""
+    return comments.acknowledge_comment(session, actor, comment_id)
+
+
+@router.get("/takes/{take_id}/people", response_model=list[PersonBrief], responses=problems(TakeNotFound))
+def list_people_to_mention(
+    take_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> list[PersonBrief]:
+    """Return the people who may see a version, without the caller: those who can be mentioned there, by name."""
+    return comments.people_for(session, actor, take_id)
 
 
 @router.post(

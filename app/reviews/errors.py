@@ -73,3 +73,11 @@ class NothingToAdopt(Conflict):
 
 class AdoptionInUse(Conflict):
     """Work was built on what an adoption made, so it cannot be undone as a whole."""
+
+
+class NotMentionable(Invalid):
+    """A person cannot be mentioned: they may not see the version, or the text does not name them."""
+
+
+class AcknowledgementNotDue(Conflict):
+    """A comment is acknowledged by those it mentions and by the designer of the version."""

@@ -19,6 +19,7 @@ from app.projects.service import project_access
 from app.reviews import queries
 from app.reviews.decisions import new_verdict
 from app.reviews.errors import AlreadySent, ChangeRequestNotFound, NothingToSend
+from app.reviews.mentions import publish_mentions
 from app.reviews.models import ChangeRequest, Feedback, Round
 from app.reviews.review_room import change_request_read
 from app.reviews.rules import STATE_WORDS, VerdictKind, why_not_counted
@@ -107,6 +108,8 @@ def send_changes(session: Session, actor: Actor, project_id: UUID, *, note: str 
     session.expire_all()
     publish(session, "changes.sent", studio_id=sending.studio_id, feedback_id=sending.id)
     sent = queries.change_requests_of(session, ChangeRequest.feedback_id == sending.id)
+    for request in sent:
+        publish_mentions(session, request, without=request.take.designer_id)
     return FeedbackRead(
         id=sending.id,
         note=sending.note,

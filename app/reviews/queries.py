@@ -5,15 +5,18 @@ from collections.abc import Collection, Sequence
 from uuid import UUID
 
 from sqlalchemy import ColumnElement, Select, and_, exists, func, or_, select
-from sqlalchemy.orm import Session, aliased, joinedload
+from sqlalchemy.orm import Session, aliased, joinedload, selectinload
+from sqlalchemy.sql.base import ExecutableOption
 
-from app.accounts.models import Person
+from app.accounts.models import Membership, Person
 from app.conformance.models import CheckRun, Waiver
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit.in_array import in_array
+from app.projects.models import Engagement, Project
+from app.projects.visibility import engaged_with_nda_accepted
 from app.renders.models import Picture
-from app.reviews.models import ChangeRequest, ClockPause, Comment, NoteAnswer, Reminder, Round, Verdict
+from app.reviews.models import Acknowledgement, ChangeRequest, ClockPause, Comment, NoteAnswer, Reminder, Round, Verdict
 from app.reviews.rules import VerdictKind, missing_variations
 from app.sound_lists.models import Cue, Question
 from app.sound_lists.rules import CueState
@@ -221,14 +224,33 @@ def change_requests_of(
     return session.scalars(query if limit is None else query.limit(limit)).all()
 
 
+def _with_people() -> tuple[ExecutableOption, ...]:
+    seen_by = selectinload(Comment.acknowledgements).joinedload(Acknowledgement.person)
+    return joinedload(Comment.author), seen_by
+
+
 def comments_on(session: Session, *where: ColumnElement[bool]) -> Sequence[Comment]:
-    """Return comments with their authors, oldest first."""
-    return session.scalars(select(Comment).where(*where).options(joinedload(Comment.author)).order_by(Comment.id)).all()
+    """Return comments with their authors and who has seen them, oldest first."""
+    return session.scalars(select(Comment).where(*where).options(*_with_people()).order_by(Comment.id)).all()
 
 
 def comment_by_id(session: Session, comment_id: UUID) -> Comment | None:
-    """Return a comment with its author."""
-    return session.get(Comment, comment_id, options=[joinedload(Comment.author)])
+    """Return a comment with its author and who has seen it, as the database has it now."""
+    fresh = select(Comment).where(Comment.id == comment_id).options(*_with_people())
+    return session.scalar(fresh.execution_options(populate_existing=True))
+
+
+def people_who_see(session: Session, take: Take) -> Sequence[Person]:
+    """Return the people who may see a take, by name: the members of its studio, and its designer while engaged."""
+    member = exists().where(Membership.person_id == Person.id, Membership.studio_id == take.studio_id)
+    engaged = exists().where(
+        Engagement.project_id == take.project_id,
+        Engagement.designer_id == Person.id,
+        Project.id == take.project_id,
+        engaged_with_nda_accepted(),
+    )
+    seen = select(Person).where(or_(member, and_(Person.id == take.designer_id, engaged)))
+    return session.scalars(seen.order_by(Person.name, Person.id)).all()
 
 
 def notes_to_carry(session: Session, cue_id: UUID) -> tuple[Sequence[ChangeRequest], Sequence[tuple[Comment, Take]]]:

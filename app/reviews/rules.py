@@ -3,10 +3,11 @@
 from collections.abc import Collection, Mapping, Sequence
 from datetime import datetime, timedelta
 from enum import StrEnum
+from uuid import UUID
 
 from app.agreements.rules import WorkState
 from app.deliveries.rules import TakeState
-from app.reviews.errors import RangeInvalid, StaleView, TooLateToUndo
+from app.reviews.errors import NotMentionable, RangeInvalid, StaleView, TooLateToUndo
 
 
 class VerdictKind(StrEnum):
@@ -102,3 +103,23 @@ def work_state(variations: int, states: Mapping[int, Collection[TakeState]]) -> 
     if all({TakeState.APPROVED, TakeState.CONFORMING} & set(of_it) for of_it in of_each):
         return WorkState.DELIVERED
     return WorkState.IN_WORK
+
+
+def names_mentioned(text: str, wanted: Collection[UUID], people: Mapping[UUID, str]) -> dict[str, str]:
+    """Return the names that stand after an @ in a text, by person; `people` are those who may be mentioned.
+
+    Raises NotMentionable for a person who is none of them, and for one whose name the text lacks.
+    """
+    for person_id in wanted:
+        if person_id not in people:
+            raise NotMentionable(f"person {person_id} may not see this version", fix="choose a person from the list")
+        if f"@{people[person_id]}" not in text:
+            raise NotMentionable(
+                f"the text does not say @{people[person_id]}", fix="choose the person again, or do not mention them"
+            )
+    return {str(person_id): people[person_id] for person_id in dict.fromkeys(wanted)}
+
+
+def mentioned_in(mentions: Mapping[str, str]) -> list[dict[str, str]]:
+    """Return the people whom a text mentions, as a list."""
+    return [{"person_id": person_id, "name": name} for person_id, name in mentions.items()]

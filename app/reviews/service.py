@@ -27,6 +27,7 @@ from app.reviews.errors import (
     SetIncomplete,
     VerdictSince,
 )
+from app.reviews.mentions import mentions_in
 from app.reviews.models import ChangeRequest, Verdict
 from app.reviews.review_room import change_request_read
 from app.reviews.rules import (
@@ -64,6 +65,7 @@ def give_verdict(
     start_s: float | None = None,
     end_s: float | None = None,
     seen_state: TakeState = TakeState.CONFORMING,
+    mentions: Sequence[UUID] = (),
 ) -> VerdictGiven:
     """Record the approver's verdict on a take; a requested change stays a draft until it is sent with others."""
     take, access = take_for(session, actor, take_id)
@@ -71,7 +73,8 @@ def give_verdict(
     cue = _cue_to_judge(session, take)
     ensure_seen(take.state, seen_state)
     if kind is VerdictKind.REQUEST_CHANGE:
-        return _draft_change(session, access, take, cue, text=note, start_s=start_s, end_s=end_s)
+        named = mentions_in(session, take, note, mentions)
+        return _draft_change(session, access, take, cue, text=note, start_s=start_s, end_s=end_s, mentions=named)
     decision = Decision(session, actor.person, note, on_behalf_of=for_whom)
     if kind is VerdictKind.APPROVE:
         decision.approve(take)
@@ -115,6 +118,7 @@ def _draft_change(
     text: str,
     start_s: float | None,
     end_s: float | None,
+    mentions: dict[str, str],
 ) -> VerdictGiven:
     if take.state not in (TakeState.CONFORMING, TakeState.APPROVED):
         raise NotReviewable(f"this version {STATE_WORDS[take.state]}, so no change can be asked of it")
@@ -132,7 +136,7 @@ def _draft_change(
             written_by=access.actor.person,
         )
         session.add(draft)
-    draft.cue_id, draft.text, draft.start_s, draft.end_s = cue.id, text, start_s, end_s
+    draft.cue_id, draft.text, draft.start_s, draft.end_s, draft.mentions = cue.id, text, start_s, end_s, mentions
     draft.written_by = access.actor.person
     draft.created_at = clock.now()
     session.flush()

@@ -63,10 +63,10 @@ def upgrade() -> None:
     )
     op.create_index(op.f(f"ix_{SIGHTINGS}_studio_id"), SIGHTINGS, ["studio_id"])
     op.create_index(op.f(f"ix_{SIGHTINGS}_project_id"), SIGHTINGS, ["project_id"])
-    mentions = sa.Column("mentions", sa.JSON().with_variant(JSONB(), "postgresql"), nullable=False, server_default="{}")
     for table_name in WITH_MENTIONS:
         with op.batch_alter_table(table_name) as table:
-            table.add_column(mentions.copy())
+            names = sa.JSON().with_variant(JSONB(), "postgresql")
+            table.add_column(sa.Column("mentions", names, nullable=False, server_default="{}"))
         with op.batch_alter_table(table_name) as table:
             table.alter_column("mentions", server_default=None)
 

@@ -99,7 +99,7 @@ def answers(mails: MailServer, address: str) -> list[str]:
 
 def test_what_was_saved_is_read_and_what_was_not_is_mailed_at_once(world: World):
     fresh = world.designer.get("/v1/me/mail-preferences").json()
-    assert set(fresh["cadences"]) == {"sounds", "talk", "list", "contracts", "hiring"}
+    assert set(fresh["cadences"]) == {"sounds", "talk", "mentions", "list", "contracts", "hiring"}
     assert set(fresh["cadences"].values()) == {"at_once"}
     save(world, cadences={"talk": "daily"}, time_zone="Europe/Berlin", quiet_from="20:00", quiet_until="07:30")
     saved = world.designer.get("/v1/me/mail-preferences").json()

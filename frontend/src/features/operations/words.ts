@@ -7,6 +7,7 @@ import type { JobCount, JobState, Lane, Scope } from './api'
 const JOBS: Partial<Record<string, string>> = {
   'agreements.seal_contract': 'Seal the PDF of a signed contract',
   'agreements.seal_unsealed': 'Seal signed contracts that have no seal yet',
+  'notifications.delete_old_notices': 'Delete old notices',
   'notifications.mail_heads': 'Mail the signed heads of audit trails',
   'amendments.settle_ended': 'Settle contracts whose notice is over',
   'builds.fingerprint_pack': 'Analyse sounds missing from a manifest',
@@ -30,6 +31,7 @@ const JOBS: Partial<Record<string, string>> = {
   'notifications.notify_list_revised': 'Notify about a list revision',
   'notifications.notify_invoice': 'Notify about an invoice',
   'notifications.notify_joined': 'Notify about a designer who joined',
+  'notifications.notify_mention': 'Notify about a mention',
   'notifications.notify_reply': 'Notify about a reply',
   'notifications.notify_signature': 'Notify about a signature',
   'notifications.notify_question': 'Notify about a question',

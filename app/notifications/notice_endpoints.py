@@ -1,0 +1,33 @@
+"""A person's notices."""
+
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience
+from app.kit.http import BadCursor, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
+from app.notifications import notices
+from app.notifications.schemas import NoticeRead, NoticesMark, UnreadRead
+
+router = Router(prefix="/v1", tags=["notifications"], route_class=Route)
+PAGE = 50
+
+
+@router.get("/me/notices", responses=problems(BadCursor))
+def list_my_notices(
+    session: DbSession, cursor: str | None = None, actor: Actor = allows(Audience.PERSON)
+) -> Page[NoticeRead]:
+    """Return the caller's notices, newest first; read ones are kept for 90 days."""
+    found = notices.page(session, actor, before=uuid_cursor(cursor), limit=PAGE + 1)
+    shown = found[:PAGE]
+    following = cursor_of(shown[-1].id) if len(found) > PAGE else None
+    return Page(items=[NoticeRead.model_validate(one) for one in shown], next=following)
+
+
+@router.get("/me/notices/unread")
+def count_my_unread_notices(session: DbSession, actor: Actor = allows(Audience.PERSON)) -> UnreadRead:
+    """Count the notices that the caller has not read."""
+    return UnreadRead(unread=notices.unread(session, actor))
+
+
+@router.post("/me/notices/read", status_code=204)
+def mark_my_notices_read(body: NoticesMark, session: DbSession, actor: Actor = allows(Audience.PERSON)) -> None:
+    """Mark notices as read: those named, and all up to one."""
+    notices.mark_read(session, actor, ids=body.ids, up_to=body.up_to)

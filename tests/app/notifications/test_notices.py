@@ -1,0 +1,143 @@
+"""Notices in the app: the same news as in mails, for one person, read or not."""
+
+from datetime import timedelta
+from typing import Any
+from uuid import UUID
+
+import pytest
+from fastapi.testclient import TestClient
+
+from app.kit import clock
+from app.kit.db import new_id
+from app.notifications import notice_jobs, notices
+from tests.support.deliver import add_cues
+from tests.support.server import World
+
+
+@pytest.fixture(autouse=True)
+def _without_digests(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(world.server.runtime.settings, "digest_delay_s", 0.0)
+
+
+def answer_a_question(world: World, text: str) -> str:
+    """Have the designer's question answered; return the id of its cue."""
+    (cue,) = add_cues(world, {"name": f"coolant_{text}"})
+    asked = world.designer.post(f"/v1/cues/{cue['id']}/questions", json={"text": "A drop, or a tool?"})
+    world.approver.post(f"/v1/questions/{asked.json()['id']}/answer", json={"text": text}).raise_for_status()
+    world.server.wait_for_jobs()
+    return str(cue["id"])
+
+
+def read(by: TestClient, **query: str) -> Any:
+    answer = by.get("/v1/me/notices", params=query)
+    assert answer.status_code == 200, answer.text
+    return answer.json()
+
+
+def talk(by: TestClient) -> list[dict[str, Any]]:
+    return [one for one in read(by)["items"] if one["news"] == "talk"]
+
+
+def unread(by: TestClient) -> int:
+    return int(by.get("/v1/me/notices/unread").json()["unread"])
+
+
+def add(world: World, person_id: UUID, **facts: Any) -> None:
+    given = {
+        "event_id": str(new_id()),
+        "studio_id": world.studio_id,
+        "project_id": world.project_id,
+        "topic": f"answers:{world.project_id}",
+        "recipient": f"{person_id}@example.test",
+        "subject": "your question is answered",
+        "text": "A bell.",
+        "path": "/desk",
+    }
+    world.server.in_database(lambda session: notices.add(session, **given | facts))
+
+
+def test_an_answer_is_a_notice_that_leads_to_its_cue(world: World):
+    cue_id = answer_a_question(world, "a_tool")
+    (notice,) = talk(world.designer)
+    assert notice["subject"] == "Shield Wing: your question is answered"
+    assert "a_tool" in notice["text"]
+    assert notice["path"] == f"/projects/{world.project_id}/sound-list/cues/{cue_id}"
+    assert notice["read_at"] is None
+
+
+def test_who_turned_the_mail_off_has_the_notice_all_the_same(world: World):
+    body = {"cadences": {"talk": "never"}, "time_zone": "UTC", "daily_at": "08:00"}
+    world.designer.put("/v1/me/mail-preferences", json=body).raise_for_status()
+    answer_a_question(world, "a_tool")
+    mails = world.producer.get(f"/v1/studios/{world.studio_id}/outbox").json()["mails"]
+    assert not [mail for mail in mails if "your question is answered" in mail["subject"]]
+    assert len(talk(world.designer)) == 1
+
+
+def test_nobody_reads_or_marks_the_notices_of_another(world: World):
+    answer_a_question(world, "a_tool")
+    (notice,) = talk(world.designer)
+    assert talk(world.other_designer) == []
+    assert all("your question" not in one["subject"] for one in read(world.producer)["items"])
+    assert world.nobody.get("/v1/me/notices").status_code == 401
+    for body in ({"ids": [notice["id"]]}, {"up_to": notice["id"]}):
+        assert world.producer.post("/v1/me/notices/read", json=body).status_code == 204
+    assert talk(world.designer)[0]["read_at"] is None
+
+
+def test_what_is_read_counts_no_more_and_what_came_since_still_does(world: World):
+    for _ in range(3):
+        add(world, world.other_designer_id)
+    newest, middle, oldest = read(world.other_designer)["items"]
+    assert unread(world.other_designer) == 3
+    world.other_designer.post("/v1/me/notices/read", json={"ids": [newest["id"]]}).raise_for_status()
+    assert unread(world.other_designer) == 2
+    world.other_designer.post("/v1/me/notices/read", json={"up_to": middle["id"]}).raise_for_status()
+    assert unread(world.other_designer) == 0
+    add(world, world.other_designer_id)
+    world.other_designer.post("/v1/me/notices/read", json={"up_to": newest["id"]}).raise_for_status()
+    assert unread(world.other_designer) == 1
+    assert oldest["id"] < middle["id"] < newest["id"]
+
+
+def test_an_event_is_noticed_once_however_often_its_job_runs(world: World):
+    for _ in range(2):
+        add(world, world.other_designer_id, event_id="one")
+    add(world, world.other_designer_id, event_id="one", topic=f"replies:{world.project_id}")
+    assert len(read(world.other_designer)["items"]) == 2
+
+
+def test_pages_follow_one_another_and_the_count_ends_at_a_hundred(world: World):
+    for number in range(103):
+        add(world, world.other_designer_id, subject=f"piece {number}")
+    first = read(world.other_designer)
+    second = read(world.other_designer, cursor=first["next"])
+    third = read(world.other_designer, cursor=second["next"])
+    subjects = [one["subject"] for page in (first, second, third) for one in page["items"]]
+    assert subjects == [f"piece {number}" for number in reversed(range(103))]
+    assert third["next"] is None
+    assert unread(world.other_designer) == 100
+    assert world.other_designer.get("/v1/me/notices", params={"cursor": "x"}).status_code == 422
+
+
+def test_notices_leave_ninety_days_after_they_were_read(world: World, monkeypatch: pytest.MonkeyPatch):
+    for _ in range(2):
+        add(world, world.other_designer_id)
+    kept, gone = read(world.other_designer)["items"]
+    world.other_designer.post("/v1/me/notices/read", json={"ids": [gone["id"]]}).raise_for_status()
+    now = clock.now()
+    for days, wanted in ((89, {kept["id"], gone["id"]}), (91, {kept["id"]})):
+        later = now + timedelta(days=days)
+        monkeypatch.setattr(clock, "now", lambda later=later: later)
+        notice_jobs.delete_old_notices(world.server.runtime, {})
+        with world.server.runtime.database.reading() as session:
+            left = {str(one.id) for one in notices.queries.notices_of(
+                session, world.other_designer_id, before=None, limit=10)}  # fmt: skip
+        assert left == wanted
+
+
+def test_a_long_text_is_cut_and_an_address_without_an_account_has_no_notice(world: World):
+    add(world, world.other_designer_id, text="a" * 5_000)
+    add(world, new_id())
+    (notice,) = read(world.other_designer)["items"]
+    assert len(notice["text"]) == notices.MAX_TEXT_CHARS
