@@ -18,6 +18,7 @@ from app.kit.db import Base
 from app.operations.schemas import KeptFiles, KeptKind, StorageRead
 from app.references.models import ReferenceVersion
 from app.renders.models import MasterExport, Picture, Reel, Render
+from app.scenes.models import Comparison, SceneSound
 from app.voice_lines.models import Release
 
 Sums = Select[UUID, str, int, int | None]
@@ -42,6 +43,8 @@ KEPT = (
     Source(KeptKind.EXPORTS, MasterExport.studio_id, MasterExport.sha256, MasterExport.file_bytes),
     Source(KeptKind.PLACEHOLDER_FILES, PlaceholderFile.studio_id, PlaceholderFile.sha256, PlaceholderFile.file_bytes),
     Source(KeptKind.REFERENCES, ReferenceVersion.studio_id, ReferenceVersion.sha256, ReferenceVersion.file_bytes),
+    Source(KeptKind.REFERENCES, SceneSound.studio_id, SceneSound.preview_sha256, SceneSound.preview_bytes),
+    Source(KeptKind.REELS, Comparison.studio_id, Comparison.sha256, Comparison.file_bytes),
     Source(KeptKind.ROSTER_REELS, ReelSound.studio_id, ReelSound.sha256, ReelSound.file_bytes),
     Source(KeptKind.DOCUMENTS, Release.studio_id, Release.sha256, Release.file_bytes),
     *(

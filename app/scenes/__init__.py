@@ -1,0 +1,1 @@
+"""Sounds in their scene: beds, neighbours, clips, masking and comparisons."""
