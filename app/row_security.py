@@ -44,6 +44,7 @@ TEAMS_OWN = frozenset(  # no designer reads them
         *("shares_guest_links", "shares_guest_sounds", "shares_guest_visits", "shares_guest_plays"),
         *("shares_guest_copies", "shares_playlists", "shares_playlist_entries", "shares_playlist_positions"),
         *("shares_live_sessions", "shares_live_listeners"),
+        *("webhooks_webhooks", "webhooks_calls"),
     }
 )
 READ_ONLY = frozenset({"accounts_operators", "accounts_quotas"})  # set on the command line only

@@ -22,6 +22,7 @@ from app.scenes import models as _scenes
 from app.shares import models as _shares
 from app.sound_lists import models as _sound_lists
 from app.voice_lines import models as _voice_lines
+from app.webhooks import models as _webhooks
 
 
 def is_ours(table: str) -> bool:

@@ -32,6 +32,7 @@ ROOMS = (
     "shares",
     "sound_lists",
     "voice_lines",
+    "webhooks",
 )
 
 

@@ -1,0 +1,1 @@
+"""Webhooks: signed messages about what happens, sent to addresses that a studio's producers set."""

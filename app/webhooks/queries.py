@@ -1,0 +1,53 @@
+"""Webhooks and their calls, read from the database."""
+
+from collections.abc import Collection, Sequence
+from uuid import UUID
+
+from sqlalchemy import func, select
+from sqlalchemy.orm import Session, contains_eager, joinedload
+
+from app.webhooks.models import Webhook, WebhookCall
+
+
+def webhooks_of(session: Session, studio_id: UUID) -> Sequence[Webhook]:
+    """Return a studio's webhooks with their projects, the oldest first."""
+    of_it = select(Webhook).where(Webhook.studio_id == studio_id).options(joinedload(Webhook.project))
+    return session.scalars(of_it.order_by(Webhook.id)).all()
+
+
+def webhooks_count(session: Session, studio_id: UUID) -> int:
+    """Return how many webhooks a studio has."""
+    return session.scalar(select(func.count()).select_from(Webhook).where(Webhook.studio_id == studio_id)) or 0
+
+
+def enabled_webhooks(session: Session, studio_id: UUID) -> Sequence[Webhook]:
+    """Return the webhooks of a studio that are called."""
+    enabled = select(Webhook).where(Webhook.studio_id == studio_id, Webhook.disabled_at.is_(None))
+    return session.scalars(enabled.order_by(Webhook.id)).all()
+
+
+def webhook_in(session: Session, studio_ids: Collection[UUID], webhook_id: UUID) -> Webhook | None:
+    """Return a webhook of one of these studios, with its project."""
+    found = select(Webhook).where(Webhook.id == webhook_id, Webhook.studio_id.in_(studio_ids))
+    return session.scalar(found.options(joinedload(Webhook.project)))
+
+
+def calls_of(session: Session, webhook_id: UUID, *, before: UUID | None, limit: int) -> Sequence[WebhookCall]:
+    """Return a webhook's calls, newest first."""
+    found = select(WebhookCall).where(WebhookCall.webhook_id == webhook_id)
+    if before is not None:
+        found = found.where(WebhookCall.id < before)
+    return session.scalars(found.order_by(WebhookCall.id.desc()).limit(limit)).all()
+
+
+def call_in(session: Session, studio_ids: Collection[UUID], call_id: UUID) -> WebhookCall | None:
+    """Return a call of a webhook of one of these studios, with its webhook."""
+    found = select(WebhookCall).where(WebhookCall.id == call_id, WebhookCall.studio_id.in_(studio_ids))
+    return session.scalar(found.options(joinedload(WebhookCall.webhook)))
+
+
+def call_to_send(session: Session, call_id: UUID, attempt: UUID) -> WebhookCall | None:
+    """Return a call with its webhook, locked, while this attempt at it is the one that is due."""
+    due = select(WebhookCall).join(WebhookCall.webhook).options(contains_eager(WebhookCall.webhook))
+    due = due.where(WebhookCall.id == call_id, WebhookCall.next_attempt == attempt, Webhook.disabled_at.is_(None))
+    return session.scalar(due.with_for_update(of=WebhookCall))
