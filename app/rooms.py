@@ -49,6 +49,11 @@ from app.references.endpoints import router as references
 from app.renders.endpoints import router as renders
 from app.reviews.adoption_endpoints import router as adoptions
 from app.reviews.endpoints import router as reviews
+from app.scenes.endpoints import router as scenes
+from app.shares.guest_endpoints import router as guests
+from app.shares.guest_link_endpoints import router as guest_links
+from app.shares.playlist_endpoints import router as playlists
+from app.shares.view_endpoints import router as saved_views
 from app.sound_lists.coverage_endpoints import router as coverage
 from app.sound_lists.endpoints import router as sound_lists
 from app.sound_lists.kit_endpoints import router as kits
@@ -93,9 +98,14 @@ ROUTERS: tuple[APIRouter, ...] = (
     conformance,
     renders,
     reviews,
+    guest_links,
+    guests,
+    playlists,
+    saved_views,
     voice_lines,
     voice_releases,
     adoptions,
+    scenes,
     builds,
     audits,
     listening,
@@ -122,6 +132,8 @@ JOB_MODULES = (
     "app.renders.reel_jobs",
     "app.renders.timbre_jobs",
     "app.reviews.jobs",
+    "app.shares.jobs",
+    "app.scenes.jobs",
     "app.builds.jobs",
     "app.agreements.jobs",
     "app.amendments.jobs",
@@ -134,6 +146,7 @@ JOB_MODULES = (
     "app.notifications.notice_jobs",
 )
 PARSERS = (
+    "app.deliveries.game_projects",
     "app.sound_lists.sheets",
     "app.voice_lines.script_text",
     "app.hiring.roster_files",
@@ -144,6 +157,7 @@ PARSERS = (
 )  # of what strangers send
 SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "reference.added": ("references.draw_preview",),
+    "guest_copy.asked": ("shares.make_guest_copy",),
     "archive.received": ("deliveries.unpack_archive",),
     "take.received": ("renders.prepare_take",),
     "takes.checked": ("notifications.notify_checks",),
@@ -160,6 +174,8 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "manifest.asked": ("builds.fingerprint_pack",),
     "batch.asked": ("renders.plan_batch",),
     "reel.asked": ("renders.make_reel",),
+    "scene_sound.asked": ("scenes.measure_sound",),
+    "comparison.asked": ("scenes.compare_sounds",),
     "master_export.asked": ("renders.export_master",),
     "list.revised": ("notifications.notify_list_revised",),
     "question.asked": ("notifications.notify_question",),

@@ -46,7 +46,7 @@ if TYPE_CHECKING:
     from audio_checks.measure.true_peak import true_peak_dbtp
     from audio_checks.measure.waveform import WaveShape
     from audio_checks.middleware.project import read_project, read_project_texts
-    from audio_checks.middleware.values import PlayedSound, Project
+    from audio_checks.middleware.values import Part, PlayedSound, Project
     from audio_checks.placeholders.make import Placeholder, make_placeholder, make_placeholders
     from audio_checks.placeholders.speech import synthesize_speech
     from audio_checks.render.key import render_key
@@ -112,6 +112,7 @@ __all__ = [
     "MemoryUse",
     "NameIndex",
     "Offer",
+    "Part",
     "Placeholder",
     "PlayedSound",
     "Project",
@@ -202,7 +203,7 @@ _HOMES = {
     "audio_checks.audit.played": ("with_plays", "with_project"),
     "audio_checks.audit.report": ("Audit",),
     "audio_checks.middleware.project": ("read_project", "read_project_texts"),
-    "audio_checks.middleware.values": ("PlayedSound", "Project"),
+    "audio_checks.middleware.values": ("Part", "PlayedSound", "Project"),
     "audio_checks.judge.compare.dry_stem": ("compare_reverb_with_dry",),
     "audio_checks.errors": (
         "AudioChecksError",

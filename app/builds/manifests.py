@@ -114,7 +114,12 @@ def manifest_read(session: Session, store: Store, approved: Approved) -> Manifes
             fix=f"ask again in {wait_s} seconds; where it stays so, the page of jobs says why",
         )
     known = queries.manifest_entries(session, approved.studio_id, sizes_bytes)
-    files = [{**known[file.sha256], "path": file.path, "cue": file.cue, "take": file.take} for file in approved.files]
+    levels = queries.game_levels(session, [UUID(file.take) for file in approved.files])
+    files = [
+        {**known[file.sha256], "path": file.path, "cue": file.cue, "take": file.take}
+        | ({"plays": levels[file.take]} if file.take in levels else {})
+        for file in approved.files
+    ]
     return Manifest.model_validate(manifest_of(files))
 
 

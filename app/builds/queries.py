@@ -19,7 +19,7 @@ from app.kit.in_array import in_array
 from app.projects.models import Engagement, Project
 from app.projects.rules import EngagementKind
 from app.renders.models import Render
-from app.reviews.models import ChangeRequest, Comment
+from app.reviews.models import ChangeRequest, Comment, GameLevel
 from app.sound_lists.models import Cue, Stem
 from app.sound_lists.rules import CueState
 from audio_checks import FINGERPRINT_VERSION
@@ -191,6 +191,16 @@ def packed_sounds_of(session: Session, pack_id: UUID) -> list[PackedSoundRow]:
         .order_by(PackedFile.place)
     )
     return [PackedSoundRow._make(row) for row in rows]
+
+
+def game_levels(session: Session, take_ids: Collection[UUID]) -> dict[str, list[dict[str, Any]]]:
+    """Return how the game played the sounds of takes when their folder was adopted, by the take's id."""
+    query = (
+        select(Take.id, GameLevel.plays)
+        .join(GameLevel, (GameLevel.cue_id == Take.cue_id) & (GameLevel.variation == Take.variation))
+        .where(in_array(Take.id, take_ids))
+    )
+    return {str(take_id): plays for take_id, plays in session.execute(query)}
 
 
 def fingerprinted_sounds(session: Session, studio_id: UUID, sha256s: Collection[str]) -> set[str]:

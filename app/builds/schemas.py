@@ -208,6 +208,22 @@ class ManifestTool(Schema):
     version: str
 
 
+class ManifestPart(Schema):
+    """One gain on the way of a sound to the output."""
+
+    object: str
+    property: str
+    gain_db: float
+
+
+class ManifestPlay(Schema):
+    """One way in which the game played a sound when its level was approved."""
+
+    object: str = Field(description="In the project's tree.")
+    gain_db: float | None = Field(description="Null where a script set it.")
+    parts: list[ManifestPart]
+
+
 class ManifestSound(Schema):
     """One approved game file, and what it is known by."""
 
@@ -222,6 +238,9 @@ class ManifestSound(Schema):
     fingerprint: str | None = Field(description="Base64; null where there is nothing to know it by.")
     cue: str | None = Field(description="The number of its cue.")
     take: str | None = Field(description="The id of its take.")
+    plays: list[ManifestPlay] | None = Field(
+        default=None, description="Null where no level was approved: then its file counts as it is."
+    )
 
 
 class Manifest(Schema):

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from app.client.errors import DONE, Refusal
+from app.client.game_project import packed_project
 from app.client.headers import HEAD_BYTES, format_of
 from app.client.server import Server
 from app.client.settings import read_source
@@ -40,7 +41,9 @@ def adopt(options: argparse.Namespace) -> int:
         raise Refusal(f"{root} holds {len(files):,} sounds; adopt folders with at most {MAX_FILES:,}, one by one")
     with ThreadPoolExecutor(SENT_AT_ONCE) as pool:
         listed = list(pool.map(lambda item: _listed(*item), files.items()))
-    body = {"folder": root.name or "Sounds", "files": listed}
+    body: dict[str, Any] = {"folder": root.name or "Sounds", "files": listed}
+    if options.game_project is not None:
+        body["project"] = packed_project(options.game_project)
     server = Server(source)
     if options.dry_run:
         _print_plan(server.send_to_project("adoption-plan", body))
@@ -103,6 +106,9 @@ def _print_plan(plan: dict[str, Any]) -> None:
     )
     for name, count in categories.items():
         say(f"  {shown(name) or 'no category':<24}  {count}")
+    if (project := plan.get("project")) is not None:
+        say(f"{shown(project['name'])} plays {project['played']} of them")
+        _print_files("of the project, not read", [(path, "") for path in project["unread"]])
     _print_files("unusual", [(one["path"], one["message"]) for one in plan["oddities"]])
     _print_files("the same bytes", [(paths[0], "also " + ", ".join(paths[1:])) for paths in plan["duplicates"]])
     _print_files("not adopted", [(one["path"], one["message"]) for one in plan["skipped"]])

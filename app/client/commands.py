@@ -80,6 +80,13 @@ def parser() -> argparse.ArgumentParser:
     adopting.add_argument("folder", type=Path, help="the folder of the game's sounds")
     adopting.add_argument("--server", metavar="URL", help="the server; else as soundlist.toml says")
     adopting.add_argument("--project", metavar="ID", help="the project; else as soundlist.toml says")
+    adopting.add_argument(
+        "--game-project",
+        type=Path,
+        metavar="PATH",
+        help="what plays the sounds: a .wproj, a .fspro, the folder of a Unity project, a project.godot, or what "
+        "export_sounds.py wrote in Unreal; its texts are sent",
+    )
     adopting.add_argument("--allow-http", action="store_true", help="send the token unencrypted to another machine")
     adopting.add_argument("--dry-run", action="store_true", help="print what would become of each file; send no sound")
     asking = commands.add_parser(

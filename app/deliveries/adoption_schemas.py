@@ -25,6 +25,19 @@ class ShippedFileIn(Schema):
     bit_depth: int | None = Field(default=None, ge=1, le=64)
 
 
+class GameProjectIn(Schema):
+    """The texts of the game's middleware or engine project."""
+
+    path: Annotated[str, StringConstraints(max_length=MAX_PATH_CHARS, pattern=NO_CONTROLS)] = Field(
+        description="The project's file from its root: a .wproj, a .fspro, project.godot, or what export_sounds.py "
+        "wrote; empty for a Unity project.",
+        examples=["Game.wproj"],
+    )
+    content_base64: str = Field(
+        max_length=12 << 20, description="A gzip of a JSON object: the texts by their paths from the project's root."
+    )
+
+
 class FolderAsk(Schema):
     """A folder of shipped files."""
 
@@ -32,6 +45,7 @@ class FolderAsk(Schema):
         description="Its name.", examples=["Sounds"]
     )
     files: Annotated[list[ShippedFileIn], Field(min_length=1, max_length=MAX_FILES)]
+    project: GameProjectIn | None = Field(default=None, description="What plays the files, where it is to be read.")
 
 
 class PlannedCue(Schema):
@@ -41,13 +55,15 @@ class PlannedCue(Schema):
     file_name: str
     category: str
     paths: list[str] = Field(description="A file for each variation, in order.")
+    loop: bool = Field(description="Whether the game's project plays it in a loop.")
+    events: list[str] = Field(description="What begins it in the game's project.")
 
 
 class OddFile(Schema):
     """A file with something unusual, and what."""
 
     path: str
-    code: Literal["renamed", "numbering", "format"]
+    code: Literal["renamed", "numbering", "format", "unused"]
     message: str
 
 
@@ -57,6 +73,17 @@ class SkippedFileRead(Schema):
     path: str
     code: Literal["coded", "no-sound", "dry-stem", "name", "listed"]
     message: str
+
+
+class ReadProject(Schema):
+    """What was read of the game's project."""
+
+    name: str
+    engine: Literal["wwise", "fmod", "unity", "unreal", "godot"]
+    version: str
+    played: int = Field(description="The number of adopted files that it plays.")
+    unread_count: int = Field(description="The number of its files that could not be read.")
+    unread: list[str] = Field(description="The first 20 of these, with the reason.")
 
 
 class AdoptionPlanRead(Schema):
@@ -69,6 +96,7 @@ class AdoptionPlanRead(Schema):
     duplicates: list[list[str]] = Field(description="Adopted files with the same bytes.")
     oddities: list[OddFile]
     skipped: list[SkippedFileRead]
+    project: ReadProject | None = Field(description="Null where no project was sent.")
 
 
 class AdoptionRead(Schema):

@@ -17,9 +17,11 @@ from app.deliveries.adoption_schemas import (
     AdoptionPlanRead,
     AdoptionRead,
     PlannedCue,
+    ReadProject,
     ShippedFileIn,
 )
 from app.deliveries.errors import AdoptionClosed, AdoptionNotFound, PathTwice
+from app.deliveries.game_projects import plays_by_path, project_of
 from app.deliveries.models import Adoption
 from app.projects.errors import ApproverNeeded, ProjectNotFound
 from app.projects.models import Project
@@ -27,31 +29,42 @@ from app.projects.queries import current_spec
 from app.projects.service import ProjectAccess, project_access
 from app.sound_lists.rules import label
 
+Game = dict[str, Any]  # a game's project as game_projects.plain_project has it
 SCOPE = "adoption:"  # of uploads, before the id of their adoption
 
 
 def plan_folder(
-    session: Session, actor: Actor, project_id: UUID, files: Sequence[ShippedFileIn]
-) -> audio_checks.AdoptionPlan:
+    session: Session, actor: Actor, project_id: UUID, files: Sequence[ShippedFileIn], game: Game | None
+) -> AdoptionPlanRead:
     """Return what adopting a folder would do; nothing is written."""
     access = project_access(session, actor, project_id)
     ensure_may_send(access)
     _ensure_paths_differ(files)
-    return plan_for(session, access.project, [one.model_dump() for one in files])
+    return plan_read(plan_for(session, access.project, [one.model_dump() for one in files], game), game)
 
 
-def plan_for(session: Session, project: Project, files: Sequence[dict[str, Any]]) -> audio_checks.AdoptionPlan:
+def plan_for(
+    session: Session, project: Project, files: Sequence[dict[str, Any]], game: Game | None
+) -> audio_checks.AdoptionPlan:
     """Return what adopting files does to a list as it is now."""
     owned = {stem: label(project.cue_prefix, number) for stem, number in queries.owned_stems(session, project.id)}
     spec = audio_checks.parse_spec(current_spec(session, project.id).toml)
     shipped = [
         audio_checks.ShippedFile(one["path"], one["sha256"], one["sample_rate_hz"], one["bit_depth"]) for one in files
     ]
-    return audio_checks.plan_adoption(shipped, owned=owned, categories=spec.categories)
+    return audio_checks.plan_adoption(
+        shipped, owned=owned, categories=spec.categories, project=project_of(game) if game else None
+    )
 
 
 def open_adoption(
-    session: Session, actor: Actor, project_id: UUID, *, folder: str, files: Sequence[ShippedFileIn]
+    session: Session,
+    actor: Actor,
+    project_id: UUID,
+    *,
+    folder: str,
+    files: Sequence[ShippedFileIn],
+    game: Game | None = None,
 ) -> AdoptionOpened:
     """Open an adoption, to which its files are uploaded; the list stays as it is until it is adopted."""
     access = project_access(session, actor, project_id)
@@ -62,6 +75,7 @@ def open_adoption(
         project_id=project_id,
         folder=folder,
         files=[one.model_dump() for one in files],
+        game=game,
         opened_by=actor.person_id,
     )
     session.add(adoption)
@@ -72,9 +86,9 @@ def open_adoption(
 
 def opened_adoption(session: Session, access: ProjectAccess, adoption: Adoption) -> AdoptionOpened:
     """Return an adoption with its plan against the list as it is now, and what is still to be uploaded."""
-    plan = plan_for(session, access.project, adoption.files)
+    plan = plan_for(session, access.project, adoption.files, adoption.game)
     missing = missing_files(plan, adoption, queries.finished_uploads(session, adoption.studio_id, scope_of(adoption)))
-    return AdoptionOpened(**adoption_read(adoption).model_dump(), plan=plan_read(plan), missing=missing)
+    return AdoptionOpened(**adoption_read(adoption).model_dump(), plan=plan_read(plan, adoption.game), missing=missing)
 
 
 def missing_files(
@@ -118,6 +132,11 @@ def ensure_may_send(access: ProjectAccess) -> None:
         ensure_may_adopt(access)
 
 
+def ensure_may_send_to(session: Session, actor: Actor, project_id: UUID) -> None:
+    """Raise unless the caller may send a folder to this project."""
+    ensure_may_send(project_access(session, actor, project_id))
+
+
 def scope_of(adoption: Adoption) -> str:
     """Return the scope of the uploads of an adoption."""
     return f"{SCOPE}{adoption.id}"
@@ -150,8 +169,9 @@ def adoption_read(adoption: Adoption) -> AdoptionRead:
     )
 
 
-def plan_read(plan: audio_checks.AdoptionPlan) -> AdoptionPlanRead:
+def plan_read(plan: audio_checks.AdoptionPlan, game: Game | None) -> AdoptionPlanRead:
     """Return a plan as it is shown."""
+    played = plays_by_path(game, [path for cue in plan.cues for path in cue.paths]) if game else {}
     return AdoptionPlanRead(
         cues=[PlannedCue(**dataclasses.asdict(cue)) for cue in plan.cues],
         files=sum(len(cue.paths) for cue in plan.cues),
@@ -160,6 +180,9 @@ def plan_read(plan: audio_checks.AdoptionPlan) -> AdoptionPlanRead:
         duplicates=[list(paths) for paths in plan.duplicates],
         oddities=[one._asdict() for one in plan.oddities],
         skipped=[one._asdict() for one in plan.skipped],
+        project=ReadProject(**{key: game[key] for key in game if key != "sounds"}, played=len(played))
+        if game
+        else None,
     )
 
 

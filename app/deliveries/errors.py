@@ -91,5 +91,9 @@ class AdoptionClosed(Conflict):
     """The folder is adopted or undone already."""
 
 
+class GameProjectUnreadable(Invalid):
+    """What was sent is no project of an engine or middleware that is read, or it is too large."""
+
+
 class PathTwice(Invalid):
     """Two files of a folder have one path."""

@@ -1,6 +1,6 @@
 """A folder of shipped files is adopted: its cues, takes and approvals, all at once; and undone, all at once."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import PurePosixPath
 from typing import Any
 from uuid import UUID
@@ -23,6 +23,7 @@ from app.deliveries.adoptions import (
 )
 from app.deliveries.cue_sums import update_cue_sums
 from app.deliveries.errors import AdoptionClosed, AlreadyUndone
+from app.deliveries.game_projects import levels_in_words, plays_by_path
 from app.deliveries.models import Adoption, CueSums, Delivery, Take
 from app.deliveries.queries import next_delivery_number
 from app.deliveries.rules import TakeState, stored_name
@@ -33,16 +34,18 @@ from app.kit.in_array import in_array
 from app.projects.service import ProjectAccess
 from app.reviews import adoption_queries as queries
 from app.reviews.errors import AdoptionInUse, FilesMissing, NothingToAdopt, NothingToUndo
-from app.reviews.models import Verdict
+from app.reviews.models import GameLevel, Verdict
 from app.reviews.rules import VerdictKind
 from app.sound_lists.models import Cue
 from app.sound_lists.queries import lock_list
-from app.sound_lists.rules import label
+from app.sound_lists.rules import TEXTS, label
 from app.sound_lists.service import add_cues
 from app.sound_lists.undo import undo_addition
 
+Plays = dict[str, list[dict[str, Any]]]  # how the game plays each path
 ODD_SHOWN = 200
 MESSAGES_SHOWN = 3
+UNDONE = "the adoption of its folder was undone"
 NO_MONEY = "in use, so adopted without a review, a round or a contract"
 
 
@@ -56,7 +59,7 @@ def adopt(session: Session, actor: Actor, adoption_id: UUID) -> Adopted:
     if adoption.adopted_at is not None:
         raise AdoptionClosed("this folder is adopted already")
     lock_list(session, adoption.project_id)
-    plan = plan_for(session, access.project, adoption.files)
+    plan = plan_for(session, access.project, adoption.files, adoption.game)
     if not plan.cues:
         raise NothingToAdopt("no file of this folder becomes a cue", fix="the plan says why for each file")
     uploaded = opened.finished_uploads(session, adoption.studio_id, scope_of(adoption))
@@ -66,10 +69,14 @@ def adopt(session: Session, actor: Actor, adoption_id: UUID) -> Adopted:
         )
     rows = [
         {"name": cue.name, "file_name": cue.file_name, "category": cue.category, "variations": len(cue.paths)}
+        | {"loop": cue.loop, "trigger": _trigger(cue.events)}
         for cue in plan.cues
     ]
     cues = add_cues(session, actor, adoption.project_id, rows)
-    takes = _add_takes(session, access, adoption, list(_placed(plan, adoption, cues)), uploaded)
+    placed = list(_placed(plan, adoption, cues))
+    plays = plays_by_path(adoption.game, [path for _, _, path, _ in placed]) if adoption.game else {}
+    takes = _add_takes(session, access, adoption, placed, uploaded, plays)
+    _add_levels(session, adoption, placed, plays)
     adoption.adopted_by, adoption.adopted_at = actor.person, clock.now()
     session.flush()
     session.refresh(adoption, ["adopter"])
@@ -100,6 +107,7 @@ def _add_takes(
     adoption: Adoption,
     placed: Sequence[tuple[Cue, int, str, str]],
     uploaded: dict[str, tuple[UUID, int]],
+    plays: Plays,
 ) -> int:
     """Add approved takes in one closed delivery, with the verdict on each; return how many."""
     person_id, now = access.actor.person, clock.now()
@@ -124,7 +132,7 @@ def _add_takes(
             {**of, "id": take_id, "delivery_id": delivery.id, "designer_id": person_id}
             | {"upload_id": None if upload_id in used else upload_id, "cue_id": cue.id, "variation": variation}
             | {"number": 1, "state": TakeState.APPROVED, "file_name": stored_name(PurePosixPath(path).name)}
-            | {"note": f"In the game as {path}", "master_sha256": sha256, "master_bytes": size_bytes}
+            | {"note": _note(path, plays.get(path, [])), "master_sha256": sha256, "master_bytes": size_bytes}
             | {"received_at": now, "state_since": now}
         )
         used.add(upload_id)
@@ -136,6 +144,31 @@ def _add_takes(
     session.execute(insert(Take), takes)
     session.execute(insert(Verdict), verdicts)
     return len(takes)
+
+
+def _trigger(events: Sequence[str]) -> str:
+    """Return the events that begin a sound, as many as the list's field holds."""
+    kept = ", ".join(events)
+    return kept if len(kept) <= TEXTS["trigger"] else kept[: TEXTS["trigger"] - 1] + "…"
+
+
+def _note(path: str, plays: Sequence[Mapping[str, Any]]) -> str:
+    level = levels_in_words(plays)
+    return f"In the game as {path}, played {level}" if level else f"In the game as {path}"
+
+
+def _add_levels(
+    session: Session, adoption: Adoption, placed: Sequence[tuple[Cue, int, str, str]], plays: Plays
+) -> None:
+    """Record the level at which the game plays each sound: it counts as approved, in manifests for audits."""
+    of = {"studio_id": adoption.studio_id, "project_id": adoption.project_id}
+    levels = [
+        {**of, "cue_id": cue.id, "variation": variation, "plays": plays[path]}
+        for cue, variation, path, _ in placed
+        if path in plays
+    ]
+    if levels:
+        session.execute(insert(GameLevel), levels)
 
 
 def undo(session: Session, actor: Actor, adoption_id: UUID) -> Adoption:
@@ -154,7 +187,8 @@ def undo(session: Session, actor: Actor, adoption_id: UUID) -> Adoption:
     cue_ids = sorted({take.cue_id for take in takes if take.cue_id is not None})
     _ensure_unused(session, adoption, takes, cue_ids)
     take_ids, now = [take.id for take in takes], clock.now()
-    session.execute(delete(Verdict).where(Verdict.adoption_id == adoption.id))
+    _withdraw(session, actor, adoption)
+    session.execute(delete(GameLevel).where(in_array(GameLevel.cue_id, cue_ids)))
     session.execute(delete(CueSums).where(in_array(CueSums.cue_id, cue_ids)))
     session.execute(
         update(Take)
@@ -176,6 +210,18 @@ def undo(session: Session, actor: Actor, adoption_id: UUID) -> Adoption:
     session.flush()
     session.refresh(adoption, ["adopter"])
     return adoption
+
+
+def _withdraw(session: Session, actor: Actor, adoption: Adoption) -> None:
+    """Withdraw the approvals of an adoption; the verdicts stay on record, though their cues go."""
+    of: dict[str, Any] = {"studio_id": adoption.studio_id, "project_id": adoption.project_id, "action_id": new_id()}
+    withdrawals = [
+        {**of, "id": new_id(), "cue_id": verdict.cue_id, "take_id": verdict.take_id, "withdraws_id": verdict.id}
+        | {"kind": VerdictKind.WITHDRAW, "note": UNDONE, "state_before": TakeState.APPROVED}
+        | {"since_before": verdict.created_at, "given_by": actor.person_id, "created_at": clock.now()}
+        for verdict in queries.verdicts_of(session, adoption.id)
+    ]
+    session.execute(insert(Verdict), withdrawals)
 
 
 def _ensure_unused(session: Session, adoption: Adoption, takes: Sequence[Take], cue_ids: Sequence[UUID]) -> None:

@@ -1,6 +1,11 @@
 """The endpoints of adoptions."""
 
+import base64
+import json
+from typing import Any
 from uuid import UUID
+
+from fastapi import Depends, Request
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience, Scope
@@ -13,9 +18,17 @@ from app.deliveries.adoption_schemas import (
     AdoptionRead,
     FolderAsk,
 )
-from app.deliveries.errors import AdoptionClosed, AdoptionNotFound, AlreadyUndone, PathTwice
-from app.kit.bodies import LARGE_BODY_BYTES
+from app.deliveries.errors import (
+    AdoptionClosed,
+    AdoptionNotFound,
+    AlreadyUndone,
+    GameProjectUnreadable,
+    PathTwice,
+)
+from app.deliveries.game_projects import read_sent
+from app.kit.bodies import REPORT_BODY_BYTES
 from app.kit.http import DbSession, Route, Router, problems
+from app.kit.parsing_queue import ParsingBusy, parse_request
 from app.projects.errors import ApproverNeeded, ProjectNotFound, TeamNeeded
 from app.reviews import adopting
 from app.reviews.errors import AdoptionInUse, FilesMissing, NothingToAdopt, NothingToUndo
@@ -24,31 +37,48 @@ from app.sound_lists.errors import AdditionInUse, RowsInvalid
 router = Router(prefix="/v1", tags=["adoptions"], route_class=Route)
 TEAM: Actor = allows(Audience.TEAM)
 TEAM_OR_BUILD: Actor = allows(Audience.TEAM, build=Scope.DELIVERIES_WRITE)
+SentFolder = tuple[FolderAsk, dict[str, Any] | None]
+
+
+async def _sent(project_id: UUID, body: FolderAsk, request: Request) -> SentFolder:
+    """Return a folder, and what the game's project says of its sounds where the project was sent with it."""
+    if body.project is None:
+        return body, None
+    try:
+        packed = base64.b64decode(body.project.content_base64, validate=True)
+    except ValueError:
+        raise GameProjectUnreadable("content_base64 is no base64") from None
+    arguments = (read_sent, body.project.path, packed)
+    permit = adoptions.ensure_may_send_to
+    said = await parse_request(request, *arguments, refusal=GameProjectUnreadable, permit=permit, whose=project_id)
+    return body, json.loads(said)
 
 
 @router.post(
     "/projects/{project_id}/adoption-plan",
-    max_body_size=LARGE_BODY_BYTES,
-    responses=problems(ApproverNeeded, PathTwice, ProjectNotFound),
+    max_body_size=REPORT_BODY_BYTES,
+    responses=problems(ApproverNeeded, GameProjectUnreadable, ParsingBusy, PathTwice, ProjectNotFound),
 )
 def plan_adoption(
-    project_id: UUID, body: FolderAsk, session: DbSession, actor: Actor = TEAM_OR_BUILD
+    project_id: UUID, session: DbSession, actor: Actor = TEAM_OR_BUILD, sent: SentFolder = Depends(_sent)
 ) -> AdoptionPlanRead:
     """Return what adopting a folder of shipped files would do; nothing is written."""
-    return adoptions.plan_read(adoptions.plan_folder(session, actor, project_id, body.files))
+    body, game = sent
+    return adoptions.plan_folder(session, actor, project_id, body.files, game)
 
 
 @router.post(
     "/projects/{project_id}/adoptions",
     status_code=201,
-    max_body_size=LARGE_BODY_BYTES,
-    responses=problems(ApproverNeeded, PathTwice, ProjectNotFound),
+    max_body_size=REPORT_BODY_BYTES,
+    responses=problems(ApproverNeeded, GameProjectUnreadable, ParsingBusy, PathTwice, ProjectNotFound),
 )
 def open_adoption(
-    project_id: UUID, body: FolderAsk, session: DbSession, actor: Actor = TEAM_OR_BUILD
+    project_id: UUID, session: DbSession, actor: Actor = TEAM_OR_BUILD, sent: SentFolder = Depends(_sent)
 ) -> AdoptionOpened:
     """Open an adoption, for its files to be uploaded; nothing changes in the list until it is adopted."""
-    return adoptions.open_adoption(session, actor, project_id, folder=body.folder, files=body.files)
+    body, game = sent
+    return adoptions.open_adoption(session, actor, project_id, folder=body.folder, files=body.files, game=game)
 
 
 @router.get("/projects/{project_id}/adoptions", responses=problems(ProjectNotFound, TeamNeeded))

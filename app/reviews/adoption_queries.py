@@ -29,6 +29,11 @@ def adopted_take_ids(session: Session, adoption_id: UUID) -> Sequence[UUID]:
     ).all()
 
 
+def verdicts_of(session: Session, adoption_id: UUID) -> Sequence[Verdict]:
+    """Return the approvals that an adoption gave, in the order of their takes."""
+    return session.scalars(select(Verdict).where(Verdict.adoption_id == adoption_id).order_by(Verdict.take_id)).all()
+
+
 def later_verdicts(session: Session, adoption_id: UUID) -> int:
     """Return how many verdicts were given on adopted takes besides the adoption."""
     adopted = select(Verdict.take_id).where(Verdict.adoption_id == adoption_id)

@@ -195,7 +195,7 @@ def _plays_schema() -> dict[str, Any]:
         "parts": {"type": "array", "maxItems": MOST_PARTS, "items": one_part},
     }
     return {
-        "type": "array",
+        "type": ["array", "null"],
         "maxItems": MOST_PLAYS,
         "items": {"type": "object", "required": list(play), "properties": play, "additionalProperties": False},
     }

@@ -167,7 +167,7 @@ def test_undo_takes_away_what_was_made_and_keeps_the_masters(world: World) -> No
     assert undone.status_code == 200, undone.text
     assert undone.json()["undone_at"] is not None
     assert [one["name"] for one in cues_of(world)] == ["Laser"]
-    assert (rows(world, Verdict), rows(world, CueSums)) == ([], [])
+    assert rows(world, CueSums) == []
     takes = rows(world, Take)
     assert len(takes) == 5
     assert all(one.discarded_at is not None and one.cue_id is None for one in takes)
@@ -176,6 +176,23 @@ def test_undo_takes_away_what_was_made_and_keeps_the_masters(world: World) -> No
     assert undo(world, adoption["id"]).json()["code"] == "already-undone"
     assert adopt(world, adoption["id"]).json()["code"] == "adoption-closed"
     assert adopted(world, FILES)["takes"] == 5  # the same folder again
+
+
+def test_undo_withdraws_each_verdict_and_keeps_it_on_record(world: World) -> None:
+    adoption = adopted(world, FILES)
+    given = {one.id: (one.cue_id, one.take_id, one.note, one.created_at) for one in rows(world, Verdict)}
+    assert undo(world, adoption["id"]).status_code == 200
+    verdicts = rows(world, Verdict)
+    kept = {one.id: (one.cue_id, one.take_id, one.note, one.created_at) for one in verdicts if one.kind == "approve"}
+    assert kept == given
+    withdrawals = [one for one in verdicts if one.kind == "withdraw"]
+    assert {one.withdraws_id for one in withdrawals} == set(given)
+    assert {one.given_by for one in withdrawals} == {world.producer_id}
+    for take in rows(world, Take):
+        history = world.producer.get(f"/v1/takes/{take.id}/history")
+        assert history.status_code == 200, history.text
+        assert {"approve", "withdraw"} <= {one["kind"] for one in history.json()}
+    assert world.producer.get(f"/v1/projects/{world.project_id}/overview").status_code == 200
 
 
 @pytest.mark.parametrize("built", ["a verdict", "a delivery", "a cue"])
