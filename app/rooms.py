@@ -34,6 +34,7 @@ from app.deliveries.sources import ensure_stated_to_invoice
 from app.hiring.bid_endpoints import router as bids
 from app.hiring.endpoints import router as hiring
 from app.hiring.roster_endpoints import router as roster
+from app.hiring.sample_endpoints import router as bid_samples
 from app.kit.events import Handler
 from app.money.electronic_invoice_endpoints import router as electronic_invoices
 from app.money.endpoints import router as money
@@ -82,6 +83,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     cue_people,
     references,
     hiring,
+    bid_samples,
     bids,
     roster,
     awards,
@@ -123,6 +125,7 @@ ROUTERS: tuple[APIRouter, ...] = (
 )
 JOB_MODULES = (
     "app.projects.jobs",
+    "app.hiring.jobs",
     "app.references.jobs",
     "app.deliveries.jobs",
     "app.conformance.jobs",
@@ -210,6 +213,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "approver.joined": ("projects.name_invited_approver",),
     "posting.shared": ("notifications.mail_link",),
     "posting.awarded": ("notifications.notify_award",),
+    "sample.added": ("hiring.check_sample",),
     "bid.sent": ("notifications.notify_bid",),
     "posting_question.asked": ("notifications.notify_posting_question",),
     "posting_question.answered": ("notifications.notify_posting_answer",),

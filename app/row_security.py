@@ -85,7 +85,7 @@ def condition(table: sa.Table) -> str | None:
         return f"studio_id = {STUDIOS} or person_id = {ME}"
     if table.name in TEAMS_OWN:
         return f"studio_id = {STUDIOS}"
-    if table.name == "hiring_bids":  # rates are seen by the two parties only
+    if table.name in ("hiring_bids", "hiring_samples"):  # rates and samples are for the two parties only
         return f"studio_id = {STUDIOS} or designer_id = {ME}"
     if table.name == "references_openings":  # the team reads who opened what; each person their own
         return f"studio_id = {STUDIOS} or person_id = {ME}"

@@ -99,5 +99,17 @@ class ReelFull(Conflict):
     """The reel has as many sounds as it may have."""
 
 
+class SampleNotFound(NotFound):
+    """The bid has no sample of that id that the caller may hear."""
+
+
+class SamplesFull(Conflict):
+    """The bid has as many samples as it may have."""
+
+
+class SampleInvalid(Invalid):
+    """The sample is not for a line of the posting, or cannot be read."""
+
+
 class NoSound(Invalid):
     """The file is no sound that browsers play."""

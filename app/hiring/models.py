@@ -9,7 +9,7 @@ from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import MailedLink, Person
 from app.hiring.roster_rules import BusyKind, Exclusivity, RateUnit
-from app.hiring.rules import AskedScope, BidState, PostingPhase, PostingState
+from app.hiring.rules import AskedScope, BidState, PostingPhase, PostingState, SampleState
 from app.kit import clock
 from app.kit.db import Base, new_id
 from app.projects.models import Project
@@ -94,6 +94,29 @@ class Bid(Base):
     is_shortlisted: Mapped[bool] = mapped_column(default=False)
     posting: Mapped[Posting] = relationship(lazy="raise")
     designer: Mapped[Person] = relationship(lazy="raise")
+
+
+class Sample(Base):
+    """A sound that a designer adds to a bid; it is checked by the project's spec and is never a take."""
+
+    __tablename__ = "hiring_samples"
+    __table_args__ = (CheckConstraint("file_bytes > 0", name="not_empty"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    bid_id: Mapped[UUID] = mapped_column(ForeignKey("hiring_bids.id"), index=True)
+    designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
+    line_key: Mapped[str]  # of the posting's line that it is for
+    file_name: Mapped[str]
+    media_type: Mapped[str]
+    sha256: Mapped[str]
+    file_bytes: Mapped[int] = mapped_column(BigInteger)
+    state: Mapped[SampleState] = mapped_column(default=SampleState.PENDING)
+    spec_version: Mapped[int | None]  # that it was checked by
+    findings: Mapped[list[dict[str, Any]]] = mapped_column(default=list)
+    problem: Mapped[str] = mapped_column(default="")  # why it could not be checked
+    added_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
 class PostingQuestion(Base):

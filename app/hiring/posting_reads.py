@@ -17,6 +17,7 @@ from app.hiring.postings import posting_seen
 from app.hiring.roster import entries_of_bidders
 from app.hiring.roster_rules import Busy, clashes
 from app.hiring.rules import amount_minor, hourly_rate_minor, missing_lines, takes_bids, total_minor
+from app.hiring.samples import samples_read
 from app.hiring.schemas import (
     AskedLine,
     BidComparison,
@@ -100,7 +101,7 @@ def posting_read(session: Session, actor: Actor, posting_id: UUID) -> PostingRea
         candidates=_candidates(session, posting_id) if is_team else [],
         questions=[] if is_closed else _questions(session, access),
         bids=queries.counts_of_bids(session, [posting_id]).get(posting_id, 0) if is_team else None,
-        own_bid=_own_bid(posting, own) if own else None,
+        own_bid=_own_bid(session, posting, own) if own else None,
         clashes=[] if is_team else _clashes(session, access),
         opened_at=posting.opened_at,
         closed_at=posting.closed_at,
@@ -139,7 +140,7 @@ def _questions(session: Session, access: PostingAccess) -> list[PostingQuestionR
     ]
 
 
-def _own_bid(posting: Posting, bid: Bid) -> OwnBidRead:
+def _own_bid(session: Session, posting: Posting, bid: Bid) -> OwnBidRead:
     return OwnBidRead(
         id=bid.id,
         state=bid.state,
@@ -151,6 +152,7 @@ def _own_bid(posting: Posting, bid: Bid) -> OwnBidRead:
         resent_at=bid.resent_at,
         differs=bid.sent is not None and bid.sent != bid.content,
         is_awarded=bids.is_awarded(posting, bid),
+        samples=samples_read(posting, bid, queries.samples_of(session, [bid.id])),
     )
 
 
@@ -183,6 +185,7 @@ def comparison_read(session: Session, actor: Actor, posting_id: UUID) -> BidComp
     scores = comparison.scores_seen(session, actor, posting, sent)
     proven = [bid.designer.email for bid in sent if bid.designer.email_proof is not None]
     on_file = entries_of_bidders(session, actor, posting.studio_id, proven)
+    samples = queries.samples_of(session, [bid.id for bid in sent])
     compared = []
     for bid in sent:
         entry, busy = on_file.get(bid.designer.email, (None, []))
@@ -215,6 +218,7 @@ def comparison_read(session: Session, actor: Actor, posting_id: UUID) -> BidComp
                     (content.from_on or posting.work_from_on, content.to_on or posting.work_to_on),
                     entry.available_from_on if entry else None,
                 ),
+                samples=samples_read(posting, bid, [one for one in samples if one.bid_id == bid.id]),
                 own_scores=_scores(own) if own else None,
                 others=[_scores(one) for one in others] if others is not None else None,
                 scored_by=count,

@@ -9,7 +9,7 @@ from sqlalchemy import exists, func, or_, select
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.rules import Actor
-from app.hiring.models import Bid, Candidate, Posting, PostingQuestion, Score
+from app.hiring.models import Bid, Candidate, Posting, PostingQuestion, Sample, Score
 from app.hiring.rules import BidState, CountedCue, PostingState
 from app.kit import clock
 from app.projects.models import Project
@@ -126,6 +126,17 @@ def bid_for(session: Session, actor: Actor, bid_id: UUID) -> Bid | None:
         .options(joinedload(Bid.designer), joinedload(Bid.posting).options(_WITH_PROJECT))
         .execution_options(populate_existing=True)
     )
+
+
+def samples_of(session: Session, bid_ids: Collection[UUID]) -> Sequence[Sample]:
+    """Return the samples of bids, in the order in which they were added."""
+    return session.scalars(select(Sample).where(Sample.bid_id.in_(bid_ids)).order_by(Sample.id)).all()
+
+
+def sample_for(session: Session, actor: Actor, sample_id: UUID) -> Sample | None:
+    """Return a sample of a bid to one of the caller's studios, or of the caller's own."""
+    of_caller = or_(Sample.studio_id.in_(actor.roles), Sample.designer_id == actor.person)
+    return session.scalar(select(Sample).where(Sample.id == sample_id, of_caller))
 
 
 def sent_bids(session: Session, posting_id: UUID) -> Sequence[Bid]:

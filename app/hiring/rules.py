@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from datetime import date, datetime
+from datetime import date, datetime, timedelta
 from enum import StrEnum
 from typing import Any
 
@@ -44,6 +44,24 @@ class BidState(StrEnum):
     DRAFT = "draft"
     SENT = "sent"
     WITHDRAWN = "withdrawn"
+
+
+class SampleState(StrEnum):
+    """What the check said of a sample."""
+
+    PENDING = "pending"
+    CONFORMING = "conforming"
+    RETURNED = "returned"
+    UNCHECKED = "unchecked"  # the check failed: nothing is said of the sound
+
+
+MAX_SAMPLES = 8  # of one bid
+SAMPLES_KEPT = timedelta(days=30)  # after a bid was refused
+
+
+def sample_is_open(now: datetime, *, is_refused: bool, refused_at: datetime | None) -> bool:
+    """Whether a sample can be played: always but for a refused bid, whose samples are closed after 30 days."""
+    return not is_refused or refused_at is None or now < refused_at + SAMPLES_KEPT
 
 
 class BidLineKind(StrEnum):

@@ -16,6 +16,7 @@ from app.hiring.rules import (
     BidUnit,
     PostingPhase,
     PostingState,
+    SampleState,
 )
 from app.kit.http import LARGEST_NUMBER, Schema
 
@@ -27,6 +28,7 @@ Key = Annotated[str, StringConstraints(strip_whitespace=False, max_length=200, p
 Asked = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=2000, pattern="^[^\\x00]*$")]
 Heading = Annotated[Line, Field(max_length=60)]
 Note = Annotated[str, StringConstraints(strip_whitespace=True, max_length=200, pattern="^[^\\x00]*$")]
+MAX_SAMPLE_BASE64 = 8_000_000  # characters: 6 MB of sound, about 20 s of stereo at 48 kHz and 24 bit
 Day = Annotated[date, Field(ge=date(2000, 1, 1), le=date(2999, 12, 31))]
 
 
@@ -143,6 +145,37 @@ class Clash(Schema):
     to_on: date
 
 
+class SampleAdd(Schema):
+    """A sound for a bid."""
+
+    line_key: Key = Field(description="Of the line that it is for.")
+    file_name: Annotated[str, Field(min_length=1, max_length=200, pattern="^[^\\x00]*$")]
+    content_base64: Annotated[str, Field(min_length=1, max_length=MAX_SAMPLE_BASE64)]
+
+
+class SampleFinding(Schema):
+    """What the check found in a sample."""
+
+    code: str
+    severity: str
+    message: str
+    fix: str
+
+
+class SampleRead(Schema):
+    """A sound of a bid; play it from /v1/bid-samples/{id}/file while it is open."""
+
+    id: UUID
+    line_key: str
+    file_name: str
+    file_bytes: int
+    state: SampleState
+    spec_version: int | None = Field(description="The version of the delivery spec that it was checked by.")
+    findings: list[SampleFinding]
+    problem: str = Field(description="Why it could not be checked.")
+    is_open: bool = Field(description="False once a refused bid's samples are no longer kept.")
+
+
 class OwnBidRead(Schema):
     """The caller's own bid."""
 
@@ -156,6 +189,7 @@ class OwnBidRead(Schema):
     resent_at: datetime | None
     differs: bool = Field(description="Whether the draft differs from what was sent.")
     is_awarded: bool
+    samples: list[SampleRead]
 
 
 class PostingSummary(Schema):
@@ -313,6 +347,7 @@ class ComparedBid(Schema):
     busy: list[BusyRangeWrite] = Field(
         description="By the roster: what is taken in the days of the bid, or of the posting where the bid names none."
     )
+    samples: list[SampleRead] = Field(description="In the order of the posting's lines, then as they were added.")
     own_scores: PersonScores | None
     others: list[PersonScores] | None = Field(description="Null until the caller has given every score of their own.")
     scored_by: int = Field(description="How many people have scored it.")

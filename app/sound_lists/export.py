@@ -52,7 +52,8 @@ def _exported(
     cue: Cue, cue_prefix: str, own: Sequence[str], named: Mapping[str, str], extras: Mapping[str, str]
 ) -> audio_checks.CueFacts:
     more = {"description": cue.description, "use": cue.use, "trigger": cue.trigger}
-    more |= {column: _plain(getattr(cue, column)) for column in own} | named
+    more |= {column: _plain(getattr(cue, column)) for column in own}
+    more.update(named)
     values = values_by_key(cue)
     more |= {column: values.get(key, "") for key, column in extras.items()}
     return replace(

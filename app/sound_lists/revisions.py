@@ -40,10 +40,10 @@ def compare_revisions(session: Session, access: ProjectAccess, first: int, last:
         facts = after[cue_id]
         old = dict(NEW_CUE) if cue_id in new else before.get(cue_id, {})
         changes = [
-            change
+            shown
             for fact, value in facts.items()
             if fact in NEW_CUE and value != old.get(fact)
-            if (change := _change(fact, None if cue_id in new else old.get(fact), value, people))
+            if (shown := _change(fact, None if cue_id in new else old.get(fact), value, people))
         ]
         is_cut = facts.get("state") == CueState.CUT
         if not (changes or cue_id in new):
