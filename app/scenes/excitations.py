@@ -35,7 +35,7 @@ def placed(
     power: NDArray[np.float64], *, starts_s: Sequence[float], loops: bool, length_s: float, gain_db: float
 ) -> NDArray[np.float64]:
     """Return what a sound excites over a scene: from each start once, or without an end from its first start."""
-    whole = np.zeros((math.ceil(length_s / BLOCK_S), len(CENTRES_HZ)))
+    whole = np.zeros((math.ceil(round(length_s / BLOCK_S, 6)), len(CENTRES_HZ)))
     if not len(power):
         return whole
     for start_s in starts_s:

@@ -94,7 +94,7 @@ def gains_in_game(session: Session, audit_id: UUID, cue_ids: Collection[UUID]) -
         )
         .group_by(AuditedSound.cue_id)
     )
-    return {cue_id: gain_db for cue_id, gain_db in rows if cue_id is not None}
+    return {cue_id: gain_db for cue_id, gain_db in rows if cue_id is not None and gain_db is not None}
 
 
 def beds(session: Session, project_id: UUID, category: str) -> dict[BedRole, Bed]:
@@ -217,3 +217,17 @@ def comparison_of(session: Session, project_id: UUID, sound_sha256: str, against
             Comparison.against_sha256 == against_sha256,
         )
     )
+
+
+def preview_of_master(session: Session, take: Take) -> str | None:
+    """Return the hash of what plays a take's master; None while it is not drawn."""
+    return session.scalar(
+        select(Picture.preview_sha256).where(
+            Picture.studio_id == take.studio_id, Picture.sound_sha256 == take.master_sha256
+        )
+    )
+
+
+def preview_of_picture(session: Session, picture_id: UUID) -> str | None:
+    """Return the hash of what plays a drawn sound."""
+    return session.scalar(select(Picture.preview_sha256).where(Picture.id == picture_id))

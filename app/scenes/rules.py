@@ -96,4 +96,57 @@ def scene_length_s(*, duration_s: float, spots: Sequence[float], clip_s: float |
 
 def part_name(start_s: float | None, end_s: float | None) -> str:
     """Return the name of a part of a reference: another part is another sound."""
-    return f"{start_s or 0:g}-{'' if end_s is None else f'{end_s:g}'}"
+    return f"{start_s or 0:.3f}-{'' if end_s is None else f'{end_s:.3f}'}"
+
+
+def part_bounds(part: str) -> tuple[float, float]:
+    """Return where a named part of a reference begins and ends, in seconds."""
+    start, _, end = part.partition("-")
+    return float(start), float(end or "inf")
+
+
+class CoveredBand(NamedTuple):
+    """One band of hearing, as words are made of it."""
+
+    hz: float
+    is_part: bool
+    is_heard: bool
+    margin_db: float  # infinite where nothing covers
+    covered_by: str  # the name of a sound, empty for none
+
+
+def masking_words(bands: Sequence[CoveredBand]) -> str:
+    """Return which bands of a sound are heard among others, and which are covered by what, in words."""
+    part = [band for band in bands if band.is_part]
+    if not part:
+        return "The sound is silent."
+    heard = [band for band in part if band.is_heard]
+    words = [f"Heard in {len(heard)} of {len(part)} bands."]
+    clearest = max(heard, key=lambda band: band.margin_db, default=None)
+    if clearest is None:
+        words = ["Covered in all bands."]
+    elif clearest.margin_db == float("inf"):
+        words.append("Nothing covers it." if all(band.margin_db == float("inf") for band in part) else "")
+    else:
+        words.append(f"Clearest at {_in_hz(clearest.hz)}, {clearest.margin_db:+.0f} dB.")
+    words += [f"Covered by {name}: {', '.join(ranges)}." for name, ranges in _covered(bands).items()]
+    return " ".join(word for word in words if word)
+
+
+def _covered(bands: Sequence[CoveredBand]) -> dict[str, list[str]]:
+    """Return the ranges of frequency in which each sound covers, by its name."""
+    found: dict[str, list[str]] = {}
+    run: list[CoveredBand] = []
+    for band in (*bands, None):
+        covers = band is not None and band.is_part and not band.is_heard
+        if run and not (covers and band is not None and band.covered_by == run[0].covered_by):
+            ends = dict.fromkeys((_in_hz(run[0].hz), _in_hz(run[-1].hz)))
+            found.setdefault(run[0].covered_by, []).append("–".join(ends))
+            run = []
+        if covers and band is not None:
+            run.append(band)
+    return found
+
+
+def _in_hz(hz: float) -> str:
+    return f"{hz / 1_000:.1f} kHz" if hz >= 1_000 else f"{round(hz, -1):.0f} Hz"

@@ -187,6 +187,11 @@ ADJUSTED: dict[str, dict[str, Any]] = {
     "add_archive": {"file_name": "sounds.zip"},
     "add_reference": {"url": "https://example.test/clip"},
     "add_reference_version": {"url": "https://example.test/clip"},
+    "add_guest_link": {"cue_ids": [Named("cue_id")]},
+    "add_playlist": {"take_ids": [Named("take_id")]},
+    "move_playhead": {"take_id": Named("take_id"), "sequence": 1},
+    "set_bed": {"reference_id": Named("reference_id")},
+    "add_comparison": {"target": "game"},
     "add_take": {"file_name": "shield_hit.wav"},
     "check_spec_draft": {"tables": {"format": 1}},
     "import_voice_lines": {"format": "paste", "text": "character\ttext\nCaptain\tGo.", "dry_run": True},
@@ -197,6 +202,7 @@ ADJUSTED: dict[str, dict[str, Any]] = {
     "add_reel_sound": {"upload_id": Named("reel_upload_id")},
     "read_roster_calendar": {"content_base64": base64.b64encode(b"BEGIN:VCALENDAR\nEND:VCALENDAR\n").decode()},
     "change_cue": {"name": "Shield hit"},
+    "add_bid_sample": {"line_key": "", "content_base64": base64.b64encode(b"RIFF\x04\x00\x00\x00WAVE").decode()},
 }
 
 

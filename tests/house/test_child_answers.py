@@ -15,6 +15,7 @@ from app.kit.errors import Invalid
 from app.kit.parsing import Parsers
 from app.references.drawing import draw_previews
 from app.renders import drawing, reel_sound, timbre
+from app.scenes import listening
 from app.sound_lists.sheets import parse_bytes, parse_text
 from audio_checks import (
     FileReport,
@@ -34,7 +35,8 @@ from audio_checks.audit.fingerprinted import decode
 DOORS: tuple[Callable[..., Any], ...] = (
     check_file, decode, drawing.draw, drawing.prepare, export_master, fingerprint_files, fixing.fix, parse_bytes,
     parse_spec, parse_text, parse_toml, reel_sound.make_reel, compare_reverb_of_takes, timbre.measure,
-    draw_previews, typesetting.compile_pdf, unpack,
+    draw_previews, typesetting.compile_pdf, unpack, listening.compare, listening.measure_preview,
+    listening.prepare_part,
 )  # fmt: skip
 PLAIN = {int, float, str, bytes, bool, type(None), None}
 UNDECLARED: tuple[Any, ...] = (Any, object, dict, list, tuple, set)
@@ -94,6 +96,8 @@ def test_every_function_of_a_child_declares_its_answer(function: Callable[..., A
         (timbre.measure, {"timbre": [1.0]}),
         (typesetting.compile_pdf, "%PDF-"),
         (unpack, "out.wav"),
+        (listening.measure_preview, {"duration_s": 1.0}),
+        (listening.compare, {"lag_s": 0.0}),
     ],
 )
 def test_an_undeclared_answer_of_a_child_is_refused(function: Callable[..., Any], lie: object):
