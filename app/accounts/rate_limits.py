@@ -40,6 +40,7 @@ MAILS_TO_ADDRESS = Limit("account mails to an address", 5, 720)
 MAILS_FROM_NETWORK = Limit("account mails asked for from one place", 30, 120)
 SIGNING_CODES_BY_PERSON = Limit("codes to sign with, mailed to a person", 5, 120)
 VERIFICATIONS_FROM_NETWORK = Limit("files verified from one place", 30, 10)
+GUEST_COMMENTS_FROM_NETWORK = Limit("comments of guests from one place", 60, 10)
 INVITATIONS_BY_PERSON = Limit("invitations by a person", 60, 60)
 
 IPV6_NETWORK = 64  # what one subscriber is given

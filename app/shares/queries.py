@@ -7,6 +7,7 @@ from uuid import UUID
 from sqlalchemy import ColumnElement, Row, Select, and_, func, select
 from sqlalchemy.orm import Session, contains_eager, joinedload
 
+from app.accounts.models import Person
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit.in_array import in_array
@@ -22,7 +23,7 @@ from app.shares.models import (
     PlaylistPosition,
     SavedView,
 )
-from app.shares.rules import Candidate, ViewedPage
+from app.shares.rules import Candidate
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
 
@@ -47,7 +48,7 @@ def of_cues(cue_ids: Collection[UUID]) -> tuple[ColumnElement[bool], ...]:
 def approved(*, palette: bool) -> tuple[ColumnElement[bool], ...]:
     """Admit approved takes: all, or those of the palette."""
     is_approved = Take.state == TakeState.APPROVED
-    return (is_approved, Cue.palette) if palette else (is_approved,)
+    return (is_approved, Cue.palette.is_(True)) if palette else (is_approved,)
 
 
 def links_in(session: Session, project_id: UUID, *, before: UUID | None, limit: int) -> Sequence[GuestLink]:
@@ -139,9 +140,7 @@ def visits_of(session: Session, link_id: UUID, *, before: UUID | None, limit: in
     return session.scalars(query.order_by(GuestVisit.id.desc()).limit(limit)).all()
 
 
-def plays_of_visits(
-    session: Session, link_id: UUID, visit_ids: Collection[UUID]
-) -> Sequence[Row[GuestPlay, str, int]]:
+def plays_of_visits(session: Session, link_id: UUID, visit_ids: Collection[UUID]) -> Sequence[Row[GuestPlay, str, int]]:
     """Return what was played in visits, with the cue's name and the variation."""
     return session.execute(
         select(GuestPlay, Cue.name, Take.variation)
@@ -158,9 +157,10 @@ def play_in(session: Session, visit_id: UUID, place: int) -> GuestPlay | None:
     return session.get(GuestPlay, (visit_id, place))
 
 
-def copy_of(session: Session, studio_id: UUID, key: str) -> GuestCopy | None:
-    """Return the copy of a preview that guests get."""
-    return session.get(GuestCopy, (studio_id, key))
+def copies_of(session: Session, studio_ids: Collection[UUID], keys: Collection[str]) -> dict[str, GuestCopy]:
+    """Return the copies of previews that guests get, by their keys."""
+    query = select(GuestCopy).where(in_array(GuestCopy.studio_id, studio_ids), in_array(GuestCopy.key, keys))
+    return {copy.key: copy for copy in session.scalars(query)}
 
 
 def playlists_in(session: Session, project_id: UUID) -> Sequence[Row[Playlist, int]]:
@@ -182,11 +182,9 @@ def playlist_by_id(session: Session, playlist_id: UUID, *, locked: bool = False)
     return session.scalar(query)
 
 
-def playlist_makers(session: Session, playlist_id: UUID) -> Playlist:
-    """Return a playlist with who made it."""
-    return session.scalars(
-        select(Playlist).where(Playlist.id == playlist_id).options(joinedload(Playlist.maker))
-    ).one()
+def maker_of(session: Session, playlist: Playlist) -> Person:
+    """Return who made a playlist."""
+    return session.get_one(Person, playlist.made_by)
 
 
 def entries_of(session: Session, playlist_id: UUID) -> Sequence[PlaylistEntry]:
@@ -197,9 +195,7 @@ def entries_of(session: Session, playlist_id: UUID) -> Sequence[PlaylistEntry]:
 
 def playable(session: Session, project_id: UUID, take_ids: Collection[UUID]) -> set[UUID]:
     """Return those of some takes that belong to a cue of a project."""
-    query = select(Take.id).where(
-        in_array(Take.id, take_ids), Take.project_id == project_id, Take.cue_id.is_not(None)
-    )
+    query = select(Take.id).where(in_array(Take.id, take_ids), Take.project_id == project_id, Take.cue_id.is_not(None))
     return set(session.scalars(query))
 
 
@@ -208,11 +204,9 @@ def position_of(session: Session, playlist_id: UUID, person_id: UUID) -> Playlis
     return session.get(PlaylistPosition, (playlist_id, person_id))
 
 
-def views_of(session: Session, project_id: UUID, person_id: UUID, page: ViewedPage | None = None) -> Sequence[SavedView]:
-    """Return a person's views of a project by name, all or of one page."""
+def views_of(session: Session, project_id: UUID, person_id: UUID) -> Sequence[SavedView]:
+    """Return a person's views of a project by name."""
     query = select(SavedView).where(SavedView.project_id == project_id, SavedView.person_id == person_id)
-    if page is not None:
-        query = query.where(SavedView.page == page)
     return session.scalars(query.order_by(SavedView.name)).all()
 
 

@@ -204,7 +204,8 @@ def _add_sessions() -> None:
 def downgrade() -> None:
     for table in (VIEWS, LISTENERS, SESSIONS, POSITIONS, ENTRIES, LISTS, COPIES, PLAYS, VISITS, SOUNDS, LINKS):
         op.drop_table(table)
-    op.execute(f"delete from {COMMENTS} where written_by is null")
+    written_by = sa.column("written_by")
+    op.execute(sa.table(COMMENTS, written_by).delete().where(written_by.is_(None)))
     with op.batch_alter_table(COMMENTS) as table:
         table.drop_constraint(op.f(f"ck_{COMMENTS}_by_a_person_or_guest"), type_="check")
         table.alter_column("written_by", existing_type=sa.Uuid(), nullable=False)

@@ -35,8 +35,8 @@ from app.conformance.models import CheckRun
 from app.deliveries.cue_sums import update_cue_sums
 from app.deliveries.models import Adoption, Delivery, DryStem, Take, TrayAction
 from app.deliveries.rules import TakeState, TrayActionKind
-from app.hiring.models import Bid, Candidate, Posting, PostingQuestion
-from app.hiring.rules import AskedScope, BidState, PostingPhase, PostingState
+from app.hiring.models import Bid, Candidate, Posting, PostingQuestion, Sample
+from app.hiring.rules import AskedScope, BidState, PostingPhase, PostingState, SampleState
 from app.kit import clock
 from app.kit.db import new_id
 from app.kit.queue import queue_of
@@ -58,6 +58,8 @@ from tests.house.audit_objects import add_audit
 from tests.house.reference_objects import add_reference
 from tests.house.reports import report, report_file
 from tests.house.roster_objects import add_roster_entry
+from tests.house.scene_objects import add_scene
+from tests.house.share_objects import add_shares
 from tests.house.voice_objects import add_voice_line
 from tests.support.server import RunningServer, World
 
@@ -237,8 +239,20 @@ class House(World):
             session, {"studio_id": self.studio_id, "project_id": self.project_id}, sha256=self.sha256,
             file_bytes=len(FILE), added_by=self.producer_id,
         )  # fmt: skip
+        scene = add_scene(
+            session, of, take_id=take.id, sha256=self.sha256, file_bytes=len(FILE), changed_by=self.producer_id
+        )
         audit = add_audit(session, of, cue_id=cue.id, producer_id=self.producer_id, designer_id=self.designer_id)
         self._add_links(session)
+        shares = add_shares(
+            session,
+            of,
+            take_id=take.id,
+            made_by=self.producer_id,
+            viewed_by=self.designer_id,
+            links=self.links,
+            server_key=self.server.runtime.settings.secret_key.get_secret_value(),
+        )
         money = self._add_money(session, cue)
         template = self._add_text(session, money["contract_id"])
         token = self._token(session, self.project_id, list(Scope))
@@ -284,7 +298,9 @@ class House(World):
             **hiring,
             **references,
             **audit,
+            **scene,
             **voice,
+            **shares,
             **roster,
         }
         queue_of(session).enqueue(
@@ -333,10 +349,24 @@ class House(World):
         question = PostingQuestion(**of_it, text="Is there a build?", asked_by=self.designer_id)
         session.add_all([candidate, bid, question])
         session.flush()
+        sample = Sample(
+            **of,
+            bid_id=bid.id,
+            designer_id=self.designer_id,
+            line_key="",
+            file_name="shield_hit.wav",
+            media_type="audio/wav",
+            sha256=self.finished_upload.sha256,
+            file_bytes=self.finished_upload.length,
+            state=SampleState.CONFORMING,
+        )
+        session.add(sample)
+        session.flush()
         return {
             "posting_id": posting.id,
             "candidate_id": candidate.id,
             "bid_id": bid.id,
+            "bid_sample_id": sample.id,
             "posting_question_id": question.id,
         }
 

@@ -25,7 +25,7 @@ ONE_DESIGNERS = {
     "master_export_id",
     "tray_action_id",
     *("game_task_id", "listening_note_id"),
-    "sign_in_id",
+    *("sign_in_id", "saved_view_id"),
     *CONTRACTS,
 }
 TEAMS = {Audience.PRODUCER, Audience.TEAM, Audience.APPROVER}
@@ -38,6 +38,7 @@ STUDIOS = {
     "roster_entry_id",
     "reel_sound_id",
     "credit_line_id",
+    *("guest_link_id", "playlist_id"),
 }
 IN_BODY = {"create_project": {"studio_id"}}
 IN_QUERY = {

@@ -1,0 +1,40 @@
+"""Sessions of playlists, read from and reported to the database; callers have checked access."""
+
+from collections.abc import Sequence
+from datetime import datetime
+from uuid import UUID
+
+from sqlalchemy import delete, select, update
+from sqlalchemy.orm import Session, joinedload
+
+from app.shares.models import LiveListener, LiveSession
+
+
+def live_session(session: Session, playlist_id: UUID, *, locked: bool = False) -> LiveSession | None:
+    """Return the session of a playlist, if it ever had one."""
+    query = select(LiveSession).where(LiveSession.playlist_id == playlist_id)
+    if locked:
+        query = query.with_for_update().execution_options(populate_existing=True)
+    return session.scalar(query)
+
+
+def listeners_of(session: Session, playlist_id: UUID) -> Sequence[LiveListener]:
+    """Return who ever was in the session of a playlist and did not leave it, in order of their names."""
+    query = select(LiveListener).where(LiveListener.playlist_id == playlist_id).options(joinedload(LiveListener.person))
+    return sorted(session.scalars(query.execution_options(populate_existing=True)), key=lambda one: one.person.name)
+
+
+def report(session: Session, playlist_id: UUID, person_id: UUID, now: datetime) -> bool:
+    """Note that a person's page is open; return whether they were noted before.
+
+    A statement, not an object: a report changes nothing that other pages show, so they are not notified.
+    """
+    noted = update(LiveListener).where(LiveListener.playlist_id == playlist_id, LiveListener.person_id == person_id)
+    return session.scalar(noted.values(seen_at=now).returning(LiveListener.person_id)) is not None
+
+
+def leave(session: Session, playlist_id: UUID, person_id: UUID) -> None:
+    """Forget that a person is in a session."""
+    session.execute(
+        delete(LiveListener).where(LiveListener.playlist_id == playlist_id, LiveListener.person_id == person_id)
+    )

@@ -1,0 +1,107 @@
+"""The endpoints of playlists and of their sessions."""
+
+from uuid import UUID
+
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience
+from app.kit.http import DbSession, Route, Router, problems
+from app.projects.errors import ProjectNotFound, TeamNeeded
+from app.shares import live_sessions, playlists
+from app.shares.errors import (
+    KeysHeld,
+    ListenerNotFound,
+    NothingToShare,
+    PlayheadMoved,
+    PlaylistChanged,
+    PlaylistInvalid,
+    PlaylistNotFound,
+)
+from app.shares.playlist_schemas import (
+    LiveKeys,
+    LiveMove,
+    LiveRead,
+    LiveReport,
+    PlaylistAdd,
+    PlaylistBrief,
+    PlaylistChange,
+    PlaylistRead,
+    PositionSet,
+)
+
+router = Router(prefix="/v1", tags=["playlists"], route_class=Route)
+TEAM: Actor = allows(Audience.TEAM)
+
+
+@router.get("/projects/{project_id}/playlists", responses=problems(ProjectNotFound, TeamNeeded))
+def list_playlists(project_id: UUID, session: DbSession, actor: Actor = TEAM) -> list[PlaylistBrief]:
+    """Return the playlists of a project, newest first."""
+    return playlists.playlists_of(session, actor, project_id)
+
+
+@router.post(
+    "/projects/{project_id}/playlists",
+    status_code=201,
+    responses=problems(ProjectNotFound, TeamNeeded, NothingToShare, PlaylistInvalid),
+)
+def add_playlist(project_id: UUID, body: PlaylistAdd, session: DbSession, actor: Actor = TEAM) -> PlaylistRead:
+    """Keep versions, or those that are heard of some cues, under a name."""
+    return playlists.make_playlist(session, actor, project_id, body)
+
+
+@router.get("/playlists/{playlist_id}", responses=problems(PlaylistNotFound, TeamNeeded))
+def get_playlist(playlist_id: UUID, session: DbSession, actor: Actor = TEAM) -> PlaylistRead:
+    """Return a playlist with its versions in order, and where the caller stopped."""
+    return playlists.playlist_read(session, actor, playlist_id)
+
+
+@router.patch(
+    "/playlists/{playlist_id}", responses=problems(PlaylistNotFound, TeamNeeded, PlaylistChanged, PlaylistInvalid)
+)
+def change_playlist(playlist_id: UUID, body: PlaylistChange, session: DbSession, actor: Actor = TEAM) -> PlaylistRead:
+    """Rename a playlist, or replace its versions or their order."""
+    return playlists.change_playlist(session, actor, playlist_id, body)
+
+
+@router.delete("/playlists/{playlist_id}", status_code=204, responses=problems(PlaylistNotFound, TeamNeeded))
+def remove_playlist(playlist_id: UUID, session: DbSession, actor: Actor = TEAM) -> None:
+    """Remove a playlist; guest links made of it stay."""
+    playlists.remove_playlist(session, actor, playlist_id)
+
+
+@router.put(
+    "/playlists/{playlist_id}/position",
+    status_code=204,
+    responses=problems(PlaylistNotFound, TeamNeeded, PlaylistInvalid),
+)
+def save_playlist_position(playlist_id: UUID, body: PositionSet, session: DbSession, actor: Actor = TEAM) -> None:
+    """Keep where the caller stopped."""
+    playlists.save_position(session, actor, playlist_id, body)
+
+
+@router.get("/playlists/{playlist_id}/live", responses=problems(PlaylistNotFound, TeamNeeded))
+def get_live_session(playlist_id: UUID, session: DbSession, actor: Actor = TEAM) -> LiveRead:
+    """Return what everyone in the session of a playlist hears now, who is in it, and who holds the keys."""
+    return live_sessions.live_read(session, actor, playlist_id)
+
+
+@router.put("/playlists/{playlist_id}/live/presence", responses=problems(PlaylistNotFound, TeamNeeded))
+def report_presence(playlist_id: UUID, body: LiveReport, session: DbSession, actor: Actor = TEAM) -> LiveRead:
+    """Join a session, stay in it for ten seconds more, or leave it."""
+    return live_sessions.report(session, actor, playlist_id, leaves=body.leaves)
+
+
+@router.put(
+    "/playlists/{playlist_id}/live/playhead",
+    responses=problems(PlaylistNotFound, TeamNeeded, KeysHeld, PlayheadMoved, PlaylistInvalid),
+)
+def move_playhead(playlist_id: UUID, body: LiveMove, session: DbSession, actor: Actor = TEAM) -> LiveRead:
+    """Play, pause, seek or go to another version, for everyone in the session."""
+    return live_sessions.move(session, actor, playlist_id, body)
+
+
+@router.put(
+    "/playlists/{playlist_id}/live/keys", responses=problems(PlaylistNotFound, TeamNeeded, KeysHeld, ListenerNotFound)
+)
+def pass_keys(playlist_id: UUID, body: LiveKeys, session: DbSession, actor: Actor = TEAM) -> LiveRead:
+    """Take the keys while they are free, hand them to another person present, or put them down."""
+    return live_sessions.pass_keys(session, actor, playlist_id, body)

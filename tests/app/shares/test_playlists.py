@@ -1,0 +1,115 @@
+"""Playlists: made of a filter or by hand, put in order, left where one stopped, shared with guests."""
+
+from typing import Any
+
+from fastapi.testclient import TestClient
+
+from tests.app.shares.making import made, opened, sound
+from tests.support.server import World
+
+
+def add(world: World, client: TestClient | None = None, **body: Any) -> Any:
+    wanted = {"name": "Combat", **body}
+    return (client or world.producer).post(f"/v1/projects/{world.project_id}/playlists", json=wanted)
+
+
+def playlist(world: World, *take_ids: str) -> dict[str, Any]:
+    answer = add(world, take_ids=list(take_ids))
+    assert answer.status_code == 201, answer.text
+    return dict(answer.json())
+
+
+def order(found: dict[str, Any]) -> list[str]:
+    return [one["take_id"] for one in found["takes"]]
+
+
+def test_a_playlist_of_cues_has_the_version_that_is_heard_of_each_in_list_order(world: World) -> None:
+    laser, first = sound(world)
+    door, second = sound(world, "door")
+    answer = add(world, cue_ids=[door, laser])
+    assert answer.status_code == 201, answer.text
+    made_list = answer.json()
+    assert order(made_list) == [first, second]
+    one = made_list["takes"][0]
+    assert (one["cue_name"], one["cue_id"], one["variation"], one["state"]) == ("laser", laser, None, "conforming")
+    assert world.producer.get(one["preview_url"]).status_code == 200
+    assert made_list["may_share"] is True
+    [brief] = world.reviewer.get(f"/v1/projects/{world.project_id}/playlists").json()
+    assert (brief["name"], brief["takes"], brief["made_by"]["name"]) == ("Combat", 2, "Producer")
+
+
+def test_the_answer_says_who_may_approve(world: World) -> None:
+    _, take_id = sound(world)
+    url = f"/v1/playlists/{playlist(world, take_id)['id']}"
+    may = {
+        client: client.get(url).json()["takes"][0]["may_approve"]
+        for client in (world.approver, world.reviewer, world.producer)
+    }
+    assert list(may.values()) == [True, False, False]
+
+
+def test_an_order_is_replaced_whole_and_two_editors_notice_each_other(world: World) -> None:
+    takes = [sound(world, name)[1] for name in ("laser", "door", "steps")]
+    found = playlist(world, *takes)
+    url = f"/v1/playlists/{found['id']}"
+    turned = world.approver.patch(url, json={"edition": 1, "take_ids": takes[::-1]})
+    assert (order(turned.json()), turned.json()["edition"]) == (takes[::-1], 2)
+    late = world.producer.patch(url, json={"edition": 1, "take_ids": takes})
+    assert (late.status_code, late.json()["code"]) == (409, "playlist-changed")
+    renamed = world.producer.patch(url, json={"edition": 2, "name": "Boss fight"}).json()
+    assert (renamed["name"], order(renamed)) == ("Boss fight", takes[::-1])
+    for wrong in ([takes[0], takes[0]], ["0197f8f0-0000-7000-8000-000000000000"]):
+        refused = world.producer.patch(url, json={"edition": 3, "take_ids": wrong})
+        assert (refused.status_code, refused.json()["code"]) == (422, "playlist-invalid")
+    assert order(world.producer.get(url).json()) == takes[::-1]
+
+
+def test_each_person_goes_on_where_they_stopped(world: World) -> None:
+    takes = [sound(world, name)[1] for name in ("laser", "door")]
+    url = f"/v1/playlists/{playlist(world, *takes)['id']}"
+    assert world.producer.get(url).json()["position"] is None
+    for at_s in (0.2, 0.4):
+        assert world.producer.put(f"{url}/position", json={"take_id": takes[1], "at_s": at_s}).status_code == 204
+    assert world.producer.get(url).json()["position"] == {"take_id": takes[1], "at_s": 0.4}
+    assert world.approver.get(url).json()["position"] is None
+    _, elsewhere = sound(world, "steps")
+    refused = world.producer.put(f"{url}/position", json={"take_id": elsewhere, "at_s": 0})
+    assert refused.json()["code"] == "playlist-invalid"
+
+
+def test_only_who_speaks_for_the_team_changes_one_and_only_the_team_sees_it(world: World) -> None:
+    _, take_id = sound(world)
+    url = f"/v1/playlists/{playlist(world, take_id)['id']}"
+    assert world.reviewer.get(url).status_code == 200
+    for client, of_project, status in (
+        (world.reviewer, 403, 403), (world.designer, 403, 404), (world.stranger, 404, 404),
+    ):  # fmt: skip
+        assert add(world, client, take_ids=[take_id]).status_code == of_project
+        assert client.patch(url, json={"edition": 1, "name": "x"}).status_code == status
+        assert client.delete(url).status_code == status
+    assert world.designer.get(url).status_code == 404
+    assert world.producer.delete(url).status_code == 204
+    assert world.producer.get(url).status_code == 404
+    assert world.producer.get(f"/v1/projects/{world.project_id}/playlists").json() == []
+
+
+def test_versions_of_another_project_are_refused(world: World) -> None:
+    _, foreign = sound(World(world.server))
+    refused = add(world, take_ids=[foreign])
+    assert (refused.status_code, refused.json()["code"]) == (422, "playlist-invalid")
+    assert add(world).json()["code"] == "nothing-to-share"
+
+
+def test_a_playlist_is_shared_with_guests_in_its_order(world: World) -> None:
+    takes = [sound(world, name)[1] for name in ("laser", "door")]
+    found = playlist(world, *takes[::-1])
+    _, secret = made(world, kind="playlist", playlist_id=found["id"])
+    assert [one["name"] for one in opened(world, secret)[1]["sounds"]] == ["door", "laser"]
+    world.producer.patch(f"/v1/playlists/{found['id']}", json={"edition": 1, "take_ids": takes})
+    assert [one["name"] for one in opened(world, secret)[1]["sounds"]] == ["door", "laser"]
+    elsewhere = World(world.server)
+    refused = elsewhere.producer.post(
+        f"/v1/projects/{elsewhere.project_id}/guest-links",
+        json={"kind": "playlist", "title": "x", "playlist_id": found["id"]},
+    )
+    assert (refused.status_code, refused.json()["code"]) == (404, "playlist-not-found")

@@ -1,0 +1,56 @@
+"""Saved views: each person's own, in the projects that they see."""
+
+from typing import Any
+
+from fastapi.testclient import TestClient
+
+from app.shares.rules import MAX_VIEWS
+from tests.support.server import World
+
+
+def save(world: World, client: TestClient, **body: Any) -> Any:
+    wanted = {"page": "review", "name": "Mine", "query": "own=true", **body}
+    return client.post(f"/v1/projects/{world.project_id}/saved-views", json=wanted)
+
+
+def views(world: World, client: TestClient) -> list[dict[str, Any]]:
+    answer = client.get(f"/v1/projects/{world.project_id}/saved-views")
+    assert answer.status_code == 200, answer.text
+    return list(answer.json())
+
+
+def test_each_person_has_their_own_by_name(world: World) -> None:
+    assert save(world, world.producer, name="Zone 2", query="category=zone2").status_code == 201
+    assert save(world, world.producer, name="Late", query="need=must", page="sound_list").status_code == 201
+    assert save(world, world.designer, name="Zone 2", query="x=1").status_code == 201
+    assert [(one["name"], one["query"]) for one in views(world, world.producer)] == [
+        ("Late", "need=must"),
+        ("Zone 2", "category=zone2"),
+    ]
+    assert [one["query"] for one in views(world, world.designer)] == ["x=1"]
+    assert views(world, world.reviewer) == []
+
+
+def test_the_same_name_is_replaced(world: World) -> None:
+    first = save(world, world.producer).json()
+    assert save(world, world.producer, query="category=zone").json()["id"] == first["id"]
+    assert save(world, world.producer, page="sound_list").json()["id"] != first["id"]
+    assert [one["query"] for one in views(world, world.producer)] == ["category=zone", "own=true"]
+
+
+def test_only_its_owner_deletes_it(world: World) -> None:
+    view = save(world, world.producer).json()
+    url = f"/v1/saved-views/{view['id']}"
+    for client in (world.approver, world.designer, world.stranger):
+        assert client.delete(url).status_code == 404
+    assert world.producer.delete(url).status_code == 204
+    assert views(world, world.producer) == []
+
+
+def test_strangers_and_too_many(world: World) -> None:
+    assert save(world, world.stranger).status_code == 404
+    for number in range(MAX_VIEWS):
+        assert save(world, world.producer, name=f"View {number}").status_code == 201
+    refused = save(world, world.producer, name="One more")
+    assert (refused.status_code, refused.json()["code"]) == (422, "saved-view-invalid")
+    assert save(world, world.producer, query="x" * 2_001, name="View 1").status_code == 422
