@@ -16,19 +16,20 @@ import { adoptFolder, openAdoption, type Plan, planFolder, refreshAdopted } from
 import classes from './Adopt.module.css'
 import { canHash, type Folder, MOST_FILES, readFolder, soundsOf } from './folder'
 import { folderQueue, sendAll } from './folderUploads'
+import { type GameProject, packProject, projectIn, ProjectTooLarge } from './gameProject'
 import { PlanCard } from './PlanCard'
 
 type Stage =
   | { at: 'choose' }
   | { at: 'read'; done: number; of: number }
-  | { at: 'planned'; folder: Folder; plan: Plan }
+  | { at: 'planned'; folder: Folder; project: GameProject | null; plan: Plan }
   | { at: 'sending'; queue: UploadQueue; of: number }
   | { at: 'adopting' }
 
 class Refused extends Error {}
 
 const messageOf = (error: unknown): { detail: string; fix?: string } =>
-  error instanceof ApiProblem || error instanceof Refused
+  error instanceof ApiProblem || error instanceof Refused || error instanceof ProjectTooLarge
     ? { detail: error.message, fix: error instanceof ApiProblem ? error.fix : undefined }
     : { detail: 'A file could not be read from your disk.', fix: 'Choose the folder again.' }
 
@@ -39,6 +40,7 @@ export function ChooseFolder({ projectId }: { projectId: string }): ReactNode {
   const [stage, setStage] = useState<Stage>({ at: 'choose' })
   const [problem, setProblem] = useState<{ detail: string; fix?: string } | null>(null)
   const field = useRef<HTMLInputElement>(null)
+  const projectField = useRef<HTMLInputElement>(null)
 
   const attempt = async (act: () => Promise<void>, before: Stage) => {
     setProblem(null)
@@ -49,12 +51,29 @@ export function ChooseFolder({ projectId }: { projectId: string }): ReactNode {
       setStage(before)
     }
   }
+  const planned = useCallback(
+    (folder: Folder, project: GameProject | null) =>
+      planFolder(projectId, { folder: folder.name, files: folder.files, project }),
+    [projectId],
+  )
   const take = useCallback(
-    (picked: Picked[]) =>
+    (picked: Picked[], isProject = false) =>
       void attempt(
         async () => {
           if (!canHash()) throw new Refused('This page is not secure: open it by https, or use soundlist adopt.')
           const sounds = soundsOf(picked)
+          const found = projectIn(picked)
+          const sent = found ? await packProject(picked, found) : null
+          if (sent !== null && stage.at === 'planned' && (sounds.length === 0 || isProject)) {
+            setStage({ ...stage, project: sent, plan: await planned(stage.folder, sent) })
+            return
+          }
+          if (isProject || (sounds.length === 0 && sent !== null))
+            throw new Refused(
+              sent === null
+                ? 'There is no project in what you chose: no .wproj, .fspro, project.godot or Unity project.'
+                : 'This is the game’s project. Choose the folder of the sounds first.',
+            )
           if (sounds.length === 0) throw new Refused('There is no sound file in what you chose.')
           if (sounds.length > MOST_FILES)
             throw new Refused(
@@ -62,18 +81,18 @@ export function ChooseFolder({ projectId }: { projectId: string }): ReactNode {
             )
           setStage({ at: 'read', done: 0, of: sounds.length })
           const folder = await readFolder(sounds, (done) => setStage({ at: 'read', done, of: sounds.length }))
-          const plan = await planFolder(projectId, { folder: folder.name, files: folder.files })
-          setStage({ at: 'planned', folder, plan })
+          const project = sent ?? (stage.at === 'planned' ? stage.project : null)
+          setStage({ at: 'planned', folder, project, plan: await planned(folder, project) })
         },
-        { at: 'choose' },
+        stage.at === 'planned' ? stage : { at: 'choose' },
       ),
-    [projectId],
+    [planned, stage],
   )
   const isOver = usePageDrop((picked) => (stage.at === 'choose' || stage.at === 'planned') && take(picked))
   const adopt = (before: Stage & { at: 'planned' }) =>
     void attempt(async () => {
-      const { folder } = before
-      const opened = await openAdoption(projectId, { folder: folder.name, files: folder.files })
+      const { folder, project } = before
+      const opened = await openAdoption(projectId, { folder: folder.name, files: folder.files, project })
       const queue = folderQueue(opened.id)
       setStage({ at: 'sending', queue, of: opened.missing.length })
       const files = opened.missing.flatMap((path) => {
@@ -116,7 +135,28 @@ export function ChooseFolder({ projectId }: { projectId: string }): ReactNode {
             >
               {stage.at === 'choose' ? 'Choose a folder' : 'Choose another folder'}
             </Button>
-            <span className="mid">WAV and FLAC. You see what becomes of each file before anything is sent.</span>
+            {stage.at === 'planned' && (
+              <Button onClick={() => projectField.current?.click()}>
+                {stage.project === null ? 'Add the game’s project' : 'Choose another project'}
+              </Button>
+            )}
+            <span className="mid">
+              {stage.at === 'choose'
+                ? 'You see what becomes of each file before anything is sent.'
+                : 'A project of Wwise, FMOD Studio, Unity or Godot says which sounds are sets, loop, and at which level they play. Drop what export_sounds.py wrote for Unreal.'}
+            </span>
+            <input
+              ref={projectField}
+              type="file"
+              multiple
+              hidden
+              aria-label="Project of the game"
+              {...{ webkitdirectory: '' }}
+              onChange={(event) => {
+                take(filesOfField(event.currentTarget.files ?? []), true)
+                event.currentTarget.value = ''
+              }}
+            />
             <input
               ref={field}
               type="file"

@@ -23,6 +23,8 @@ export function PlanCard({
   waits?: string
 }): ReactNode {
   const categories = Object.entries(plan.categories)
+  const unused = plan.oddities.filter(({ code }) => code === 'unused')
+  const unusual = plan.oddities.filter(({ code }) => code !== 'unused')
   const nothing = plan.cues.length === 0 ? 'No file of this folder becomes a cue.' : undefined
   const why = waits ?? nothing
   return (
@@ -43,10 +45,27 @@ export function PlanCard({
             ))}
           </ul>
         )}
-        <Files head="Cues" rows={plan.cues.map(({ name, paths }) => [name, paths.join(', ')])} />
+        {plan.project && (
+          <p>
+            {plan.project.name} plays {plan.project.played} of these files. The level it plays each at counts as
+            approved.
+          </p>
+        )}
+        <Files
+          head="Files of the project that were not read"
+          rows={(plan.project?.unread ?? []).map((line) => [line, ''])}
+          isOpen
+        />
+        <Files head="Cues" rows={plan.cues.map((cue) => [cue.name, describe(cue)])} />
+        <Files
+          head="Not played by the game"
+          rows={unused.map(({ path, message }) => [path, message])}
+          note="They are adopted as well. Leave them out of the folder if the game no longer needs them."
+          isOpen
+        />
         <Files
           head="Unusual"
-          rows={plan.oddities.map(({ path, message }) => [path, message])}
+          rows={unusual.map(({ path, message }) => [path, message])}
           note="They are adopted as they are."
           isOpen
         />
@@ -67,6 +86,11 @@ export function PlanCard({
     </Card>
   )
 }
+
+const describe = ({ paths, loop, events }: Plan['cues'][number]): string =>
+  [paths.join(', '), ...(loop ? ['loops'] : []), ...(events.length > 0 ? [`played by ${events.join(', ')}`] : [])].join(
+    '; ',
+  )
 
 interface FilesProps {
   head: string

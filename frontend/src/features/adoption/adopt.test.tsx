@@ -1,4 +1,5 @@
 import { createHash } from 'node:crypto'
+import { gunzipSync } from 'node:zlib'
 
 import { fireEvent, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
@@ -10,12 +11,20 @@ import { inProject } from '@/test/project'
 import { answer, refusal, serve, wrote } from '@/test/server'
 
 import { formatOf, readFolder, soundsOf } from './folder'
+import { packProject, projectIn } from './gameProject'
 
 const AT = '2026-11-26T10:00:00Z'
 const PLAN = {
   cues: [
-    { name: 'click', file_name: 'click', category: 'ui', paths: ['ui/click.wav'] },
-    { name: 'grass', file_name: 'grass', category: 'steps', paths: ['steps/grass_01.wav', 'steps/grass_02.wav'] },
+    { name: 'click', file_name: 'click', category: 'ui', paths: ['ui/click.wav'], loop: true, events: ['Play_click'] },
+    {
+      name: 'grass',
+      file_name: 'grass',
+      category: 'steps',
+      paths: ['steps/grass_01.wav', 'steps/grass_02.wav'],
+      loop: false,
+      events: [],
+    },
   ],
   files: 3,
   sets: 1,
@@ -23,6 +32,15 @@ const PLAN = {
   duplicates: [['ui/click.wav', 'ui/tap.wav']],
   oddities: [{ path: 'ui/click.wav', code: 'format', message: '22050 Hz, most files have 44100 Hz' }],
   skipped: [{ path: 'theme.ogg', code: 'coded', message: 'masters are WAV or FLAC, found ogg' }],
+  project: null as object | null,
+}
+const PLAYED = {
+  name: 'Game.wproj',
+  engine: 'wwise',
+  version: '',
+  played: 2,
+  unread_count: 1,
+  unread: ['a.wwu: is not XML'],
 }
 const ADOPTION = {
   id: 'a1',
@@ -197,4 +215,79 @@ test('the sound list leads to it', async () => {
   openApp('/projects/p1/sound-list')
   const link = await screen.findByRole('link', { name: 'Adopt a folder that ships already' })
   await waitFor(() => expect(link).toHaveAttribute('href', '/projects/p1/sound-list/adopt'))
+})
+
+/** Unpack what was sent, as the server does. */
+const unpacked = (content: string): unknown => JSON.parse(gunzipSync(Buffer.from(content, 'base64')).toString())
+
+const textFile = (path: string, text: string) => {
+  const file = fileOf(new TextEncoder().encode(text), path.split('/').at(-1) ?? '')
+  Object.defineProperty(file, 'webkitRelativePath', { value: path })
+  return file
+}
+
+test('the project of the game is sent beside the folder, and what it says is shown', async () => {
+  const unused = { path: 'ui/tap.wav', code: 'unused', message: 'no event plays it in the project' }
+  const asked = open('producer', {
+    'POST /v1/projects/p1/adoption-plan': answer({ ...PLAN, oddities: [unused], project: PLAYED }),
+  })
+  const field = await screen.findByLabelText('Folder', undefined, { timeout: 5000 })
+  fireEvent.change(field, { target: { files: folderOf('ui/click.wav', 'ui/tap.wav') } })
+  await screen.findByRole('button', { name: 'Add the game’s project' })
+  fireEvent.change(screen.getByLabelText('Project of the game'), {
+    target: { files: [textFile('Game/Game.wproj', '<a/>'), textFile('Game/Events/e.wwu', '<b/>')] },
+  })
+  await screen.findByRole('button', { name: 'Choose another project' })
+  const plan = screen.getByRole('region', { name: 'What becomes of it' })
+  expect(within(plan).getByText(/Game.wproj plays 2 of these files/)).toBeVisible()
+  expect(within(plan).getByText('no event plays it in the project')).toBeVisible()
+  expect(within(plan).getByText('a.wwu: is not XML')).toBeVisible()
+  expect(within(plan).getByText('ui/click.wav; loops; played by Play_click')).toBeInTheDocument()
+  const sent = wrote(asked, 'POST /v1/projects/p1/adoption-plan').at(-1)?.body as {
+    project: { path: string; content_base64: string }
+  }
+  expect(sent.project.path).toBe('Game.wproj')
+  expect(unpacked(sent.project.content_base64)).toEqual({ 'Game.wproj': '<a/>', 'Events/e.wwu': '<b/>' })
+  await userEvent.keyboard('{Escape}')
+  await userEvent.click(within(plan).getByRole('button', { name: 'Adopt 3 files' }))
+  await waitFor(() => expect(wrote(asked, 'POST /v1/adoptions/a1/adopt')).toHaveLength(1))
+  expect(wrote(asked, 'POST /v1/projects/p1/adoptions')[0]?.body).toMatchObject({ project: { path: 'Game.wproj' } })
+})
+
+test('a folder without a project is refused as one, and the plan stays', async () => {
+  open()
+  const field = await screen.findByLabelText('Folder', undefined, { timeout: 5000 })
+  fireEvent.change(field, { target: { files: folderOf('ui/click.wav') } })
+  await screen.findByRole('region', { name: 'What becomes of it' })
+  fireEvent.change(screen.getByLabelText('Project of the game'), { target: { files: folderOf('ui/click.wav') } })
+  expect(await screen.findByText(/There is no project in what you chose/)).toBeVisible()
+  expect(screen.getByRole('region', { name: 'What becomes of it' })).toBeVisible()
+})
+
+test.each([
+  ['fmod', ['G/a.fspro', 'G/Metadata/e.xml', 'G/other.xml'], 'a.fspro', ['Metadata/e.xml', 'a.fspro']],
+  [
+    'godot',
+    ['G/project.godot', 'G/m.tscn', 'G/x.png', 'G/sub/project.godot'],
+    'project.godot',
+    ['m.tscn', 'project.godot'],
+  ],
+  [
+    'unity',
+    ['G/ProjectSettings/ProjectVersion.txt', 'G/Assets/a.wav.meta', 'G/Assets/t.png.meta', 'G/Library/l.asset'],
+    '',
+    ['Assets/a.wav.meta', 'ProjectSettings/ProjectVersion.txt'],
+  ],
+  ['unreal', ['sounds.json'], 'sounds.json', ['sounds.json']],
+])('the texts of a project of %s are found among its files', async (_, paths, name, wanted) => {
+  const picked = paths.map((path) => ({ path, file: textFile(path, 'text') }))
+  const found = projectIn(picked)
+  if (found === null) throw new Error('not found')
+  const { path, content_base64 } = await packProject(picked, found)
+  expect(path).toBe(name)
+  expect(Object.keys(unpacked(content_base64) as object).sort()).toEqual(wanted)
+})
+
+test('sounds alone are no project', () => {
+  expect(projectIn([{ path: 'Sounds/a.wav', file: textFile('Sounds/a.wav', '') }])).toBeNull()
 })
