@@ -40,7 +40,6 @@ PERSONAL = frozenset(
 TEAMS_OWN = frozenset(  # no designer reads them
     {
         *("hiring_scores", "hiring_roster_entries", "hiring_busy_ranges", "hiring_reel_sounds"),
-        *("scenes_beds", "scenes_sounds", "scenes_comparisons"),
         *("shares_guest_links", "shares_guest_sounds", "shares_guest_visits", "shares_guest_plays"),
         *("shares_guest_copies", "shares_playlists", "shares_playlist_entries", "shares_playlist_positions"),
         *("shares_live_sessions", "shares_live_listeners"),
