@@ -3,7 +3,7 @@
 from typing import Annotated
 from uuid import UUID
 
-from fastapi import Query
+from fastapi import Query, Response
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
@@ -12,6 +12,7 @@ from app.dashboards.designer_work import own_work, work_of_entry
 from app.dashboards.desk import Desk
 from app.dashboards.pace import pace
 from app.dashboards.pace_schemas import Pace
+from app.dashboards.reaper import reaper_project_of
 from app.dashboards.step_schemas import NextSteps
 from app.dashboards.work_schemas import WorkFigures
 from app.hiring.errors import RosterEntryNotFound
@@ -21,6 +22,7 @@ from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
 from app.sound_lists.endpoints import PageLength
 from app.sound_lists.rules import PAGE
 
+REAPER = "application/x-reaper"
 router = Router(prefix="/v1", tags=["dashboards"], route_class=Route)
 
 
@@ -97,6 +99,20 @@ def read_own_work(session: DbSession, actor: Actor = allows(Audience.PERSON)) ->
 def read_desk(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.DESIGNER)) -> schemas.Desk:
     """Return a designer's work in one project: how much of everything, and the first page of each list."""
     return Desk(session, actor, project_id).read()
+
+
+@router.get(
+    "/projects/{project_id}/desk/sounds.rpp",
+    response_class=Response,
+    responses={
+        **problems(ProjectNotFound, DesignerNeeded),
+        200: {"content": {REAPER: {"schema": {"type": "string"}}}},
+    },
+)
+def download_reaper_project(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.DESIGNER)) -> Response:
+    """Return a project for REAPER with a region for each file that the caller owes, and change requests as markers."""
+    headers = {"Content-Disposition": 'attachment; filename="sounds.rpp"'}
+    return Response(reaper_project_of(session, actor, project_id), media_type=REAPER, headers=headers)
 
 
 DESK_PROBLEMS = problems(ProjectNotFound, DesignerNeeded, BadCursor)
