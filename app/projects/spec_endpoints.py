@@ -11,13 +11,18 @@ import audio_checks
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience, Scope
 from app.kit.bodies import LARGE_BODY_BYTES
+from app.kit.fair_share import FairShare, TooManyAtOnce
 from app.kit.http import BadCursor, DbSession, Page, Route, Router, cursor_of, number_cursor, problems
 from app.kit.parsing_queue import ParsingBusy, parse_request
+from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
 from app.projects import schemas, service, specs
 from app.projects.errors import BadSpec, ProjectNotFound, SpecChanged, SpecVersionNotFound, TeamNeeded
 from app.projects.models import Spec
+from app.projects.service import project_access
+from app.projects.spec_pdf import spec_pdf
 
 PAGE_ROWS = 50
+PDFS = FairShare(1, "PDF")  # of the two that a process has in hand
 router = Router(prefix="/v1", tags=["projects"], route_class=Route)
 SentForm: TypeAlias = tuple[schemas.SpecFormChange, str]  # with the text that it comes to
 
@@ -66,6 +71,24 @@ def download_spec(
         return Response(status_code=304, headers=headers)
     headers["Content-Disposition"] = f'inline; filename="{specs.FILE_NAME}"'
     return PlainTextResponse(spec.toml, headers=headers)
+
+
+@router.get(
+    "/projects/{project_id}/spec.pdf",
+    response_class=Response,
+    responses={
+        **problems(ProjectNotFound, DocumentTooLarge, TypesettingBusy, TooManyAtOnce),
+        200: {"content": {"application/pdf": {"schema": {"type": "string", "format": "binary"}}}},
+    },
+)
+def download_spec_pdf(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> Response:
+    """Return the delivery spec as a page to read and to print."""
+    spec = service.spec_in_force(session, actor, project_id)
+    title = project_access(session, actor, project_id).project.name
+    with PDFS.of(actor.person):
+        content = spec_pdf(specs.read_spec(spec.toml), title=title, version=spec.version)
+    headers = {"Content-Disposition": 'inline; filename="spec.pdf"'}
+    return Response(content, media_type="application/pdf", headers=headers)
 
 
 @router.get("/projects/{project_id}/spec/versions", responses=problems(ProjectNotFound, BadCursor))

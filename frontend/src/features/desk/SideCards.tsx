@@ -66,6 +66,20 @@ export function ToMakeCard({ projectId, toMake, count, onChoose, onDrop }: ToMak
           </button>
         </p>
       )}
+      <p className={`small ${classes.plain}`}>
+        {count > 0 && (
+          <>
+            <a className="link" href={`/v1/projects/${projectId}/desk/sounds.rpp`} download>
+              REAPER project of what is owed
+            </a>{' '}
+            <span className="dim">a region for each file, change requests as markers</span>
+            <br />
+          </>
+        )}
+        <a className="link" href={`/v1/projects/${projectId}/spec.pdf`} target="_blank" rel="noreferrer">
+          Delivery spec as a PDF
+        </a>
+      </p>
     </Card>
   )
 }
