@@ -112,6 +112,20 @@ export const queryKeys = {
   adoptions: family<[projectId: string]>('adoptions'),
   adoption: family<[adoptionId: string, part?: 'plan']>('adoption'),
 
+  // scenes
+  scene: family<[takeId: string]>('scene'),
+  masking: family<[takeId: string, lanes: string]>('masking'),
+  bedSources: family<[projectId: string]>('bed-sources'),
+  comparison: family<[takeId: string, against: unknown]>('comparison'),
+
+  // shares
+  guestLinks: family<[projectId: string] | [part: 'visits', linkId: string]>('guest-links'),
+  playlists: family<[projectId: string]>('playlists'),
+  playlist: family<[playlistId: string, part?: 'live']>('playlist'),
+  savedViews: family<[projectId: string]>('saved-views'),
+  guestDoor: family<[secret: string]>('guest-door'),
+  guestRoom: family<[visit: string]>('guest-room'),
+
   // voice lines
   voiceLines:
     family<[projectId: string, part?: 'script' | 'lines' | 'pick-ups' | 'releases' | 'cue', ...of: unknown[]]>(
@@ -133,6 +147,9 @@ export const queryKeys = {
 
   // notifications, dashboards and operations
   outbox: family<[studioId: string]>('outbox'),
+  notices: family<[part: 'unread' | 'list']>('notices'),
+  peopleToMention: family<[takeId: string]>('people-to-mention'),
+  webhooks: family<[studioId: string] | [part: 'calls', webhookId: string]>('webhooks'),
   today: family<[projectId: string]>('today'),
   nextSteps: family<[projectId: string]>('next-steps'),
   desk: family<[projectId: string, list?: string]>('desk'),
@@ -146,6 +163,7 @@ export const queryKeys = {
 type SoundListPart =
   | 'list'
   | 'columns'
+  | 'people'
   | 'matrix'
   | 'open questions'
   | 'unmatched'
@@ -189,8 +207,10 @@ export const FIXED = wordsOf(
 
 /** Families that a change in these rooms affects; a change in any other room may affect every family. */
 export const AFFECTED_BY: Readonly<Record<string, ReadonlySet<string>>> = {
-  notifications: wordsOf(queryKeys.outbox),
+  notifications: wordsOf(queryKeys.outbox, queryKeys.notices),
+  webhooks: wordsOf(queryKeys.webhooks),
   references: wordsOf(queryKeys.references),
+  shares: wordsOf(queryKeys.guestLinks, queryKeys.playlists, queryKeys.playlist, queryKeys.savedViews),
   accounts: wordsOf(
     queryKeys.me,
     queryKeys.studioPeople,

@@ -220,6 +220,20 @@ export function wordsOf(step: NextStep, projectId: string): Words {
       return { head: `Fix ${plural(count, 'sound')}`, why: '', act: 'Fix', path: `${project}/desk` }
     case 'match':
       return { head: `Choose cues for ${plural(count, 'file')}`, why: '', act: 'Choose', path: `${project}/desk` }
+    case 'record':
+      return {
+        head: count === 1 ? 'Record a sound' : `Record ${plural(count, 'sound')}`,
+        why: 'The sound list names you, and no version has come yet.',
+        act: 'Show',
+        path: `${project}/sound-list`,
+      }
+    case 'implement':
+      return {
+        head: count === 1 ? 'Put an accepted sound in the game' : `Put ${plural(count, 'accepted sound')} in the game`,
+        why: 'The sound list names you. They are not in the build yet.',
+        act: 'Show',
+        path: `${project}/sound-list`,
+      }
     case 'make':
       return { head: `Make ${plural(count, 'sound')}`, why: '', act: 'Deliver', path: `${project}/desk` }
   }

@@ -16,6 +16,7 @@ import { contentOf, totalOf, type TypedLine, typedBid } from './bid'
 import classes from './Hiring.module.css'
 import { PostingFacts } from './PostingFacts'
 import { Refusal } from './Refusal'
+import { SamplesCard } from './SamplesCard'
 import { usePosting } from './usePosting'
 import { EXTRA_WORDS, UNIT_WORDS } from './words'
 
@@ -48,6 +49,7 @@ export function BidPage() {
       {!posting.nda_open && (
         <>
           <BidForm key={posting.own_bid?.revision ?? 0} posting={posting} />
+          <SamplesCard posting={posting} />
           <Questions posting={posting} />
         </>
       )}

@@ -18,6 +18,8 @@ import { Select } from '@/ui/Select'
 import { type ComparedBid, type Comparison, comparisonQuery, useAward, useScore, useShortlist } from './api'
 import classes from './Hiring.module.css'
 import { Refusal } from './Refusal'
+import { SampleLine } from './SampleLine'
+import { sameOfNext, useSamplePlayer } from './samples'
 import { busyInWords } from './roster/words'
 import { EXTRA_WORDS, period, UNIT_WORDS } from './words'
 
@@ -50,7 +52,16 @@ function Compared({ comparison, projectId }: { comparison: Comparison; projectId
     setChosen(bid.id)
     shortlist.mutate({ id: bid.id, on: !bid.is_shortlisted })
   }
+  const player = useSamplePlayer()
+  const hasSamples = bids.some(({ samples }) => samples.some((one) => one.is_open))
+  const playSame = () => {
+    const next = sameOfNext(bids, player.playingId)
+    if (next === null) return
+    setChosen(next.bid.id)
+    player.compare(next.id)
+  }
   useHotkeys([
+    { keys: 'b', label: 'Same sample of the next bid', group: GROUP, run: playSame, disabled: !hasSamples },
     ...bids.slice(0, 9).map((bid, at) => ({
       keys: String(at + 1),
       label: `Bid ${at + 1}`,
@@ -107,12 +118,14 @@ function Compared({ comparison, projectId }: { comparison: Comparison; projectId
               { keys: ['1'], label: 'bid' },
               { keys: ['s'], label: 'score' },
               { keys: ['l'], label: 'shortlist' },
+              ...(hasSamples ? [{ keys: ['b'], label: 'same sample of the next bid' }] : []),
               { keys: ['shift+Enter'], label: 'award' },
             ]}
           />
           <BidsTable
             comparison={comparison}
             chosenId={chosen.id}
+            player={player}
             onMark={mark}
             onAward={(bid) => {
               setChosen(bid.id)
@@ -134,11 +147,12 @@ function Compared({ comparison, projectId }: { comparison: Comparison; projectId
 interface BidsTableProps {
   comparison: Comparison
   chosenId: string
+  player: ReturnType<typeof useSamplePlayer>
   onMark: (bid: ComparedBid) => void
   onAward: (bid: ComparedBid) => void
 }
 
-function BidsTable({ comparison, chosenId, onMark, onAward }: BidsTableProps) {
+function BidsTable({ comparison, chosenId, player, onMark, onAward }: BidsTableProps) {
   const { bids, lines, currency, headings, rate_floor_minor: floor } = comparison
   const extras = [
     ...new Set(
@@ -246,6 +260,18 @@ function BidsTable({ comparison, chosenId, onMark, onAward }: BidsTableProps) {
             </>
           ))}
           {bids.some((bid) => bid.roster_entry_id) && row('Busy, by the roster', (bid) => <BusyCell bid={bid} />)}
+          {bids.some(({ samples }) => samples.length > 0) &&
+            lines
+              .filter(({ key }) => bids.some(({ samples }) => samples.some((one) => one.line_key === key)))
+              .map(({ key, label }) =>
+                row(`Samples, ${label}`, (bid) => {
+                  const ofLine = bid.samples.filter((one) => one.line_key === key)
+                  if (ofLine.length === 0) return <span className="mid">none</span>
+                  return ofLine.map((one) => (
+                    <SampleLine key={one.id} sample={one} {...player} onToggle={player.toggle} />
+                  ))
+                }),
+              )}
           {row('Note', (bid) => (
             <span className={classes.text}>{bid.content.note}</span>
           ))}

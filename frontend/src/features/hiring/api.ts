@@ -15,6 +15,7 @@ export type BidLine = Schemas['BidLine']
 export type BidContent = Schemas['BidContent']
 export type AskedLine = Schemas['AskedLine']
 
+const CHECKED_SOON_MS = 2000
 const at = (postingId: string) => ({ params: { path: { posting_id: postingId } } })
 
 export const postingsQuery = (projectId: string) =>
@@ -28,6 +29,8 @@ export const postingQuery = (postingId: string) =>
   queryOptions({
     queryKey: queryKeys.posting(postingId),
     queryFn: () => answered(api.GET('/v1/postings/{posting_id}', at(postingId))),
+    refetchInterval: ({ state: { data } }) =>
+      data?.own_bid?.samples.some(({ state }) => state === 'pending') ? CHECKED_SOON_MS : false,
   })
 
 export const comparisonQuery = (postingId: string) =>
@@ -143,6 +146,16 @@ export const useAnswer = (postingId: string) =>
 export const useAsk = (postingId: string) =>
   usePostingChange(postingId, (text: string) =>
     answered(api.POST('/v1/postings/{posting_id}/questions', { ...at(postingId), body: { text } })),
+  )
+
+export const useAddSample = (postingId: string) =>
+  usePostingChange(postingId, (body: Schemas['SampleAdd']) =>
+    answered(api.POST('/v1/postings/{posting_id}/bid/samples', { ...at(postingId), body })),
+  )
+
+export const useRemoveSample = (postingId: string) =>
+  usePostingChange(postingId, (id: string) =>
+    answered(api.DELETE('/v1/bid-samples/{bid_sample_id}', { params: { path: { bid_sample_id: id } } })),
   )
 
 export const useSaveBid = (postingId: string) =>

@@ -81,6 +81,7 @@ const aBid = (id: string, name: string, more: Partial<ComparedBid> = {}): Compar
   days_late: null,
   roster_entry_id: null,
   busy: [],
+  samples: [],
   own_scores: null,
   others: null,
   scored_by: 1,
@@ -235,6 +236,7 @@ test('a designer bids on the asked lines; what cannot be read is said, and what 
     sent_at: null,
     resent_at: null,
     differs: false,
+    samples: [],
     is_awarded: false,
   }
   server.answers['PUT /v1/postings/p1/bid'] = { ...seen, own_bid: own }

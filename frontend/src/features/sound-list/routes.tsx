@@ -2,6 +2,7 @@ import { createRoute, lazyRouteComponent } from '@tanstack/react-router'
 
 import { shellRoute } from '@/app/roots'
 
+import { readPersonFilter } from './people'
 import type { ListSearch } from './rows'
 import { NEEDS, STATUS_ORDER } from './words'
 
@@ -17,10 +18,11 @@ export const soundListRoutes = [
   createRoute({
     getParentRoute: () => shellRoute,
     path: '/projects/$projectId/sound-list',
-    validateSearch: ({ state, category, need, by, view, unclear, q }: Record<string, unknown>): ListSearch => ({
+    validateSearch: ({ state, category, need, person, by, view, unclear, q }: Record<string, unknown>): ListSearch => ({
       state: STATUS_ORDER.find((status) => status === state),
       category: typeof category === 'string' && category !== '' ? category : undefined,
       need: NEEDS.find(({ value }) => value === need)?.value,
+      person: readPersonFilter(person),
       view: view === 'content' ? view : undefined,
       by: by === 'category' || by === 'state' ? by : undefined,
       unclear: unclear === true ? true : undefined,

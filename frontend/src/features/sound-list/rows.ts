@@ -7,6 +7,7 @@ import { STATES, type StateKind } from '@/ui/State'
 
 import type { Cue, CueStatus, Question, CueProgress, Take } from './api'
 import type { FactQuestion } from './clarity'
+import { isOf, type PersonFilter } from './people'
 import { type Stands, standsOf } from './stands'
 import { NEEDS, STATUS_ORDER, STATUS_WORDS } from './words'
 
@@ -98,18 +99,20 @@ export interface Filter {
   state?: CueStatus
   category?: string
   need?: Need
+  person?: PersonFilter
   unclear?: boolean
   words: string
 }
 
 /** The rows that match: every typed word must stand somewhere in the row. */
-export function matching(rows: readonly CueRow[], { state, category, need, unclear, words }: Filter): CueRow[] {
+export function matching(rows: readonly CueRow[], { state, category, need, person, unclear, words }: Filter): CueRow[] {
   const wanted = words.toLowerCase().split(/\s+/).filter(Boolean)
   return rows.filter(
     (row) =>
       (state === undefined || row.status === state) &&
       (category === undefined || row.cue.category === category) &&
       (need === undefined || row.cue.need === need) &&
+      (person === undefined || isOf(row.cue, person)) &&
       (!unclear || row.unclear.length > 0) &&
       wanted.every((word) => row.text.includes(word)),
   )
@@ -122,6 +125,8 @@ export interface ListSearch {
   state?: CueStatus
   category?: string
   need?: Need
+  /** Who puts the cue in the game or records it. */
+  person?: PersonFilter
   by?: Grouping
   /** Which columns the table has; what the cues are, or where they stand. */
   view?: 'content'

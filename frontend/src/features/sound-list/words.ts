@@ -25,6 +25,10 @@ const FIELD_WORDS: Record<string, string> = {
   due_on: 'Needed by',
   placeholder: 'Placeholder in build',
   palette: 'Palette',
+  implementer: 'Puts it in the game',
+  implementer_id: 'Puts it in the game',
+  recorder: 'Records it',
+  recorder_id: 'Records it',
   extra: 'Custom columns',
 }
 
@@ -53,6 +57,8 @@ export const IMPORT_FIELDS: readonly { value: ImportField; label: string }[] = [
       'due_on',
       'placeholder',
       'palette',
+      'implementer',
+      'recorder',
     ] as const
   ).map((value) => ({ value, label: fieldWord(value) })),
   { value: 'extra', label: 'Keep as custom column' },

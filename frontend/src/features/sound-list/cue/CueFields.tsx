@@ -4,6 +4,7 @@ import type { OwnColumn } from '../columns/api'
 import { choicesOf } from '../columns/values'
 import classes from './CueFields.module.css'
 import type { CueDraft, DraftField, DraftValue, Faults } from './draft'
+import { type CuePerson, TASKS } from '../people'
 import { fieldWord, NEEDS, REVERBS, SETTLED } from '../words'
 
 interface CueFieldsProps {
@@ -12,11 +13,13 @@ interface CueFieldsProps {
   categories: readonly string[]
   /** The project's own columns, in order. */
   columns?: readonly OwnColumn[]
+  /** Who may be named. */
+  people?: readonly CuePerson[]
   onChange: (field: DraftField, value: DraftValue) => void
 }
 
 /** Every fact of a cue in fields; what cannot be read stays as it was typed, with a sentence below. */
-export function CueFields({ draft, faults, categories, columns = [], onChange }: CueFieldsProps) {
+export function CueFields({ draft, faults, categories, columns = [], people = [], onChange }: CueFieldsProps) {
   const text = (field: DraftField, place?: string) => ({
     label: fieldWord(field),
     className: place && classes[place],
@@ -53,6 +56,14 @@ export function CueFields({ draft, faults, categories, columns = [], onChange }:
       <NativeSelect {...text('reverb')} size="xs" data={[...REVERBS]} />
       <TextInput {...text('playback_priority')} inputMode="numeric" />
       <TextInput {...text('due_on')} type="date" />
+      {TASKS.map(({ fact }) => (
+        <NativeSelect
+          key={fact}
+          {...text(fact)}
+          size="xs"
+          data={[{ value: '', label: '–' }, ...people.map(({ id, name }) => ({ value: id, label: name }))]}
+        />
+      ))}
       <fieldset className={classes.flags}>
         <legend className="visually-hidden">Properties</legend>
         {flag('loop', 'Loop')}

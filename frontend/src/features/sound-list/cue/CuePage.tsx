@@ -32,6 +32,7 @@ import { EditCue } from './EditCue'
 import { History } from './History'
 import { keepLastCue } from '../lastCue'
 import { AskForm, QuestionLine } from './Questions'
+import { cuePeopleQuery, namesOf, TASKS } from '../people'
 import { categoriesOf, rowsOf } from '../rows'
 import { Versions } from './Versions'
 import { REVERBS, SETTLED } from '../words'
@@ -180,7 +181,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
               <EditCue cue={cue} projectId={projectId} categories={categories} onClose={() => setDoing(null)} />
             )}
             {doing === 'cut' && <CutCue cue={cue} projectId={projectId} onClose={() => setDoing(null)} />}
-            {doing !== 'edit' && <Facts cue={cue} />}
+            {doing !== 'edit' && <Facts cue={cue} projectId={projectId} />}
             <div className={classes.inside}>
               <VoiceLineWhereAny projectId={projectId} cueId={cue.id} />
               <ReferenceStrip projectId={projectId} cueId={cue.id} mayAdd={mayEdit} />
@@ -239,7 +240,9 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
 const wordOf = (options: readonly { value: string; label: string }[], value: string): string =>
   options.find((option) => option.value === value)?.label ?? ''
 
-function Facts({ cue }: { cue: CueDetail }) {
+function Facts({ cue, projectId }: { cue: CueDetail; projectId: string }) {
+  const { data: people } = useQuery(cuePeopleQuery(projectId))
+  const names = namesOf(people ?? [])
   const facts: [string, ReactNode][] = [
     ['Need', <NeedMark key="need" need={cue.need} />],
     ['Use in the game', cue.use],
@@ -257,6 +260,7 @@ function Facts({ cue }: { cue: CueDetail }) {
     ['Reverb', cue.reverb && wordOf(REVERBS, cue.reverb).toLowerCase()],
     ['Priority', cue.playback_priority],
     ['Needed by', cue.due_on && day(cue.due_on)],
+    ...TASKS.map(({ fact, label }): [string, ReactNode] => [label, names.get(cue[fact] ?? '') ?? null]),
     ['Placeholder', cue.placeholder && 'the build has a placeholder, which must not ship'],
     ['Palette', cue.palette && 'reference for new sounds'],
     [

@@ -25,6 +25,7 @@ import {
   refusedRows,
   touched,
 } from './draft'
+import { cuePeopleQuery, inNames } from '../people'
 import classes from './Panel.module.css'
 
 interface Kept {
@@ -49,6 +50,7 @@ export function EditCue({ cue, projectId, categories, onClose, more }: EditCuePr
   const client = useQueryClient()
   const change = useChangeCue(projectId)
   const { data: columns } = useQuery(columnsQuery(projectId))
+  const { data: people } = useQuery(cuePeopleQuery(projectId))
   const [{ base, draft }, setEdit] = useState<Kept>(
     () => keptDraft<Kept>(keyOf(cue)) ?? { base: cue, draft: draftOf(cue) },
   )
@@ -136,7 +138,7 @@ export function EditCue({ cue, projectId, categories, onClose, more }: EditCuePr
             <span className="strong toned">Someone else changed {cue.name} meanwhile.</span> Your changes are kept. Save
             again to replace theirs.
           </p>
-          <Changes changes={theirs} />
+          <Changes changes={inNames(theirs, people ?? [])} />
         </div>
       )}
       <DraftNote
@@ -149,7 +151,14 @@ export function EditCue({ cue, projectId, categories, onClose, more }: EditCuePr
           },
         }}
       />
-      <CueFields draft={draft} faults={faults} categories={categories} columns={columns?.columns} onChange={put} />
+      <CueFields
+        draft={draft}
+        faults={faults}
+        categories={categories}
+        columns={columns?.columns}
+        people={people}
+        onChange={put}
+      />
       {whole.map((sentence) => (
         <ProblemNote key={sentence} detail={sentence} />
       ))}

@@ -22,6 +22,9 @@ export interface CueDraft {
   due_on: string
   placeholder: boolean
   palette: boolean
+  /** Ids of people; empty for no one. */
+  implementer_id: string
+  recorder_id: string
   /** Values in the project's own columns, and in kept ones, by the column's name. */
   extra: Record<string, string>
 }
@@ -50,6 +53,8 @@ export const EMPTY_DRAFT: CueDraft = {
   due_on: '',
   placeholder: false,
   palette: false,
+  implementer_id: '',
+  recorder_id: '',
   extra: {},
 }
 
@@ -67,6 +72,8 @@ export function draftOf(cue: Cue): CueDraft {
     variations: String(cue.variations),
     reverb: cue.reverb ?? '',
     due_on: cue.due_on ?? '',
+    implementer_id: cue.implementer_id ?? '',
+    recorder_id: cue.recorder_id ?? '',
   }
 }
 
@@ -101,7 +108,9 @@ export interface ReadDraft {
 
 /** What a draft says, and what in it cannot be read. */
 export function readDraft(draft: CueDraft): ReadDraft {
-  const facts: Record<string, unknown> = { ...draft, reverb: draft.reverb || null, due_on: draft.due_on || null }
+  const facts: Record<string, unknown> = { ...draft }
+  for (const field of ['reverb', 'due_on', 'implementer_id', 'recorder_id'] as const)
+    facts[field] = draft[field] || null
   const faults: Faults = {}
   for (const [field, figure] of Object.entries(FIGURES) as [DraftField, Figure][]) {
     const read = readFigure(draft[field] as string, figure)

@@ -24,7 +24,7 @@ export function useImport(projectId: string) {
   })
 }
 
-export type SharedField = 'category' | 'state' | 'need' | 'placeholder' | 'palette'
+export type SharedField = 'category' | 'state' | 'need' | 'placeholder' | 'palette' | 'implementer' | 'recorder'
 
 const quoted = (text: string): string => `"${text.replaceAll('"', '""')}"`
 const written = (value: string | boolean): string => (typeof value === 'boolean' ? (value ? 'yes' : 'no') : value)

@@ -11,6 +11,7 @@ import { State } from '@/ui/State'
 import type { OwnColumn } from '../columns/api'
 import { ValueCell } from '../columns/ValueCell'
 import classes from './CueTable.module.css'
+import { TASKS } from '../people'
 import { blocksOf, type CueRow, type Group } from '../rows'
 import { useVirtualRows } from '../useVirtualRows'
 
@@ -45,6 +46,8 @@ interface CueTableProps {
   playingId: string | null
   /** The project's own columns where the table shows what the cues are; null where it shows where they stand. */
   columns: readonly OwnColumn[] | null
+  /** Names by id where the table shows who puts cues in the game and records them. */
+  people: ReadonlyMap<string, string> | null
   /** What is open below a row: its fields, its questions. */
   open: { id: string; inside: ReactNode } | null
   onSelect: (id: string) => void
@@ -61,7 +64,9 @@ export function CueTable(props: CueTableProps) {
   const places = useMemo(() => new Map(items.map(({ key }, place) => [key, place])), [items])
   const narrow = window.matchMedia('(max-width: 760px)').matches
   const columns = narrow ? null : props.columns
-  const scrolls = columns !== null && columns.length > MOST_ON_SCREEN
+  const people = columns === null ? null : props.people
+  const added = columns === null ? 0 : columns.length + (people === null ? 0 : TASKS.length)
+  const scrolls = added > MOST_ON_SCREEN
   const estimate = useCallback(
     (place: number) => {
       const item = items[place]
@@ -94,12 +99,12 @@ export function CueTable(props: CueTableProps) {
     if (openId !== undefined) table.current?.querySelector('tr[data-open]')?.scrollIntoView({ block: 'nearest' })
   }, [openId])
 
-  const width = columns === null ? STATE_COLUMNS : CONTENT_COLUMNS + columns.length
+  const width = columns === null ? STATE_COLUMNS : CONTENT_COLUMNS + added
   const drawnTable = (
     <table
       ref={table}
       className={classes.table}
-      style={scrolls ? { width: `max(100%, ${FIXED_PX + columns.length * OWN_PX}px)` } : undefined}
+      style={scrolls ? { width: `max(100%, ${FIXED_PX + added * OWN_PX}px)` } : undefined}
       data-scrolls={scrolls || undefined}
       aria-label="Sound list"
       aria-rowcount={items.length + 1}
@@ -118,7 +123,7 @@ export function CueTable(props: CueTableProps) {
             <col className={classes.stateColumn} />
           </>
         ) : (
-          columns.map(({ id }) => <col key={id} className={classes.ownColumn} />)
+          Array.from({ length: added }, (_, at) => <col key={at} className={classes.ownColumn} />)
         )}
         <col />
       </colgroup>
@@ -141,6 +146,12 @@ export function CueTable(props: CueTableProps) {
             </>
           ) : (
             <>
+              {people !== null &&
+                TASKS.map(({ task, label }) => (
+                  <th key={task} scope="col">
+                    {label}
+                  </th>
+                ))}
               {columns.map(({ id, name, kind }) => (
                 <th key={id} scope="col" className={kind === 'number' ? 'num' : undefined} title={name}>
                   {name}
@@ -186,6 +197,7 @@ export function CueTable(props: CueTableProps) {
               mayPick={mayPick}
               playing={row.id === playingId}
               columns={columns}
+              people={people}
               onSelect={onSelect}
               onPick={onPick}
               onPlay={onPlay}
@@ -218,6 +230,7 @@ interface LineProps {
   mayPick: boolean
   playing: boolean
   columns: readonly OwnColumn[] | null
+  people: ReadonlyMap<string, string> | null
   onSelect: (id: string) => void
   onPick: (id: string, extend: boolean) => void
   onPlay: (row: CueRow) => void
@@ -235,6 +248,7 @@ const Line = memo(function Line(props: LineProps) {
     mayPick,
     playing,
     columns,
+    people,
     onSelect,
     onPick,
     onPlay,
@@ -299,6 +313,12 @@ const Line = memo(function Line(props: LineProps) {
         <StateCells row={row} selected={selected} playing={playing} onSelect={onSelect} onPlay={onPlay} />
       ) : (
         <>
+          {people !== null &&
+            TASKS.map(({ task, fact }) => (
+              <td key={task} className="mid">
+                {people.get(cue[fact] ?? '') ?? ''}
+              </td>
+            ))}
           {columns.map((column) => (
             <td key={column.id} className={column.kind === 'number' ? 'num' : undefined} data-own>
               <ValueCell cue={cue} column={column} projectId={projectId} mayEdit={mayPick} />

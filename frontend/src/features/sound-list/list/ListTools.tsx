@@ -6,6 +6,7 @@ import { Key } from '@/ui/Key'
 import { Segmented } from '@/ui/Segmented'
 
 import type { CueStatus } from '../api'
+import { type CuePerson, readPersonFilter, TASKS } from '../people'
 import { type CueRow, type Grouping, kindOf, type ListSearch } from '../rows'
 import classes from './SoundList.module.css'
 import { NEEDS, STATUS_ORDER, STATUS_WORDS } from '../words'
@@ -13,6 +14,7 @@ import { NEEDS, STATUS_ORDER, STATUS_WORDS } from '../words'
 interface ListToolsProps {
   rows: readonly CueRow[]
   categories: readonly string[]
+  people: readonly CuePerson[]
   search: ListSearch
   words: string
   chips: RefObject<HTMLDivElement | null>
@@ -22,7 +24,17 @@ interface ListToolsProps {
 }
 
 /** What the list shows: by state, by category, by words, and under which headings. */
-export function ListTools({ rows, categories, search, words, chips, filter, onSearch, onWords }: ListToolsProps) {
+export function ListTools({
+  rows,
+  categories,
+  people,
+  search,
+  words,
+  chips,
+  filter,
+  onSearch,
+  onWords,
+}: ListToolsProps) {
   const counts = new Map<CueStatus, number>()
   for (const { status } of rows) counts.set(status, (counts.get(status) ?? 0) + 1)
   const unclear = rows.filter((row) => row.unclear.length > 0).length
@@ -117,6 +129,29 @@ export function ListTools({ rows, categories, search, words, chips, filter, onSe
           </select>
           <Icon name="chevron" />
         </span>
+        {(search.person !== undefined ||
+          rows.some(({ cue }) => cue.implementer_id !== null || cue.recorder_id !== null)) && (
+          <span className={classes.select}>
+            <select
+              aria-label="Person"
+              value={search.person ?? ''}
+              onChange={(event) => onSearch({ person: readPersonFilter(event.currentTarget.value) })}
+            >
+              <option value="">Any person</option>
+              {TASKS.map(({ task, label }) => (
+                <optgroup key={task} label={label}>
+                  {people.map(({ id, name }) => (
+                    <option key={id} value={`${task}:${id}`}>
+                      {name}
+                    </option>
+                  ))}
+                  <option value={`${task}:none`}>No one</option>
+                </optgroup>
+              ))}
+            </select>
+            <Icon name="chevron" />
+          </span>
+        )}
         <label className={classes.find}>
           <Icon name="search" />
           <span className="visually-hidden">Filter the list</span>

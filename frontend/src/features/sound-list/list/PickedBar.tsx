@@ -8,6 +8,7 @@ import { ProblemNote } from '@/ui/ProblemNote'
 
 import { type Cue, problemIn } from '../api'
 import { type SharedField, useSetForSeveral } from '../import/api'
+import { type CuePerson, TASKS } from '../people'
 import classes from './SoundList.module.css'
 import { NEEDS, SETTLED } from '../words'
 
@@ -15,11 +16,12 @@ interface PickedBarProps {
   projectId: string
   cues: readonly Cue[]
   categories: readonly string[]
+  people: readonly CuePerson[]
   onClear: () => void
 }
 
 /** How many cues are selected, and what can be said of all of them at once. */
-export function PickedBar({ projectId, cues, categories, onClear }: PickedBarProps) {
+export function PickedBar({ projectId, cues, categories, people, onClear }: PickedBarProps) {
   const [category, setCategory] = useState('')
   const set = useSetForSeveral(projectId)
   const problem = problemIn(set.error)
@@ -27,13 +29,13 @@ export function PickedBar({ projectId, cues, categories, onClear }: PickedBarPro
   const cut = cues.length - live.length
 
   const put = (field: SharedField, value: string | boolean, done: string) => {
-    const differing = live.filter((cue) => cue[field] !== value)
+    const differing = live.filter((cue) => valueOf(cue, field) !== value)
     if (set.isPending) return
     if (differing.length === 0) {
       showToast(`${plural(live.length, 'cue')} already had this value.`)
       return
     }
-    const before = differing.map((cue) => ({ cue, value: cue[field] }))
+    const before = differing.map((cue) => ({ cue, value: valueOf(cue, field) }))
     set.mutate(
       { field, values: differing.map((cue) => ({ cue, value })) },
       {
@@ -109,6 +111,30 @@ export function PickedBar({ projectId, cues, categories, onClear }: PickedBarPro
           </select>
           <Icon name="chevron" />
         </span>
+        {TASKS.map(({ task, label }) => (
+          <span key={task} className={classes.select}>
+            <select
+              aria-label={`${label}, of the selected cues`}
+              value=""
+              onChange={(event) => {
+                const id = event.currentTarget.value === 'none' ? '' : event.currentTarget.value
+                const name = people.find((person) => person.id === id)?.name
+                put(task, id, name === undefined ? 'set to no one' : `set to ${name}`)
+              }}
+            >
+              <option value="" disabled>
+                {label}
+              </option>
+              {people.map(({ id, name }) => (
+                <option key={id} value={id}>
+                  {name}
+                </option>
+              ))}
+              <option value="none">No one</option>
+            </select>
+            <Icon name="chevron" />
+          </span>
+        ))}
         <Button
           icon="dashedSquare"
           onClick={() => put('placeholder', true, 'marked as having a placeholder in the build')}
@@ -125,4 +151,9 @@ export function PickedBar({ projectId, cues, categories, onClear }: PickedBarPro
       {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
     </>
   )
+}
+
+function valueOf(cue: Cue, field: SharedField): string | boolean {
+  if (field === 'implementer') return cue.implementer_id ?? ''
+  return field === 'recorder' ? (cue.recorder_id ?? '') : cue[field]
 }

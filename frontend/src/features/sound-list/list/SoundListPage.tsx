@@ -23,6 +23,7 @@ import {
 import { clarityQuery } from '../clarity'
 import { columnsQuery, type OwnColumn } from '../columns/api'
 import { nextNeed } from '../need'
+import { type CuePerson, cuePeopleQuery, namesOf } from '../people'
 import { categoriesOf, type CueRow, groupsOf, type ListSearch, matching, needSumsOf, rowsOf, sumsOf } from '../rows'
 import { AddCues } from './AddCues'
 import { CuePanel, type PanelKind } from './CuePanel'
@@ -39,6 +40,7 @@ import { usePastedRows } from './usePastedRows'
 
 const NO_CUES: Cue[] = []
 const NO_COLUMNS: OwnColumn[] = []
+const NO_PEOPLE: CuePerson[] = []
 
 /** The sound list: every cue on one line, and everything that is done to it in place. */
 export function SoundListPage(): ReactNode {
@@ -54,6 +56,7 @@ export function SoundListPage(): ReactNode {
   const { data: unmatched } = useQuery(unmatchedQuery(projectId))
   const { data: unclear } = useQuery(clarityQuery(projectId))
   const { data: own } = useQuery(columnsQuery(projectId))
+  const { data: people = NO_PEOPLE } = useQuery(cuePeopleQuery(projectId))
   const change = useChangeCue(projectId)
   const [player, playing] = usePlayer()
 
@@ -69,11 +72,11 @@ export function SoundListPage(): ReactNode {
   )
   const categories = useMemo(() => categoriesOf(rows), [rows])
   const needs = useMemo(() => needSumsOf(rows), [rows])
-  const { state, category, need, view, by = 'list', unclear: onlyUnclear, q: words = '' } = search
+  const { state, category, need, person, view, by = 'list', unclear: onlyUnclear, q: words = '' } = search
   const sought = useDeferredValue(words)
   const groups = useMemo(
-    () => groupsOf(matching(rows, { state, category, need, unclear: onlyUnclear, words: sought }), by),
-    [rows, state, category, need, onlyUnclear, sought, by],
+    () => groupsOf(matching(rows, { state, category, need, person, unclear: onlyUnclear, words: sought }), by),
+    [rows, state, category, need, person, onlyUnclear, sought, by],
   )
   const shown = useMemo(() => groups.flatMap((group) => group.rows), [groups])
   const { selected, selectedId, select, step, picked, pick, unpick } = useCueSelection(projectId, shown)
@@ -138,8 +141,15 @@ export function SoundListPage(): ReactNode {
     )
   }, [selectedId])
   const clear = () => {
-    if (state !== undefined || category !== undefined || need !== undefined || onlyUnclear || words !== '')
-      onSearch({ state: undefined, category: undefined, need: undefined, unclear: undefined, q: undefined })
+    if ([state, category, need, person].some((filter) => filter !== undefined) || onlyUnclear || words !== '')
+      onSearch({
+        state: undefined,
+        category: undefined,
+        need: undefined,
+        person: undefined,
+        unclear: undefined,
+        q: undefined,
+      })
   }
   const escape = () => {
     if (panel) closePanel()
@@ -173,6 +183,8 @@ export function SoundListPage(): ReactNode {
   const openRow = panel && rows.find(({ id }) => id === panel.id)
   const playingTake = playing.status === 'playing' || playing.status === 'loading' ? playing.sourceId : null
   const playingId = rows.find(({ progress: of }) => playingTake !== null && of?.newest_take?.id === playingTake)?.id
+  const names = useMemo(() => namesOf(people), [people])
+  const named = cues.some((cue) => cue.implementer_id !== null || cue.recorder_id !== null)
   const isEmpty = list.isSuccess && cues.length === 0
 
   return (
@@ -205,12 +217,13 @@ export function SoundListPage(): ReactNode {
         />
       )}
       {picked.size > 0 ? (
-        <PickedBar projectId={projectId} cues={pickedCues} categories={categories} onClear={unpick} />
+        <PickedBar projectId={projectId} cues={pickedCues} categories={categories} people={people} onClear={unpick} />
       ) : (
         cues.length > 0 && (
           <ListTools
             rows={rows}
             categories={categories}
+            people={people}
             search={search}
             words={words}
             chips={chips}
@@ -255,6 +268,7 @@ export function SoundListPage(): ReactNode {
           picked={picked}
           mayPick={rights.edits}
           playingId={playingId ?? null}
+          people={view === 'content' && named ? names : null}
           columns={view === 'content' ? (own?.columns ?? NO_COLUMNS) : null}
           open={
             openRow && panel
