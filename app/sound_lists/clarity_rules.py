@@ -35,6 +35,9 @@ class Fact(StrEnum):
     MOOD = "mood"
     LOOP = "loop"
     LENGTH = "length"
+    CHARACTER = "character"
+    WORDS = "words"
+    DIRECTION = "direction"
 
 
 @dataclass(frozen=True)
@@ -105,6 +108,15 @@ def lexicon() -> Lexicon:
 
 
 NAMELESS = (Question(Fact.SOURCE, "Of what?", ("a tool", "a stone", "a person")),)  # of neither a kind nor a thing
+VOICE_CATEGORIES = frozenset({"dialogue", "narration", "vo", "voice", "voice-over", "voiceover", "voices", "vox"})
+VOICE_WORDS = frozenset({"vo", "voice", "voiceover", "vox"})  # that say of a cue only that it is a line
+VOICE_LINE = (  # what is spoken needs these, and no size and no place
+    Question(Fact.CHARACTER, "Who speaks?", ("the player", "a guard", "a narrator")),
+    Question(Fact.WORDS, "What is said?", ("one word", "one sentence", "it is with the script")),
+    Question(Fact.DIRECTION, "How is it spoken?", ("calmly", "shouted", "whispered")),
+)
+SCRIPTED = re.compile(r"\bwith the (voice lines|script)\b", re.IGNORECASE)  # the words, and all else of the line
+SPOKEN = re.compile(r"[\"“„«][^\"”“»]{2,}[\"”“»]")  # words in quotation marks
 BY_KIND = {Fact.SIZE, Fact.MOOD, Fact.MATERIAL, Fact.DISTANCE}  # a word of the kind says none of these
 STATED = re.compile(rf"\b({'|'.join(Fact)}): ", re.IGNORECASE)
 WORD = re.compile(r"[^\W\d_]+(?:-[^\W\d_]+)*|\d+")
@@ -126,6 +138,10 @@ ENDINGS = (
 def questions(name: str, category: str, description: str, loop: bool, has_length: bool) -> tuple[Question, ...]:
     """Return what a request leaves open, the most needed first: none where a designer can begin."""
     named, said = _words(name), _words(description)
+    if category.lower() in VOICE_CATEGORIES and not any(
+        word.kinds and not word.forms & VOICE_WORDS for word in (*named, *said)
+    ):
+        return _open_in_voice_line(description, said)
     place = _place_of_kind(named, said, category)
     kind = None if place is None else lexicon().kinds[place]
     every = [*named, *said]
@@ -154,6 +170,20 @@ def questions(name: str, category: str, description: str, loop: bool, has_length
     needs = kind.needs if kind else () if things or found else NAMELESS
     needless = "vague" if things else "named"
     return tuple(one for one in needs if one.fact not in found and one.only_if != needless)[:MAX_QUESTIONS]
+
+
+def _open_in_voice_line(description: str, said: Collection[Word]) -> tuple[Question, ...]:
+    """Return what the request for a spoken line leaves open; the script says all of a line that stands in it."""
+    if SCRIPTED.search(description):
+        return ()
+    found = {Fact(match[1].lower()) for match in STATED.finditer(description)}
+    if SPOKEN.search(description):
+        found.add(Fact.WORDS)
+    if any("people" in word.lists or Fact.SOURCE in word.facts for word in said):
+        found.add(Fact.CHARACTER)
+    if any(word.facts & {Fact.MOOD, Fact.INTENSITY} for word in said):
+        found.add(Fact.DIRECTION)
+    return tuple(one for one in VOICE_LINE if one.fact not in found)
 
 
 def _place_of_kind(named: Collection[Word], said: Collection[Word], category: str) -> int | None:

@@ -55,6 +55,24 @@ def test_the_category_speaks_where_the_words_do_not() -> None:
     assert facts_of("level_3", "as before", category="ambience", loop=True) == [Fact.PLACE, Fact.MOOD]
 
 
+def test_a_voice_line_is_asked_for_what_is_spoken_and_never_for_a_mood_or_a_place() -> None:
+    line = [Fact.CHARACTER, Fact.WORDS, Fact.DIRECTION]
+    assert facts_of("vo_captain_010", category="vo") == line
+    assert facts_of("captain_010", "the first of three", category="dialogue") == line
+    assert facts_of("captain_010", 'A guard, angry: "Halt at once!"', category="vo") == []
+    assert facts_of("captain_010", "A woman", category="voice") == [Fact.WORDS, Fact.DIRECTION]
+    scripted = "Voice line captain_010 of Captain, de: its text is with the voice lines."
+    assert facts_of("de_captain_010", scripted, category="vo") == []
+    said = "The second line"
+    for one in questions("captain_010", "vo", said, False, False):
+        said += f". {one.fact.value.capitalize()}: {one.answers[0]}"
+    assert facts_of("captain_010", said, category="vo") == []
+
+
+def test_a_cry_without_words_is_asked_as_a_sound() -> None:
+    assert Fact.WORDS not in facts_of("guard_scream", category="vo")
+
+
 def test_what_was_answered_is_not_asked_again() -> None:
     said = "A splash"
     for one in questions("splash", "", said, False, False):
