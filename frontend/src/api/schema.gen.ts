@@ -925,6 +925,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/spec.pdf": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Download Spec Pdf
+         * @description Return the delivery spec as a page to read and to print.
+         */
+        get: operations["download_spec_pdf"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/spec/versions": {
         parameters: {
             query?: never;
@@ -1705,6 +1725,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/cue-people": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Cue People
+         * @description Return who may be named as implementer or recorder of a cue, by name; a designer sees only themselves.
+         */
+        get: operations["list_cue_people"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/references": {
         parameters: {
             query?: never;
@@ -2123,6 +2163,66 @@ export interface paths {
          * @description Sign in as the person whose personal link it is, with an account made now if the address has none.
          */
         post: operations["open_account_by_posting_link"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/postings/{posting_id}/bid/samples": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Add Bid Sample
+         * @description Add a sound to one's bid and have it checked by the project's spec; the studio hears it once the bid is sent.
+         */
+        post: operations["add_bid_sample"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/bid-samples/{bid_sample_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Remove Bid Sample
+         * @description Take a sound off one's bid.
+         */
+        delete: operations["remove_bid_sample"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/bid-samples/{bid_sample_id}/file": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Bid Sample
+         * @description Send a sound of a bid as it came, parts of it by Range: to its designer and, once sent, to the team.
+         */
+        get: operations["get_bid_sample"];
+        put?: never;
+        post?: never;
         delete?: never;
         options?: never;
         head?: never;
@@ -5143,6 +5243,66 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/comments/{comment_id}/reopen": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Reopen Comment
+         * @description Open advice again that was marked as seen to.
+         */
+        post: operations["reopen_comment"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/comments/{comment_id}/acknowledgement": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Acknowledge Comment
+         * @description Say that the caller, whom a comment mentions or whose sound it is about, has seen it.
+         */
+        post: operations["acknowledge_comment"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/takes/{take_id}/people": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List People To Mention
+         * @description Return the people who may see a version, without the caller: those who can be mentioned there, by name.
+         */
+        get: operations["list_people_to_mention"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/takes/{take_id}/carried-notes/{note_id}": {
         parameters: {
             query?: never;
@@ -5238,6 +5398,426 @@ export interface paths {
         put?: never;
         post?: never;
         delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/guest-links": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Guest Links
+         * @description Return the guest links of a project, those that open nothing any more included, newest first.
+         */
+        get: operations["list_guest_links"];
+        put?: never;
+        /**
+         * Add Guest Link
+         * @description Make a link by which people without an account hear what it names as it is now.
+         */
+        post: operations["add_guest_link"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/guest-links/{guest_link_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        /**
+         * Change Guest Link
+         * @description Change until when and how often a link opens, and whether guests may comment.
+         */
+        patch: operations["change_guest_link"];
+        trace?: never;
+    };
+    "/v1/guest-links/{guest_link_id}/revoke": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Revoke Guest Link
+         * @description Let a link open nothing any more, at once and for good, visits that began included.
+         */
+        post: operations["revoke_guest_link"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/guest-links/{guest_link_id}/address": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Guest Link Address
+         * @description Show the address of a link again, to the person who made it.
+         */
+        get: operations["get_guest_link_address"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/guest-links/{guest_link_id}/visits": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Guest Visits
+         * @description Return who opened a link, when, and which sounds they played how often, newest first.
+         */
+        get: operations["list_guest_visits"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/guest-doors/{secret}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * See Guest Door
+         * @description Return whether a link asks for a password; 404 in the same words for every link that opens nothing.
+         */
+        get: operations["see_guest_door"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/guest-visits/{secret}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Guest Room
+         * @description Return what a visit shows: names, lengths and shapes of the shared sounds, and nothing of those who made them.
+         */
+        get: operations["get_guest_room"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/guest-visits/{secret}/sounds/{place}/plays": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Record Guest Play
+         * @description Count one playing of a sound; its preview is sent to guests of whom one is on record.
+         */
+        post: operations["record_guest_play"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/guest-visits/{secret}/sounds/{place}/preview": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Guest Preview
+         * @description Play a sound: at most 48 kHz, 16 bit, without metadata, with beeps where the link has them; never the master.
+         */
+        get: operations["get_guest_preview"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/guest-doors/{secret}/visits": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Open Guest Link
+         * @description Open a link under a name; guesses at its password are limited as those at an account's.
+         */
+        post: operations["open_guest_link"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/guest-visits/{secret}/sounds/{place}/comments": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Add Guest Comment
+         * @description Write advice on a sound, which everyone who sees its version reads as from a guest.
+         */
+        post: operations["add_guest_comment"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/playlists": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Playlists
+         * @description Return the playlists of a project, newest first.
+         */
+        get: operations["list_playlists"];
+        put?: never;
+        /**
+         * Add Playlist
+         * @description Keep versions, or those that are heard of some cues, under a name.
+         */
+        post: operations["add_playlist"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/playlists/{playlist_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Playlist
+         * @description Return a playlist with its versions in order, and where the caller stopped.
+         */
+        get: operations["get_playlist"];
+        put?: never;
+        post?: never;
+        /**
+         * Remove Playlist
+         * @description Remove a playlist; guest links made of it stay.
+         */
+        delete: operations["remove_playlist"];
+        options?: never;
+        head?: never;
+        /**
+         * Change Playlist
+         * @description Rename a playlist, or replace its versions or their order.
+         */
+        patch: operations["change_playlist"];
+        trace?: never;
+    };
+    "/v1/playlists/{playlist_id}/position": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Save Playlist Position
+         * @description Keep where the caller stopped.
+         */
+        put: operations["save_playlist_position"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/playlists/{playlist_id}/live": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Live Session
+         * @description Return what everyone in the session of a playlist hears now, who is in it, and who holds the keys.
+         */
+        get: operations["get_live_session"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/playlists/{playlist_id}/live/presence": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Report Presence
+         * @description Join a session, stay in it for ten seconds more, or leave it.
+         */
+        put: operations["report_presence"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/playlists/{playlist_id}/live/playhead": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Move Playhead
+         * @description Play, pause, seek or go to another version, for everyone in the session.
+         */
+        put: operations["move_playhead"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/playlists/{playlist_id}/live/keys": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Pass Keys
+         * @description Take the keys while they are free, hand them to another person present, or put them down.
+         */
+        put: operations["pass_keys"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/saved-views": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Saved Views
+         * @description Return the filters that the caller kept in a project, by name.
+         */
+        get: operations["list_saved_views"];
+        put?: never;
+        /**
+         * Save View
+         * @description Keep a filter under a name; one of the same name is replaced.
+         */
+        post: operations["save_view"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/saved-views/{saved_view_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Delete Saved View
+         * @description Delete a view of the caller's own.
+         */
+        delete: operations["delete_saved_view"];
         options?: never;
         head?: never;
         patch?: never;
@@ -5685,6 +6265,190 @@ export interface paths {
          * @description Remove what an adoption made while nothing is built on it; the uploaded masters are kept.
          */
         post: operations["undo_adoption"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/takes/{take_id}/scene": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Open Scene
+         * @description Return what sounds with a version in the game, and have measured what is not yet.
+         */
+        post: operations["open_scene"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/takes/{take_id}/masking": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Masking
+         * @description Return which bands of a version are heard in its scene, and what covers the others.
+         */
+        get: operations["get_masking"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/bed-sources": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Bed Sources
+         * @description Return which sounds can be beds: approved versions, those that loop first, then sounds of the references.
+         */
+        get: operations["list_bed_sources"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/beds": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Set Bed
+         * @description Put a sound under all sounds of a project, or under those of one category, where it replaces the project's.
+         */
+        put: operations["set_bed"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/beds/{bed_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Remove Bed
+         * @description Take a bed away; under a category the project's plays again.
+         */
+        delete: operations["remove_bed"];
+        options?: never;
+        head?: never;
+        /**
+         * Change Bed
+         * @description Change the level of a bed, or turn it on or off.
+         */
+        patch: operations["change_bed"];
+        trace?: never;
+    };
+    "/v1/scene-sounds/{scene_sound_id}/preview": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Scene Sound
+         * @description Play the part of a reference that is a bed, to people whose opening of it was recorded.
+         */
+        get: operations["get_scene_sound"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/takes/{take_id}/comparisons": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Add Comparison
+         * @description Have a version compared with another, or with one of its game files; the same two give the same comparison.
+         */
+        post: operations["add_comparison"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/comparisons/{comparison_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Comparison
+         * @description Return whether a comparison is made, and what differs.
+         */
+        get: operations["get_comparison"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/comparisons/{comparison_id}/file": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Comparison File
+         * @description Play what is left of a version without the other sound.
+         */
+        get: operations["get_comparison_file"];
+        put?: never;
+        post?: never;
         delete?: never;
         options?: never;
         head?: never;
@@ -6771,6 +7535,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/desk/sounds.rpp": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Download Reaper Project
+         * @description Return a project for REAPER with a region for each file that the caller owes, and change requests as markers.
+         */
+        get: operations["download_reaper_project"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/desk/came-back": {
         parameters: {
             query?: never;
@@ -7075,6 +7859,66 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/me/notices": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List My Notices
+         * @description Return the caller's notices, newest first; read ones are kept for 90 days.
+         */
+        get: operations["list_my_notices"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/me/notices/unread": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Count My Unread Notices
+         * @description Count the notices that the caller has not read.
+         */
+        get: operations["count_my_unread_notices"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/me/notices/read": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Mark My Notices Read
+         * @description Mark notices as read: those named, and all up to one.
+         */
+        post: operations["mark_my_notices_read"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/me/mail-preferences": {
         parameters: {
             query?: never;
@@ -7137,6 +7981,134 @@ export interface paths {
          * @description Stop mails like one, as a mail program's own button asks for it (RFC 8058).
          */
         post: operations["stop_mails"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/studios/{studio_id}/webhooks": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Webhooks
+         * @description Return a studio's webhooks, without their secrets.
+         */
+        get: operations["list_webhooks"];
+        put?: never;
+        /**
+         * Add Webhook
+         * @description Add an address that is called for events; its secret is shown this once.
+         */
+        post: operations["add_webhook"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/webhooks/{webhook_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Delete Webhook
+         * @description Delete a webhook with its log.
+         */
+        delete: operations["delete_webhook"];
+        options?: never;
+        head?: never;
+        /**
+         * Change Webhook
+         * @description Change the address or the events of a webhook, disable it, or let it be called again.
+         */
+        patch: operations["change_webhook"];
+        trace?: never;
+    };
+    "/v1/webhooks/{webhook_id}/secret": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Rotate Webhook Secret
+         * @description Return a new secret, shown this once; messages are signed by the old one too for a day.
+         */
+        post: operations["rotate_webhook_secret"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/webhooks/{webhook_id}/test": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Send Webhook Test
+         * @description Send a message that says that it is a test.
+         */
+        post: operations["send_webhook_test"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/webhooks/{webhook_id}/calls": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Webhook Calls
+         * @description Return the messages to an address with what was answered, newest first; they are kept for 30 days.
+         */
+        get: operations["list_webhook_calls"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/webhook-calls/{webhook_call_id}/replay": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Replay Webhook Call
+         * @description Send a message again, with the same body and id.
+         */
+        post: operations["replay_webhook_call"];
         delete?: never;
         options?: never;
         head?: never;
@@ -7456,6 +8428,18 @@ export interface components {
             on: string;
         };
         /**
+         * AcknowledgementRead
+         * @description Who has seen a comment, and when.
+         */
+        AcknowledgementRead: {
+            person: components["schemas"]["PersonBrief"];
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+        };
+        /**
          * Activity
          * @description Something that happened lately.
          */
@@ -7675,6 +8659,8 @@ export interface components {
             oddities: components["schemas"]["OddFile"][];
             /** Skipped */
             skipped: components["schemas"]["SkippedFileRead"][];
+            /** @description Null where no project was sent. */
+            project: components["schemas"]["ReadProject"] | null;
         };
         /**
          * AdoptionProgress
@@ -8330,6 +9316,91 @@ export interface components {
             target: string;
             /** Reason */
             reason: string;
+        };
+        /**
+         * BedChange
+         * @description What changes of a bed; fields that are left out stay.
+         */
+        BedChange: {
+            /** Level Db */
+            level_db?: number | null;
+            /** Is On */
+            is_on?: boolean | null;
+        };
+        /**
+         * BedRead
+         * @description A bed as it is set.
+         */
+        BedRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            role: components["schemas"]["BedRole"];
+            /** Category */
+            category: string;
+            /** Take Id */
+            take_id: string | null;
+            /** Reference Id */
+            reference_id: string | null;
+            /** Level Db */
+            level_db: number;
+            /** Is On */
+            is_on: boolean;
+        };
+        /**
+         * BedRole
+         * @description The kinds of a bed.
+         * @enum {string}
+         */
+        BedRole: "music" | "ambience" | "voice";
+        /**
+         * BedSet
+         * @description A bed of a project or of one category: an approved sound, or a sound of the references.
+         */
+        BedSet: {
+            role: components["schemas"]["BedRole"];
+            /**
+             * Category
+             * @description Empty: under the sounds of the whole project.
+             * @default
+             */
+            category: string;
+            /**
+             * Take Id
+             * @description Of an approved version.
+             */
+            take_id?: string | null;
+            /**
+             * Reference Id
+             * @description Of a sound on the references board; its part plays.
+             */
+            reference_id?: string | null;
+            /**
+             * Level Db
+             * @default -12
+             */
+            level_db: number;
+            /**
+             * Is On
+             * @default true
+             */
+            is_on: boolean;
+        };
+        /**
+         * BedSource
+         * @description A sound that can be a bed.
+         */
+        BedSource: {
+            /** Take Id */
+            take_id: string | null;
+            /** Reference Id */
+            reference_id: string | null;
+            /** Name */
+            name: string;
+            /** Loops */
+            loops: boolean;
         };
         /**
          * BidComparison
@@ -9062,6 +10133,12 @@ export interface components {
             holidays: components["schemas"]["HolidayAdd"][];
         };
         /**
+         * CallState
+         * @description Where a call is.
+         * @enum {string}
+         */
+        CallState: "waiting" | "delivered" | "failed";
+        /**
          * CameBack
          * @description A take that is with the designer again.
          */
@@ -9488,6 +10565,8 @@ export interface components {
             number: number;
             /** Text */
             text: string;
+            /** Mentions */
+            mentions: components["schemas"]["MentionRead"][];
             /** Start S */
             start_s: number | null;
             /** End S */
@@ -9808,6 +10887,32 @@ export interface components {
             stands: boolean;
         };
         /**
+         * ClipRead
+         * @description A clip of the game that shows where a sound plays.
+         */
+        ClipRead: {
+            /**
+             * Reference Id
+             * Format: uuid
+             */
+            reference_id: string;
+            /**
+             * Reference Version Id
+             * Format: uuid
+             */
+            reference_version_id: string;
+            /** Caption */
+            caption: string;
+            /** File Name */
+            file_name: string;
+            /** Media Type */
+            media_type: string;
+            /** Start S */
+            start_s: number;
+            /** End S */
+            end_s: number | null;
+        };
+        /**
          * ColumnKind
          * @description What the values of a column are.
          * @enum {string}
@@ -9896,6 +11001,28 @@ export interface components {
              * @description The sent change request that it answers.
              */
             change_request_id?: string | null;
+            /**
+             * Mentions
+             * @description People who may see the version, whose names stand in the text after an @.
+             * @default []
+             */
+            mentions: string[];
+        };
+        /**
+         * CommentAuthor
+         * @description Who wrote a comment: a person, or a guest by the name that they typed.
+         */
+        CommentAuthor: {
+            /**
+             * Id
+             * @description Null for a guest, who has no account.
+             */
+            id: string | null;
+            /**
+             * Name
+             * @example guest Ada
+             */
+            name: string;
         };
         /**
          * CommentRead
@@ -9922,7 +11049,7 @@ export interface components {
             start_s: number | null;
             /** End S */
             end_s: number | null;
-            author: components["schemas"]["PersonBrief"];
+            author: components["schemas"]["CommentAuthor"];
             /**
              * Decides
              * @description Whether the author was the approver when writing; all others advise.
@@ -9935,6 +11062,13 @@ export interface components {
             created_at: string;
             /** Resolved At */
             resolved_at: string | null;
+            /** Mentions */
+            mentions: components["schemas"]["MentionRead"][];
+            /**
+             * Acknowledgements
+             * @description Who has acknowledged it, the first first.
+             */
+            acknowledgements: components["schemas"]["AcknowledgementRead"][];
         };
         /**
          * ComparedBid
@@ -9996,6 +11130,11 @@ export interface components {
              * @description By the roster: what is taken in the days of the bid, or of the posting where the bid names none.
              */
             busy: components["schemas"]["BusyRangeWrite"][];
+            /**
+             * Samples
+             * @description In the order of the posting's lines, then as they were added.
+             */
+            samples: components["schemas"]["SampleRead"][];
             own_scores: components["schemas"]["PersonScores"] | null;
             /**
              * Others
@@ -10044,16 +11183,14 @@ export interface components {
             received_at: string;
         };
         /**
-         * ComparisonRead
-         * @description Two versions word by word.
+         * ComparisonAdd
+         * @description What a version is compared with: another version, or one of its own game files. Exactly one of the two.
          */
-        ComparisonRead: {
-            /** From Version */
-            from_version: number;
-            /** To Version */
-            to_version: number;
-            /** Lines */
-            lines: components["schemas"]["ComparedRead"][];
+        ComparisonAdd: {
+            /** Against Take Id */
+            against_take_id?: string | null;
+            /** Target */
+            target?: string | null;
         };
         /**
          * ContractAdd
@@ -10506,6 +11643,10 @@ export interface components {
              * @default false
              */
             palette: boolean;
+            /** Implementer Id */
+            implementer_id?: string | null;
+            /** Recorder Id */
+            recorder_id?: string | null;
             /** Extra */
             extra?: {
                 [key: string]: string;
@@ -10617,6 +11758,16 @@ export interface components {
             placeholder: boolean;
             /** Palette */
             palette: boolean;
+            /**
+             * Implementer Id
+             * @description Who puts it into the game; a designer sees only themselves.
+             */
+            implementer_id: string | null;
+            /**
+             * Recorder Id
+             * @description Who records it; a designer sees only themselves.
+             */
+            recorder_id: string | null;
             /**
              * Extra
              * @description Imported columns without a field.
@@ -10840,6 +11991,10 @@ export interface components {
              * @default false
              */
             palette: boolean;
+            /** Implementer Id */
+            implementer_id?: string | null;
+            /** Recorder Id */
+            recorder_id?: string | null;
             /** Extra */
             extra?: {
                 [key: string]: string;
@@ -10849,6 +12004,21 @@ export interface components {
              * @description The edition that was read.
              */
             edition: number;
+        };
+        /**
+         * CuePersonRead
+         * @description A person whom cues may name: a member of the studio, or a designer of the project.
+         */
+        CuePersonRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Name */
+            name: string;
+            /** Is Designer */
+            is_designer: boolean;
         };
         /**
          * CueProgress
@@ -10948,6 +12118,16 @@ export interface components {
             placeholder: boolean;
             /** Palette */
             palette: boolean;
+            /**
+             * Implementer Id
+             * @description Who puts it into the game; a designer sees only themselves.
+             */
+            implementer_id: string | null;
+            /**
+             * Recorder Id
+             * @description Who records it; a designer sees only themselves.
+             */
+            recorder_id: string | null;
             /**
              * Extra
              * @description Imported columns without a field.
@@ -12078,6 +13258,8 @@ export interface components {
             folder: string;
             /** Files */
             files: components["schemas"]["ShippedFileIn"][];
+            /** @description What plays the files, where it is to be read. */
+            project?: components["schemas"]["GameProjectIn"] | null;
         };
         /**
          * FollowUpAdd
@@ -12305,6 +13487,23 @@ export interface components {
             placeholders: components["schemas"]["OpenGameFile"][];
         };
         /**
+         * GameProjectIn
+         * @description The texts of the game's middleware or engine project.
+         */
+        GameProjectIn: {
+            /**
+             * Path
+             * @description The project's file from its root: a .wproj, a .fspro, project.godot, or what export_sounds.py wrote; empty for a Unity project.
+             * @example Game.wproj
+             */
+            path: string;
+            /**
+             * Content Base64
+             * @description A gzip of a JSON object: the texts by their paths from the project's root.
+             */
+            content_base64: string;
+        };
+        /**
          * GameStates
          * @description How much of a list is in the build, and how much was never heard in the game.
          */
@@ -12402,6 +13601,237 @@ export interface components {
              * @description The part of the sound that it made.
              */
             part: string;
+        };
+        /**
+         * GuestCommentAdd
+         * @description Advice of a guest on a sound.
+         */
+        GuestCommentAdd: {
+            /** Text */
+            text: string;
+            /** Start S */
+            start_s?: number | null;
+            /** End S */
+            end_s?: number | null;
+        };
+        /**
+         * GuestCommentRead
+         * @description Advice as it was kept.
+         */
+        GuestCommentRead: {
+            /** Text */
+            text: string;
+            /** Start S */
+            start_s: number | null;
+            /** End S */
+            end_s: number | null;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+        };
+        /**
+         * GuestDoor
+         * @description What a guest sees before the sounds: whether a password is asked for.
+         */
+        GuestDoor: {
+            /** Needs Password */
+            needs_password: boolean;
+        };
+        /**
+         * GuestLinkAdd
+         * @description A guest link to make. What it shares is fixed now: later versions and cues are not added to it.
+         */
+        GuestLinkAdd: {
+            kind: components["schemas"]["SharedKind"];
+            /**
+             * Title
+             * @description What guests read above the sounds.
+             */
+            title: string;
+            /**
+             * Cue Ids
+             * @description Of kind `cues`: one, or those of a filter.
+             * @default []
+             */
+            cue_ids: string[];
+            /**
+             * Playlist Id
+             * @description Of kind `playlist`.
+             */
+            playlist_id?: string | null;
+            /** Password */
+            password?: string | null;
+            /**
+             * May Comment
+             * @default false
+             */
+            may_comment: boolean;
+            /**
+             * Has Beeps
+             * @description Whether the sounds have a quiet beep every four seconds.
+             * @default false
+             */
+            has_beeps: boolean;
+            /** Expires At */
+            expires_at?: string | null;
+            /** Max Openings */
+            max_openings?: number | null;
+        };
+        /**
+         * GuestLinkAddress
+         * @description The address of a guest link, which opens it for everyone who has it.
+         */
+        GuestLinkAddress: {
+            /** Url */
+            url: string;
+        };
+        /**
+         * GuestLinkChange
+         * @description What changes of a guest link; fields that are left out stay.
+         */
+        GuestLinkChange: {
+            /** Expires At */
+            expires_at?: string | null;
+            /** Max Openings */
+            max_openings?: number | null;
+            /**
+             * May Comment
+             * @default false
+             */
+            may_comment: boolean;
+        };
+        /**
+         * GuestLinkMade
+         * @description A guest link just made, with its address.
+         */
+        GuestLinkMade: {
+            link: components["schemas"]["GuestLinkRead"];
+            /** Url */
+            url: string;
+        };
+        /**
+         * GuestLinkRead
+         * @description A guest link as the team sees it.
+         */
+        GuestLinkRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            kind: components["schemas"]["SharedKind"];
+            /** Title */
+            title: string;
+            state: components["schemas"]["LinkState"];
+            /** Sounds */
+            sounds: number;
+            /** Has Password */
+            has_password: boolean;
+            /** May Comment */
+            may_comment: boolean;
+            /** Has Beeps */
+            has_beeps: boolean;
+            /** Expires At */
+            expires_at: string | null;
+            /** Max Openings */
+            max_openings: number | null;
+            /** Openings */
+            openings: number;
+            /** Plays */
+            plays: number;
+            made_by: components["schemas"]["PersonBrief"];
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Revoked At */
+            revoked_at: string | null;
+            /**
+             * Is Own
+             * @description Whether the caller made it, and so may have its address shown again.
+             */
+            is_own: boolean;
+        };
+        /**
+         * GuestRoom
+         * @description Everything behind a guest link.
+         */
+        GuestRoom: {
+            /** Title */
+            title: string;
+            /** Guest Name */
+            guest_name: string;
+            /** May Comment */
+            may_comment: boolean;
+            /** Has Beeps */
+            has_beeps: boolean;
+            /** Sounds */
+            sounds: components["schemas"]["GuestSoundRead"][];
+        };
+        /**
+         * GuestSoundRead
+         * @description One sound of a link as a guest sees it.
+         */
+        GuestSoundRead: {
+            /** Place */
+            place: number;
+            /** Name */
+            name: string;
+            /**
+             * Variation
+             * @description Null where the cue has but one.
+             */
+            variation: number | null;
+            /** Duration S */
+            duration_s: number | null;
+            thumb: components["schemas"]["ThumbRead"] | null;
+            /**
+             * Is Ready
+             * @description Whether it can be played now; a copy with beeps takes a moment to be made.
+             */
+            is_ready: boolean;
+        };
+        /**
+         * GuestVisitAdd
+         * @description A guest who opens a link.
+         */
+        GuestVisitAdd: {
+            /** Guest Name */
+            guest_name: string;
+            /** Password */
+            password?: string | null;
+        };
+        /**
+         * GuestVisitMade
+         * @description A visit that began; its secret stands in the addresses of what the guest plays and writes.
+         */
+        GuestVisitMade: {
+            /** Visit */
+            visit: string;
+            room: components["schemas"]["GuestRoom"];
+        };
+        /**
+         * GuestVisitRead
+         * @description One opening of a link: who, by the name that they typed, when, and what they played.
+         */
+        GuestVisitRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Guest Name */
+            guest_name: string;
+            /**
+             * Opened At
+             * Format: date-time
+             */
+            opened_at: string;
+            /** Played */
+            played: components["schemas"]["SoundPlayed"][];
         };
         /** HTTPValidationError */
         HTTPValidationError: {
@@ -12551,7 +13981,7 @@ export interface components {
              * @description Column → field; `own:Mood` is the list's own column Mood, `extra` keeps a column as it is, `ignore` leaves it out. Columns not named here are read as guessed.
              */
             mapping?: {
-                [key: string]: ("number" | "name" | "file_name" | "category" | "description" | "use" | "trigger" | "duration_s" | "length_locked" | "frame_rate_fps" | "loop" | "reverb" | "variations" | "state" | "need" | "playback_priority" | "due_on" | "placeholder" | "palette" | "extra" | "ignore") | string;
+                [key: string]: ("number" | "name" | "file_name" | "category" | "description" | "use" | "trigger" | "duration_s" | "length_locked" | "frame_rate_fps" | "loop" | "reverb" | "variations" | "state" | "need" | "playback_priority" | "due_on" | "placeholder" | "palette" | "implementer" | "recorder" | "extra" | "ignore") | string;
             } | null;
             /**
              * Dry Run
@@ -12579,9 +14009,9 @@ export interface components {
              * Guess
              * @description What its head and cells look like; null: nothing we know.
              */
-            guess: ("number" | "name" | "file_name" | "category" | "description" | "use" | "trigger" | "duration_s" | "length_locked" | "frame_rate_fps" | "loop" | "reverb" | "variations" | "state" | "need" | "playback_priority" | "due_on" | "placeholder" | "palette" | "extra" | "ignore") | string | null;
+            guess: ("number" | "name" | "file_name" | "category" | "description" | "use" | "trigger" | "duration_s" | "length_locked" | "frame_rate_fps" | "loop" | "reverb" | "variations" | "state" | "need" | "playback_priority" | "due_on" | "placeholder" | "palette" | "implementer" | "recorder" | "extra" | "ignore") | string | null;
             /** Field */
-            field: ("number" | "name" | "file_name" | "category" | "description" | "use" | "trigger" | "duration_s" | "length_locked" | "frame_rate_fps" | "loop" | "reverb" | "variations" | "state" | "need" | "playback_priority" | "due_on" | "placeholder" | "palette" | "extra" | "ignore") | string;
+            field: ("number" | "name" | "file_name" | "category" | "description" | "use" | "trigger" | "duration_s" | "length_locked" | "frame_rate_fps" | "loop" | "reverb" | "variations" | "state" | "need" | "playback_priority" | "due_on" | "placeholder" | "palette" | "implementer" | "recorder" | "extra" | "ignore") | string;
         };
         /**
          * ImportFault
@@ -12663,6 +14093,34 @@ export interface components {
             due_on: string | null;
             /** Changes */
             changes: components["schemas"]["FieldChange"][];
+        };
+        /**
+         * InAppNoticeRead
+         * @description One piece of news for the caller.
+         */
+        InAppNoticeRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            news: components["schemas"]["News"];
+            /** Subject */
+            subject: string;
+            /** Text */
+            text: string;
+            /**
+             * Path
+             * @description Of the page that it is about.
+             */
+            path: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Read At */
+            read_at: string | null;
         };
         /**
          * InvitationAccept
@@ -13185,34 +14643,6 @@ export interface components {
             rows: components["schemas"]["KitRow"][];
         };
         /**
-         * LaneRead
-         * @description The jobs of one studio and one urgency; lanes take turns.
-         */
-        LaneRead: {
-            /**
-             * Studio Id
-             * @description Null for what is done on no studio's behalf.
-             */
-            studio_id: string | null;
-            /** Studio Name */
-            studio_name: string | null;
-            urgency: components["schemas"]["Urgency"];
-            /** Waiting */
-            waiting: number;
-            /** Running */
-            running: number;
-            /**
-             * Delayed
-             * @description Failed, and to be tried again later.
-             */
-            delayed: number;
-            /**
-             * Oldest At
-             * @description Since when the one waits that has waited longest.
-             */
-            oldest_at: string | null;
-        };
-        /**
          * LastContract
          * @description A contract to begin like.
          */
@@ -13337,6 +14767,12 @@ export interface components {
             /** Why */
             why: string;
         };
+        /**
+         * LevelFrom
+         * @description Where the level of a lane comes from.
+         * @enum {string}
+         */
+        LevelFrom: "audit" | "approved" | "bed";
         /**
          * LibraryClauseRead
          * @description A clause of the library, and why one would want it.
@@ -13494,6 +14930,12 @@ export interface components {
             duration_s: number | null;
         };
         /**
+         * LinkState
+         * @description Whether a guest link opens, and why not.
+         * @enum {string}
+         */
+        LinkState: "open" | "revoked" | "expired" | "full";
+        /**
          * ListComparison
          * @description The changes of the list between two revisions.
          */
@@ -13637,6 +15079,81 @@ export interface components {
             notes: components["schemas"]["ListeningNoteRead"][];
             /** May Close */
             may_close: boolean;
+        };
+        /**
+         * LiveKeys
+         * @description The keys, taken while they are free, handed to another person present, or put down.
+         */
+        LiveKeys: {
+            /**
+             * Act
+             * @enum {string}
+             */
+            act: "take" | "give" | "drop";
+            /**
+             * Person Id
+             * @description Who gets them, of `give`.
+             */
+            person_id?: string | null;
+        };
+        /**
+         * LiveMove
+         * @description What the holder does: play, pause, seek or go to another take.
+         */
+        LiveMove: {
+            /**
+             * Sequence
+             * @description As it was read; a playhead that moved since is answered 409.
+             */
+            sequence: number;
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /** Is Playing */
+            is_playing: boolean;
+            /** Position S */
+            position_s: number;
+        };
+        /**
+         * LiveRead
+         * @description What everyone in a session hears.
+         */
+        LiveRead: {
+            /** Sequence */
+            sequence: number;
+            /** @description Who holds the keys; null while they are free. */
+            holder: components["schemas"]["PersonBrief"] | null;
+            /** Is Holder */
+            is_holder: boolean;
+            /** Take Id */
+            take_id: string | null;
+            /** Is Playing */
+            is_playing: boolean;
+            /**
+             * Position S
+             * @description Where the playhead stood at `server_ms`.
+             */
+            position_s: number;
+            /**
+             * Server Ms
+             * @description The server's clock, in milliseconds of Unix time, when this was answered.
+             */
+            server_ms: number;
+            /** Present */
+            present: components["schemas"]["PersonBrief"][];
+        };
+        /**
+         * LiveReport
+         * @description That a page is open; sent every few seconds, as presence ends ten seconds after the last report.
+         */
+        LiveReport: {
+            /**
+             * Leaves
+             * @default false
+             */
+            leaves: boolean;
         };
         /**
          * LossLevels
@@ -13828,6 +15345,36 @@ export interface components {
             files: components["schemas"]["ManifestSound"][];
         };
         /**
+         * ManifestPart
+         * @description One gain on the way of a sound to the output.
+         */
+        ManifestPart: {
+            /** Object */
+            object: string;
+            /** Property */
+            property: string;
+            /** Gain Db */
+            gain_db: number;
+        };
+        /**
+         * ManifestPlay
+         * @description One way in which the game played a sound when its level was approved.
+         */
+        ManifestPlay: {
+            /**
+             * Object
+             * @description In the project's tree.
+             */
+            object: string;
+            /**
+             * Gain Db
+             * @description Null where a script set it.
+             */
+            gain_db: number | null;
+            /** Parts */
+            parts: components["schemas"]["ManifestPart"][];
+        };
+        /**
          * ManifestSound
          * @description One approved game file, and what it is known by.
          */
@@ -13869,6 +15416,11 @@ export interface components {
              * @description The id of its take.
              */
             take: string | null;
+            /**
+             * Plays
+             * @description Null where no level was approved: then its file counts as it is.
+             */
+            plays?: components["schemas"]["ManifestPlay"][] | null;
         };
         /**
          * ManifestTool
@@ -13903,6 +15455,64 @@ export interface components {
              */
             counter_lines: components["schemas"]["ComparedRead"][];
             redline: components["schemas"]["RedlineRead"] | null;
+        };
+        /**
+         * MaskedBand
+         * @description One band of hearing: how far the sound stands above what covers it there.
+         */
+        MaskedBand: {
+            /**
+             * Hz
+             * @description The centre of the band.
+             */
+            hz: number;
+            /**
+             * Is Part
+             * @description Whether the sound has anything here, within 40 dB of its loudest.
+             */
+            is_part: boolean;
+            /** Is Heard */
+            is_heard: boolean;
+            /** Sound Db */
+            sound_db: number | null;
+            /**
+             * Cover Db
+             * @description The level from which the sound would be heard; null for none.
+             */
+            cover_db: number | null;
+            /**
+             * Margin Db
+             * @description Between the two; null where one of them is missing.
+             */
+            margin_db: number | null;
+            /**
+             * Covered By
+             * @description The lane that is strongest here.
+             */
+            covered_by: string | null;
+        };
+        /**
+         * MaskingRead
+         * @description Which bands of a sound are heard in its scene. A person decides whether that is enough.
+         */
+        MaskingRead: {
+            /**
+             * Is Measured
+             * @description False while a sound of the scene is still being measured.
+             */
+            is_measured: boolean;
+            /** Bands */
+            bands: components["schemas"]["MaskedBand"][];
+            /** Part Bands */
+            part_bands: number;
+            /** Heard Bands */
+            heard_bands: number;
+            /** Energy Share */
+            energy_share: number;
+            /** Time Share */
+            time_share: number;
+            /** In Words */
+            in_words: string;
         };
         /**
          * MasterExportRead
@@ -14133,6 +15743,19 @@ export interface components {
             budget_bytes: number | null;
             /** Over Bytes */
             over_bytes: number | null;
+        };
+        /**
+         * MentionRead
+         * @description A person whom a text mentions, by the name that stands after the @ there.
+         */
+        MentionRead: {
+            /**
+             * Person Id
+             * Format: uuid
+             */
+            person_id: string;
+            /** Name */
+            name: string;
         };
         /**
          * MilestoneCue
@@ -14538,7 +16161,7 @@ export interface components {
          * @description What mails are about; a person says for each how often it is mailed.
          * @enum {string}
          */
-        News: "sounds" | "talk" | "list" | "contracts" | "hiring";
+        News: "sounds" | "talk" | "mentions" | "list" | "contracts" | "hiring";
         /**
          * NextStep
          * @description Something that the caller is the one to do, and what it is about.
@@ -14586,7 +16209,7 @@ export interface components {
          * @description What a person is the one to do, in the order in which it is shown.
          * @enum {string}
          */
-        NextStepKind: "add_cues" | "write_brief" | "invite_designer" | "answer_candidates" | "compare_bids" | "send_nda" | "sign_contract" | "change_contract" | "sign_change_order" | "agree_statement" | "pay_invoice" | "invoice_deposit" | "deposit_due" | "fix" | "match" | "answer_questions" | "answer_follow_ups" | "agree_days" | "agree_round" | "send_changes" | "review" | "send_contract" | "propose_changes" | "think_of_day" | "invoice_due" | "name_approver" | "make";
+        NextStepKind: "add_cues" | "write_brief" | "invite_designer" | "answer_candidates" | "compare_bids" | "send_nda" | "sign_contract" | "change_contract" | "sign_change_order" | "agree_statement" | "pay_invoice" | "invoice_deposit" | "deposit_due" | "fix" | "match" | "answer_questions" | "answer_follow_ups" | "agree_days" | "agree_round" | "send_changes" | "review" | "send_contract" | "propose_changes" | "think_of_day" | "invoice_due" | "name_approver" | "make" | "record" | "implement";
         /**
          * NextSteps
          * @description What the caller is to do in a project, the first thing first, and for whom they wait.
@@ -14661,6 +16284,22 @@ export interface components {
             ends_on: string | null;
         };
         /**
+         * NoticesMark
+         * @description Notices that the caller has read.
+         */
+        NoticesMark: {
+            /**
+             * Ids
+             * @default []
+             */
+            ids: string[];
+            /**
+             * Up To
+             * @description This notice and all before it; what came since stays unread.
+             */
+            up_to?: string | null;
+        };
+        /**
          * OddFile
          * @description A file with something unusual, and what.
          */
@@ -14671,7 +16310,7 @@ export interface components {
              * Code
              * @enum {string}
              */
-            code: "renamed" | "numbering" | "format";
+            code: "renamed" | "numbering" | "format" | "unused";
             /** Message */
             message: string;
         };
@@ -14894,6 +16533,8 @@ export interface components {
             differs: boolean;
             /** Is Awarded */
             is_awarded: boolean;
+            /** Samples */
+            samples: components["schemas"]["SampleRead"][];
         };
         /**
          * Pace
@@ -15100,6 +16741,27 @@ export interface components {
             /** Next */
             next?: string | null;
         };
+        /** Page[GuestLinkRead] */
+        Page_GuestLinkRead_: {
+            /** Items */
+            items: components["schemas"]["GuestLinkRead"][];
+            /** Next */
+            next?: string | null;
+        };
+        /** Page[GuestVisitRead] */
+        Page_GuestVisitRead_: {
+            /** Items */
+            items: components["schemas"]["GuestVisitRead"][];
+            /** Next */
+            next?: string | null;
+        };
+        /** Page[InAppNoticeRead] */
+        Page_InAppNoticeRead_: {
+            /** Items */
+            items: components["schemas"]["InAppNoticeRead"][];
+            /** Next */
+            next?: string | null;
+        };
         /** Page[JobRead] */
         Page_JobRead_: {
             /** Items */
@@ -15174,6 +16836,13 @@ export interface components {
         Page_ToMake_: {
             /** Items */
             items: components["schemas"]["ToMake"][];
+            /** Next */
+            next?: string | null;
+        };
+        /** Page[WebhookCallRead] */
+        Page_WebhookCallRead_: {
+            /** Items */
+            items: components["schemas"]["WebhookCallRead"][];
             /** Next */
             next?: string | null;
         };
@@ -15650,6 +17319,16 @@ export interface components {
              * @description A file for each variation, in order.
              */
             paths: string[];
+            /**
+             * Loop
+             * @description Whether the game's project plays it in a loop.
+             */
+            loop: boolean;
+            /**
+             * Events
+             * @description What begins it in the game's project.
+             */
+            events: string[];
         };
         /**
          * PlannedCueSet
@@ -15665,6 +17344,156 @@ export interface components {
             price_minor?: number | null;
             /** Estimate Min */
             estimate_min?: number | null;
+        };
+        /**
+         * PlaylistAdd
+         * @description A playlist to make, of takes or of the takes of cues; each at most once.
+         */
+        PlaylistAdd: {
+            /** Name */
+            name: string;
+            /**
+             * Take Ids
+             * @default []
+             */
+            take_ids: string[];
+            /**
+             * Cue Ids
+             * @description Of each variation the approved version, else the newest that waits.
+             * @default []
+             */
+            cue_ids: string[];
+        };
+        /**
+         * PlaylistBrief
+         * @description A playlist in the list of a project.
+         */
+        PlaylistBrief: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Name */
+            name: string;
+            /** Takes */
+            takes: number;
+            made_by: components["schemas"]["PersonBrief"];
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+        };
+        /**
+         * PlaylistChange
+         * @description What changes of a playlist; fields that are left out stay.
+         */
+        PlaylistChange: {
+            /**
+             * Edition
+             * @description As it was read; a playlist that changed since is answered 409.
+             */
+            edition: number;
+            /**
+             * Name
+             * @default
+             */
+            name: string;
+            /**
+             * Take Ids
+             * @description Every take, in the new order.
+             * @default []
+             */
+            take_ids: string[];
+        };
+        /**
+         * PlaylistRead
+         * @description A playlist with its takes in order, and where the caller stopped.
+         */
+        PlaylistRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /** Name */
+            name: string;
+            /** Edition */
+            edition: number;
+            made_by: components["schemas"]["PersonBrief"];
+            /** Takes */
+            takes: components["schemas"]["PlaylistTake"][];
+            position: components["schemas"]["PositionSet"] | null;
+            /**
+             * May Share
+             * @description Whether the caller may change it, and make guest links.
+             */
+            may_share: boolean;
+        };
+        /**
+         * PlaylistTake
+         * @description One take of a playlist, with what is needed to play it.
+         */
+        PlaylistTake: {
+            /** Picture Id */
+            picture_id: string | null;
+            /** Duration S */
+            duration_s: number | null;
+            thumb: components["schemas"]["ThumbRead"] | null;
+            /** Preview Url */
+            preview_url: string | null;
+            /** Peaks Url */
+            peaks_url: string | null;
+            /** Spectrum Url */
+            spectrum_url: string | null;
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /**
+             * Cue Id
+             * Format: uuid
+             */
+            cue_id: string;
+            /** Cue Label */
+            cue_label: string;
+            /** Cue Name */
+            cue_name: string;
+            /** Category */
+            category: string;
+            /**
+             * Variation
+             * @description Null where the cue has but one.
+             */
+            variation: number | null;
+            /** Number */
+            number: number;
+            state: components["schemas"]["TakeState"];
+            /**
+             * May Approve
+             * @description Whether the caller approves this cue today.
+             */
+            may_approve: boolean;
+        };
+        /**
+         * PositionSet
+         * @description Where the caller stopped.
+         */
+        PositionSet: {
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /** At S */
+            at_s: number;
         };
         /**
          * PostedChangelist
@@ -16615,6 +18444,36 @@ export interface components {
             };
             /** Comment */
             comment: string;
+        };
+        /**
+         * ReadProject
+         * @description What was read of the game's project.
+         */
+        ReadProject: {
+            /** Name */
+            name: string;
+            /**
+             * Engine
+             * @enum {string}
+             */
+            engine: "wwise" | "fmod" | "unity" | "unreal" | "godot";
+            /** Version */
+            version: string;
+            /**
+             * Played
+             * @description The number of adopted files that it plays.
+             */
+            played: number;
+            /**
+             * Unread Count
+             * @description The number of its files that could not be read.
+             */
+            unread_count: number;
+            /**
+             * Unread
+             * @description The first 20 of these, with the reason.
+             */
+            unread: string[];
         };
         /**
          * ReasonGiven
@@ -18138,6 +19997,147 @@ export interface components {
             text: string;
         };
         /**
+         * SampleAdd
+         * @description A sound for a bid.
+         */
+        SampleAdd: {
+            /**
+             * Line Key
+             * @description Of the line that it is for.
+             */
+            line_key: string;
+            /** File Name */
+            file_name: string;
+            /** Content Base64 */
+            content_base64: string;
+        };
+        /**
+         * SampleFinding
+         * @description What the check found in a sample.
+         */
+        SampleFinding: {
+            /** Code */
+            code: string;
+            /** Severity */
+            severity: string;
+            /** Message */
+            message: string;
+            /** Fix */
+            fix: string;
+        };
+        /**
+         * SampleRead
+         * @description A sound of a bid; play it from /v1/bid-samples/{id}/file while it is open.
+         */
+        SampleRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Line Key */
+            line_key: string;
+            /** File Name */
+            file_name: string;
+            /** File Bytes */
+            file_bytes: number;
+            state: components["schemas"]["SampleState"];
+            /**
+             * Spec Version
+             * @description The version of the delivery spec that it was checked by.
+             */
+            spec_version: number | null;
+            /** Findings */
+            findings: components["schemas"]["SampleFinding"][];
+            /**
+             * Problem
+             * @description Why it could not be checked.
+             */
+            problem: string;
+            /**
+             * Is Open
+             * @description False once a refused bid's samples are no longer kept.
+             */
+            is_open: boolean;
+        };
+        /**
+         * SampleState
+         * @description What the check said of a sample.
+         * @enum {string}
+         */
+        SampleState: "pending" | "conforming" | "returned" | "unchecked";
+        /**
+         * SavedViewAdd
+         * @description A filter to keep under a name; a view of the same name is replaced.
+         */
+        SavedViewAdd: {
+            page: components["schemas"]["ViewedPage"];
+            /** Name */
+            name: string;
+            /**
+             * Query
+             * @description Of the page's address, without its question mark.
+             */
+            query: string;
+        };
+        /**
+         * SavedViewRead
+         * @description A filter that the caller kept.
+         */
+        SavedViewRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            page: components["schemas"]["ViewedPage"];
+            /** Name */
+            name: string;
+            /** Query */
+            query: string;
+        };
+        /**
+         * SceneRead
+         * @description A version among what sounds with it: the first lane is the version itself.
+         */
+        SceneRead: {
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /**
+             * Cue Id
+             * Format: uuid
+             */
+            cue_id: string;
+            /** Category */
+            category: string;
+            /** Length S */
+            length_s: number;
+            /**
+             * Has Spots
+             * @description Whether the list says when the sound plays; else it plays once.
+             */
+            has_spots: boolean;
+            /**
+             * Audit Label
+             * @description Of the newest audit of a build, which the levels come from.
+             */
+            audit_label: string | null;
+            /** Lanes */
+            lanes: components["schemas"]["app__scenes__schemas__LaneRead"][];
+            /** Clips */
+            clips: components["schemas"]["ClipRead"][];
+            /**
+             * Is Ready
+             * @description Whether all that can be prepared is.
+             */
+            is_ready: boolean;
+            /** May Change */
+            may_change: boolean;
+        };
+        /**
          * Scope
          * @description The rights of a build's token.
          * @enum {string}
@@ -18418,7 +20418,7 @@ export interface components {
              * Lanes
              * @description The longest first, fifty at most.
              */
-            lanes: components["schemas"]["LaneRead"][];
+            lanes: components["schemas"]["app__operations__schemas__LaneRead"][];
             /**
              * Workers
              * @description Those that said within the hour that they live.
@@ -18506,6 +20506,12 @@ export interface components {
             /** Rms */
             rms: number[];
         };
+        /**
+         * SharedKind
+         * @description What a guest link was made of.
+         * @enum {string}
+         */
+        SharedKind: "cues" | "palette" | "approved" | "playlist";
         /**
          * Shipped
          * @description The day on which the game shipped.
@@ -18809,6 +20815,25 @@ export interface components {
             next: string | null;
         };
         /**
+         * SoundPlayed
+         * @description How often one sound was played in a visit.
+         */
+        SoundPlayed: {
+            /** Place */
+            place: number;
+            /** Cue Name */
+            cue_name: string;
+            /** Variation */
+            variation: number;
+            /** Plays */
+            plays: number;
+            /**
+             * Last At
+             * Format: date-time
+             */
+            last_at: string;
+        };
+        /**
          * SoundSendBack
          * @description What an implementer should do about a drift.
          */
@@ -19063,6 +21088,20 @@ export interface components {
             warnings: string[];
         };
         /**
+         * SpectraRead
+         * @description Three long-term spectra in the same bands, in dBFS; null for silence.
+         */
+        SpectraRead: {
+            /** Hz */
+            hz: number[];
+            /** Sound Dbfs */
+            sound_dbfs: (number | null)[];
+            /** Against Dbfs */
+            against_dbfs: (number | null)[];
+            /** Difference Dbfs */
+            difference_dbfs: (number | null)[];
+        };
+        /**
          * SpokenBeside
          * @description The line before or after, in the same scene.
          */
@@ -19252,7 +21291,7 @@ export interface components {
             /** Counts */
             counts: components["schemas"]["JobCountRead"][];
             /** Lanes */
-            lanes: components["schemas"]["LaneRead"][];
+            lanes: components["schemas"]["app__operations__schemas__LaneRead"][];
             /**
              * Workers
              * @description Worker processes that live.
@@ -20090,6 +22129,17 @@ export interface components {
             message: string;
         };
         /**
+         * UnreadRead
+         * @description How many notices the caller has not read.
+         */
+        UnreadRead: {
+            /**
+             * Unread
+             * @description 100 where there are more than 99.
+             */
+            unread: number;
+        };
+        /**
          * UploadRead
          * @description A file on its way in, or arrived.
          */
@@ -20186,6 +22236,12 @@ export interface components {
              * @default conforming
              */
             seen_state: components["schemas"]["TakeState"];
+            /**
+             * Mentions
+             * @description People who may see the version, whose names stand in the text after an @.
+             * @default []
+             */
+            mentions: string[];
         };
         /**
          * VerdictGiven
@@ -20340,6 +22396,12 @@ export interface components {
                 [key: string]: number | string;
             };
         };
+        /**
+         * ViewedPage
+         * @description The page whose filter a saved view is.
+         * @enum {string}
+         */
+        ViewedPage: "review" | "sound_list";
         /**
          * VoiceLineChange
          * @description What changes of a line; fields that are left out stay.
@@ -20533,6 +22595,185 @@ export interface components {
              * Format: date-time
              */
             created_at: string;
+        };
+        /**
+         * WebhookAdd
+         * @description An address that is called when something happens.
+         */
+        WebhookAdd: {
+            /**
+             * Url
+             * @description An https address of a public host.
+             */
+            url: string;
+            /** @default json */
+            form: components["schemas"]["WebhookForm"];
+            /** Events */
+            events: components["schemas"]["WebhookEvent"][];
+            /**
+             * Project Id
+             * @description Null: every project of the studio.
+             */
+            project_id?: string | null;
+        };
+        /**
+         * WebhookCallRead
+         * @description One message to one address, with what was answered last.
+         */
+        WebhookCallRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            event: components["schemas"]["WebhookEvent"];
+            state: components["schemas"]["CallState"];
+            /** Tries */
+            tries: number;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Tried At */
+            tried_at: string | null;
+            /** Next At */
+            next_at: string | null;
+            /** Took Ms */
+            took_ms: number | null;
+            /** Status */
+            status: number | null;
+            /**
+             * Answer
+             * @description The first 1,000 bytes of it.
+             */
+            answer: string;
+            /** Problem */
+            problem: string;
+            /** Body */
+            body: string;
+        };
+        /**
+         * WebhookChange
+         * @description What changes of a webhook; fields that are left out stay.
+         */
+        WebhookChange: {
+            /** Url */
+            url?: string | null;
+            /** Events */
+            events?: components["schemas"]["WebhookEvent"][] | null;
+            /**
+             * Enabled
+             * @description True lets a disabled webhook be called again.
+             */
+            enabled?: boolean | null;
+        };
+        /**
+         * WebhookEvent
+         * @description What a webhook may be called for.
+         * @enum {string}
+         */
+        WebhookEvent: "take.in_review" | "take.returned" | "take.approved" | "changes.requested" | "question.asked" | "list.revised" | "cue.cut" | "pack.made" | "build.posted" | "audit.posted" | "contract.agreed" | "invoice.issued" | "payment.recorded" | "webhook.test";
+        /**
+         * WebhookForm
+         * @description How a message is written: our own JSON, or what a chat takes.
+         * @enum {string}
+         */
+        WebhookForm: "json" | "slack" | "discord" | "teams";
+        /**
+         * WebhookProject
+         * @description The project that a webhook is called for.
+         */
+        WebhookProject: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Name */
+            name: string;
+        };
+        /**
+         * WebhookRead
+         * @description An address that is called, and how it fares.
+         */
+        WebhookRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Url */
+            url: string;
+            form: components["schemas"]["WebhookForm"];
+            /** Events */
+            events: components["schemas"]["WebhookEvent"][];
+            project: components["schemas"]["WebhookProject"] | null;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Failing Since */
+            failing_since: string | null;
+            /** Disabled At */
+            disabled_at: string | null;
+            /**
+             * Old Secret Until
+             * @description Until then messages are signed by the old secret too.
+             */
+            old_secret_until: string | null;
+        };
+        /**
+         * WebhookSecretRead
+         * @description A webhook with its secret, which is shown this once.
+         */
+        WebhookSecretRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Url */
+            url: string;
+            form: components["schemas"]["WebhookForm"];
+            /** Events */
+            events: components["schemas"]["WebhookEvent"][];
+            project: components["schemas"]["WebhookProject"] | null;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Failing Since */
+            failing_since: string | null;
+            /** Disabled At */
+            disabled_at: string | null;
+            /**
+             * Old Secret Until
+             * @description Until then messages are signed by the old secret too.
+             */
+            old_secret_until: string | null;
+            /** Secret */
+            secret: string;
+        };
+        /**
+         * WebhooksRead
+         * @description A studio's webhooks.
+         */
+        WebhooksRead: {
+            /** Items */
+            items: components["schemas"]["WebhookRead"][];
+            /**
+             * Projects
+             * @description Those that a webhook can be called for.
+             */
+            projects: components["schemas"]["WebhookProject"][];
+            /**
+             * May Be Localhost
+             * @description Whether this server calls its own machine too, for trying things out.
+             */
+            may_be_localhost: boolean;
         };
         /**
          * WeekState
@@ -20832,6 +23073,18 @@ export interface components {
             rounds: number;
         };
         /**
+         * ComparisonRead
+         * @description Two versions word by word.
+         */
+        app__agreements__comparison_schemas__ComparisonRead: {
+            /** From Version */
+            from_version: number;
+            /** To Version */
+            to_version: number;
+            /** Lines */
+            lines: components["schemas"]["ComparedRead"][];
+        };
+        /**
          * AnswerKind
          * @description What the studio says to a redline.
          * @enum {string}
@@ -20843,6 +23096,111 @@ export interface components {
          * @enum {string}
          */
         app__briefs__questions__AnswerKind: "choice" | "choices" | "text" | "number" | "lines" | "per_category" | "per_scene" | "names";
+        /**
+         * LaneRead
+         * @description The jobs of one studio and one urgency; lanes take turns.
+         */
+        app__operations__schemas__LaneRead: {
+            /**
+             * Studio Id
+             * @description Null for what is done on no studio's behalf.
+             */
+            studio_id: string | null;
+            /** Studio Name */
+            studio_name: string | null;
+            urgency: components["schemas"]["Urgency"];
+            /** Waiting */
+            waiting: number;
+            /** Running */
+            running: number;
+            /**
+             * Delayed
+             * @description Failed, and to be tried again later.
+             */
+            delayed: number;
+            /**
+             * Oldest At
+             * @description Since when the one waits that has waited longest.
+             */
+            oldest_at: string | null;
+        };
+        /**
+         * ComparisonRead
+         * @description How a version differs from another sound, both aligned to the sample and brought to one level.
+         */
+        app__scenes__schemas__ComparisonRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Is Made */
+            is_made: boolean;
+            /**
+             * Lag S
+             * @description How much later the other sound had to begin.
+             */
+            lag_s: number | null;
+            /**
+             * Gain Db
+             * @description How much louder the other sound had to be.
+             */
+            gain_db: number | null;
+            /**
+             * Residue Db
+             * @description The level of the difference against that of the version.
+             */
+            residue_db: number | null;
+            spectra: components["schemas"]["SpectraRead"] | null;
+            /** File Url */
+            file_url: string | null;
+            /** Refusal */
+            refusal: string | null;
+        };
+        /**
+         * LaneRead
+         * @description One sound of a scene: when it plays, how loud, and what plays it.
+         */
+        app__scenes__schemas__LaneRead: {
+            /**
+             * Id
+             * @description `sound`, or the id of the neighbour's cue, or the bed's role.
+             */
+            id: string;
+            /** Name */
+            name: string;
+            /** Cue Id */
+            cue_id: string | null;
+            /** Take Id */
+            take_id: string | null;
+            bed: components["schemas"]["BedRead"] | null;
+            /**
+             * Reference Version Id
+             * @description Of a bed from the references. Its opening is recorded before it is sent.
+             */
+            reference_version_id: string | null;
+            /**
+             * Preview Url
+             * @description Null while it is prepared, or where it cannot be played.
+             */
+            preview_url: string | null;
+            thumb: components["schemas"]["ThumbRead"] | null;
+            /** Duration S */
+            duration_s: number | null;
+            /** Loops */
+            loops: boolean;
+            /** Starts S */
+            starts_s: number[];
+            /** Level Db */
+            level_db: number;
+            level_from: components["schemas"]["LevelFrom"];
+            /** Is On */
+            is_on: boolean;
+            /** Is Measured */
+            is_measured: boolean;
+            /** Problem */
+            problem: string;
+        };
     };
     responses: never;
     parameters: never;
@@ -23572,6 +25930,64 @@ export interface operations {
             };
         };
     };
+    download_spec_pdf: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/pdf": string;
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `document-too-large` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-at-once` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `typesetting-busy` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     list_spec_versions: {
         parameters: {
             query?: {
@@ -25673,6 +28089,46 @@ export interface operations {
             };
         };
     };
+    list_cue_people: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CuePersonRead"][];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
     list_references: {
         parameters: {
             query?: {
@@ -27034,6 +29490,184 @@ export interface operations {
             };
             /** @description `too-many-attempts` */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    add_bid_sample: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                posting_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["SampleAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PostingRead"];
+                };
+            };
+            /** @description `designer-needed`, `nda-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-closed`, `bid-not-sent`, `samples-full` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `sample-invalid`, `no-sound` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    remove_bid_sample: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                bid_sample_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PostingRead"];
+                };
+            };
+            /** @description `designer-needed`, `nda-needed`, `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `sample-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `posting-closed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_bid_sample: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                bid_sample_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": unknown;
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `sample-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `blob-missing` */
+            500: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -31437,7 +34071,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["ComparisonRead"];
+                    "application/json": components["schemas"]["app__agreements__comparison_schemas__ComparisonRead"];
                 };
             };
             /** @description `contract-not-found`, `contract-version-not-found` */
@@ -36254,7 +38888,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `note-needed`, `range-invalid` */
+            /** @description `note-needed`, `range-invalid`, `not-mentionable` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -36628,7 +39262,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `range-invalid` */
+            /** @description `range-invalid`, `not-mentionable` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -36660,6 +39294,135 @@ export interface operations {
                 };
             };
             /** @description `comment-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    reopen_comment: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                comment_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CommentRead"];
+                };
+            };
+            /** @description `comment-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    acknowledge_comment: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                comment_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CommentRead"];
+                };
+            };
+            /** @description `comment-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `acknowledgement-not-due` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_people_to_mention: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                take_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PersonBrief"][];
+                };
+            };
+            /** @description `take-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -36914,6 +39677,1295 @@ export interface operations {
                 };
             };
             /** @description `delivery-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_guest_links: {
+        parameters: {
+            query?: {
+                cursor?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_GuestLinkRead_"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-cursor` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    add_guest_link: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["GuestLinkAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GuestLinkMade"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found`, `playlist-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `nothing-to-share` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `guest-link-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    change_guest_link: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                guest_link_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["GuestLinkChange"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GuestLinkRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `guest-link-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    revoke_guest_link: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                guest_link_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GuestLinkRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `guest-link-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_guest_link_address: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                guest_link_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GuestLinkAddress"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `guest-link-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_guest_visits: {
+        parameters: {
+            query?: {
+                cursor?: string | null;
+            };
+            header?: never;
+            path: {
+                guest_link_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_GuestVisitRead_"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `guest-link-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-cursor` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    see_guest_door: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                secret: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GuestDoor"];
+                };
+            };
+            /** @description `guest-link-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_guest_room: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                secret: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GuestRoom"];
+                };
+            };
+            /** @description `guest-visit-over` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    record_guest_play: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                secret: string;
+                /** @description Of the sound in the link, from 1. */
+                place: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `guest-visit-over`, `guest-sound-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_guest_preview: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                secret: string;
+                /** @description Of the sound in the link, from 1. */
+                place: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "audio/wav": unknown;
+                };
+            };
+            /** @description `guest-visit-over`, `guest-sound-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `guest-sound-unplayed`, `guest-sound-not-made` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `blob-missing` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    open_guest_link: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                secret: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["GuestVisitAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GuestVisitMade"];
+                };
+            };
+            /** @description `guest-password-wrong` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `guest-link-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `too-many-attempts` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    add_guest_comment: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                secret: string;
+                /** @description Of the sound in the link, from 1. */
+                place: number;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["GuestCommentAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GuestCommentRead"];
+                };
+            };
+            /** @description `comments-closed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `guest-visit-over`, `guest-sound-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `range-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-attempts` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_playlists: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PlaylistBrief"][];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    add_playlist: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PlaylistAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PlaylistRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `nothing-to-share` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `playlist-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_playlist: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                playlist_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PlaylistRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `playlist-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    remove_playlist: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                playlist_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `playlist-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    change_playlist: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                playlist_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PlaylistChange"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PlaylistRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `playlist-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `playlist-changed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `playlist-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    save_playlist_position: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                playlist_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PositionSet"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `playlist-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `playlist-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_live_session: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                playlist_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["LiveRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `playlist-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    report_presence: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                playlist_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["LiveReport"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["LiveRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `playlist-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    move_playhead: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                playlist_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["LiveMove"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["LiveRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `playlist-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `keys-held`, `playhead-moved` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `playlist-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    pass_keys: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                playlist_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["LiveKeys"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["LiveRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `playlist-not-found`, `listener-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `keys-held` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_saved_views: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SavedViewRead"][];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    save_view: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["SavedViewAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SavedViewRead"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `saved-view-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_saved_view: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                saved_view_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `saved-view-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -37811,8 +41863,17 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `path-twice` */
+            /** @description `game-project-unreadable`, `path-twice` */
             422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `parsing-busy` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -37913,8 +41974,17 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `path-twice` */
+            /** @description `game-project-unreadable`, `path-twice` */
             422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `parsing-busy` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -38134,6 +42204,545 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    open_scene: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                take_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SceneRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `take-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_masking: {
+        parameters: {
+            query?: {
+                /** @description Only these lanes, each with its level in dB, as in `music:-12`. */
+                lane?: string[] | null;
+            };
+            header?: never;
+            path: {
+                take_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MaskingRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `take-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `lane-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_bed_sources: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BedSource"][];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    set_bed: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["BedSet"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BedRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bed-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    remove_bed: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                bed_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bed-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    change_bed: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                bed_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["BedChange"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BedRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bed-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_scene_sound: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                scene_sound_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "audio/wav": unknown;
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `scene-sound-not-found`, `scene-sound-not-made` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `reference-unopened` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `blob-missing` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    add_comparison: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                take_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ComparisonAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["app__scenes__schemas__ComparisonRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `take-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `nothing-to-compare` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_comparison: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                comparison_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["app__scenes__schemas__ComparisonRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `comparison-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_comparison_file: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                comparison_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "audio/wav": unknown;
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `comparison-not-found`, `comparison-not-made` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+            /** @description `blob-missing` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };
@@ -41160,6 +45769,55 @@ export interface operations {
             };
         };
     };
+    download_reaper_project: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/x-reaper": string;
+                };
+            };
+            /** @description `designer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
     list_came_back: {
         parameters: {
             query?: {
@@ -41907,6 +46565,88 @@ export interface operations {
             };
         };
     };
+    list_my_notices: {
+        parameters: {
+            query?: {
+                cursor?: string | null;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_InAppNoticeRead_"];
+                };
+            };
+            /** @description `bad-cursor` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    count_my_unread_notices: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["UnreadRead"];
+                };
+            };
+        };
+    };
+    mark_my_notices_read: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NoticesMark"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
     read_my_mail_preferences: {
         parameters: {
             query?: never;
@@ -42078,6 +46818,379 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_webhooks: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WebhooksRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    add_webhook: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["WebhookAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WebhookSecretRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found`, `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `webhooks-full` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `webhook-address-refused` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_webhook: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                webhook_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `webhook-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    change_webhook: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                webhook_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["WebhookChange"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WebhookRead"];
+                };
+            };
+            /** @description `webhook-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `webhook-address-refused` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    rotate_webhook_secret: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                webhook_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WebhookSecretRead"];
+                };
+            };
+            /** @description `webhook-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    send_webhook_test: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                webhook_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            202: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WebhookCallRead"];
+                };
+            };
+            /** @description `webhook-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `webhook-disabled` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_webhook_calls: {
+        parameters: {
+            query?: {
+                cursor?: string | null;
+            };
+            header?: never;
+            path: {
+                webhook_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_WebhookCallRead_"];
+                };
+            };
+            /** @description `webhook-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-cursor` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    replay_webhook_call: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                webhook_call_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            202: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WebhookCallRead"];
+                };
+            };
+            /** @description `webhook-call-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `webhook-disabled` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
                 };
             };
         };
