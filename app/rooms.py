@@ -63,6 +63,9 @@ from app.sound_lists.own_column_endpoints import router as own_columns
 from app.sound_lists.people_endpoints import router as cue_people
 from app.voice_lines.endpoints import router as voice_lines
 from app.voice_lines.release_endpoints import router as voice_releases
+from app.webhooks.endpoints import router as webhooks
+from app.webhooks.rules import EVENTS
+from app.webhooks.service import queue_event
 
 ROUTERS: tuple[APIRouter, ...] = (
     accounts,
@@ -121,6 +124,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     notifications,
     notices,
     mail_preferences,
+    webhooks,
     operations,
 )
 JOB_MODULES = (
@@ -147,6 +151,7 @@ JOB_MODULES = (
     "app.notifications.jobs",
     "app.notifications.mail_jobs",
     "app.notifications.notice_jobs",
+    "app.webhooks.jobs",
 )
 PARSERS = (
     "app.deliveries.game_projects",
@@ -164,6 +169,8 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "archive.received": ("deliveries.unpack_archive",),
     "take.received": ("renders.prepare_take",),
     "takes.checked": ("notifications.notify_checks",),
+    "take.in_review": (),
+    "take.returned": (),
     "take.rendered": ("renders.measure_timbre",),
     "palette.changed": ("renders.measure_palette",),
     "fix.asked": ("conformance.make_fix",),
@@ -174,6 +181,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "cue.changed": ("conformance.recheck_takes", "renders.update_renders"),
     "placeholders.asked": ("builds.make_placeholder_files",),
     "pack.asked": ("builds.seal_pack",),
+    "pack.made": (),
     "manifest.asked": ("builds.fingerprint_pack",),
     "batch.asked": ("renders.plan_batch",),
     "reel.asked": ("renders.make_reel",),
@@ -199,6 +207,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "amendment.signer_is_next": ("notifications.notify_signer",),
     "invoice.drafted": (),
     "invoice.issued": ("notifications.notify_invoice",),
+    "payment.recorded": (),
     "designer.joined": ("notifications.notify_joined",),
     "contract.agreed": (
         "notifications.notify_contract",
@@ -231,4 +240,6 @@ HANDLERS: dict[str, tuple[Handler, ...]] = {
     "spec.changed": (record_spec_version,),
     "invoice.drafted": (ensure_stated_to_invoice,),  # an invoice without the sources that the contract wants is refused
 }
+for _event in EVENTS:  # what webhooks are called for
+    HANDLERS[_event] = (*HANDLERS.get(_event, ()), queue_event)
 LOW_PRIORITY_JOBS = frozenset({"builds.fingerprint_take"})

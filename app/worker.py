@@ -60,6 +60,7 @@ CHORES = (
     "notifications.remind_of_days",
     "notifications.notify_overdue_checks",
     "notifications.delete_old_notices",
+    "webhooks.delete_old_calls",
 )
 
 

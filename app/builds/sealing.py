@@ -81,6 +81,7 @@ def seal(session: Session, pack_id: UUID, files: Sequence[Packed]) -> None:
     ]
     session.execute(sa.insert(PackedFile), rows)
     pack.state, pack.sealed_at = PackState.SEALED, clock.now()
+    publish(session, "pack.made", studio_id=pack.studio_id, pack_id=pack.id)
 
 
 def refuse(session: Session, pack_id: UUID, refusal: str) -> None:

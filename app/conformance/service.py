@@ -166,6 +166,10 @@ def record_check(session: Session, order: CheckOrder, report: Report) -> TakeSta
         facts = {"spec_version": version, "verdict": report["verdict"]}
         note_take(session, take, kind, facts, by=take.rechecked_by)
     schedule_notification(session, take)
+    if take.state is TakeState.RETURNED:
+        publish(session, "take.returned", studio_id=take.studio_id, take_id=take.id)
+    elif take.state is TakeState.CONFORMING and take.cue_id is not None:
+        publish(session, "take.in_review", studio_id=take.studio_id, take_id=take.id)
     return take.state
 
 

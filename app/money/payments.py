@@ -9,6 +9,7 @@ from app.accounts.rules import Actor, Role
 from app.agreements.models import Contract
 from app.agreements.queries import lock_contract
 from app.kit import clock
+from app.kit.events import publish
 from app.money import queries
 from app.money.errors import InvoiceNotFound, PaymentNotFound
 from app.money.invoices import visible_invoice
@@ -81,4 +82,5 @@ def _keep(
     session.add(payment)
     session.flush()
     write(session, contract, entries, person_id=actor.person, payment_id=payment.id)
+    publish(session, "payment.recorded", studio_id=payment.studio_id, payment_id=payment.id)
     return payment

@@ -6,6 +6,7 @@ from uuid import UUID
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session, contains_eager, joinedload
 
+from app.projects.models import Project
 from app.webhooks.models import Webhook, WebhookCall
 
 
@@ -46,8 +47,14 @@ def call_in(session: Session, studio_ids: Collection[UUID], call_id: UUID) -> We
     return session.scalar(found.options(joinedload(WebhookCall.webhook)))
 
 
-def call_to_send(session: Session, call_id: UUID, attempt: UUID) -> WebhookCall | None:
-    """Return a call with its webhook, locked, while this attempt at it is the one that is due."""
+def call_to_send(session: Session, call_id: UUID, attempt: UUID, *, locked: bool) -> WebhookCall | None:
+    """Return a call with its webhook while this attempt at it is the one that is due, and the webhook is enabled."""
     due = select(WebhookCall).join(WebhookCall.webhook).options(contains_eager(WebhookCall.webhook))
     due = due.where(WebhookCall.id == call_id, WebhookCall.next_attempt == attempt, Webhook.disabled_at.is_(None))
-    return session.scalar(due.with_for_update(of=WebhookCall))
+    return session.scalar(due.with_for_update(of=[WebhookCall, Webhook]) if locked else due)
+
+
+def projects_of(session: Session, studio_id: UUID) -> Sequence[Project]:
+    """Return the projects of a studio that are not archived, by name."""
+    found = select(Project).where(Project.studio_id == studio_id, Project.archived_at.is_(None))
+    return session.scalars(found.order_by(Project.name, Project.id)).all()

@@ -1,0 +1,32 @@
+"""The jobs of this room."""
+
+from uuid import UUID
+
+from app.kit import clock
+from app.kit.queue import Payload, job
+from app.kit.runtime import Runtime
+from app.webhooks import queries, sending, service
+from app.webhooks.messages import message_of
+
+
+@job(service.WRITE_CALLS)
+def write_calls(runtime: Runtime, payload: Payload) -> None:
+    """Write the messages of an event for every webhook that is called for it."""
+    with runtime.database.writing() as session:
+        project_id, message = message_of(session, runtime.settings.base_url, payload)
+        for webhook in queries.enabled_webhooks(session, UUID(payload["studio_id"])):
+            if message.event in webhook.events and webhook.project_id in (None, project_id):
+                service.write_call(session, webhook, payload["event_id"], message)
+
+
+@job(service.SEND_CALL)
+def send_call(runtime: Runtime, payload: Payload) -> None:
+    """Send one message to one address."""
+    sending.send(runtime, UUID(payload["call_id"]), UUID(payload["attempt"]))
+
+
+@job("webhooks.delete_old_calls")
+def delete_old_calls(runtime: Runtime, _payload: Payload) -> None:
+    """Delete what was sent long ago from the log."""
+    with runtime.database.writing() as session:
+        service.delete_old_calls(session, clock.now())
