@@ -39,6 +39,7 @@ from app.renders.queries import pictures_of_sounds
 from app.renders.schemas import SoundBrief
 from app.renders.service import sound_places
 from app.sound_lists.queries import cues_by_id
+from app.voice_lines.rules import stem_in
 
 UNREAD_KEPT = 100
 
@@ -89,14 +90,17 @@ def _sound(
 ) -> AuditedSound:
     take_id = _take_named(file)
     take = takes.get(take_id) if take_id is not None else None
-    stem = PurePosixPath((file.approved or file.path).replace("\\", "/")).stem.lower()
+    named = PurePosixPath((file.approved or file.path).replace("\\", "/"))
+    stem = named.stem.lower()
     level = played_level(file.model_dump())
     return AuditedSound(
         place=place,
         studio_id=project.studio_id,
         project_id=project.id,
         path=file.path,
-        cue_id=(take.cue_id if take else None) or stems.get(stem),
+        cue_id=(take.cue_id if take else None)
+        or stems.get(stem)
+        or stems.get(stem_in(named.parent.name.lower(), stem)),
         take_id=take.id if take else None,
         status=file.status,
         played_status=file.played_status,

@@ -36,6 +36,8 @@ from app.renders.rules import RenderState
 from app.reviews.queries import accepted_takes
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import label
+from app.voice_lines.queries import languages_by_cue
+from app.voice_lines.rules import game_path
 from audio_checks import LOSSY_ENCODINGS, Target
 
 KEY_CSV, KEY_XLSX, KEY_PDF = (f"documentation-key.{ending}" for ending in ("csv", "xlsx", "pdf"))
@@ -55,6 +57,7 @@ class PackedSound:
     take: Take
     path: str  # in the pack: the target's folder and the name that the cue owns
     render: Render | None
+    language: str | None = None  # of a voice line
     closed: str | None = None  # why its files cannot be downloaded, where its contract opens them by payment
 
     @property
@@ -84,7 +87,8 @@ class PackedSound:
     @property
     def master_name(self) -> str:
         """The master's path in the pack, under the name of its game file."""
-        return f"masters/{PurePosixPath(self.file_name).stem}{PurePosixPath(self.take.file_name).suffix.lower()}"
+        folder = f"masters/{self.language}" if self.language else "masters"
+        return f"{folder}/{PurePosixPath(self.file_name).stem}{PurePosixPath(self.take.file_name).suffix.lower()}"
 
 
 @dataclass(frozen=True)
@@ -149,7 +153,7 @@ def pack_of(session: Session, project: Project, target: str | None, actor: Actor
     last_renders = queries.game_renders_of(session, last.id) if last else {}
     accepted = accepted_takes(session, project.id)
     renders = current_renders(session, {project.id: spec}, [take for _, _, take in accepted])
-    stems = queries.stems_of_project(session, project.id)
+    stems, languages = queries.stems_of_project(session, project.id), languages_by_cue(session, project.id)
     categories: dict[str, tuple[str, Target]] = {}
     work = {(cue.id, take.designer_id) for cue, _, take in accepted}
     closed = closed_downloads(session, actor, work)
@@ -159,12 +163,13 @@ def pack_of(session: Session, project: Project, target: str | None, actor: Actor
             own = view.for_category(cue.category or None)
             categories[cue.category] = own.targets[chosen].ending(own.naming.extension), own.targets[chosen]
         ending, made_to = categories[cue.category]
-        path = made_to.path_of(stems[cue.id, variation] + ending, cue.category)
+        language = languages.get(cue.id)
+        path = game_path(language, made_to.path_of(stems[cue.id, variation] + ending, cue.category))
         render, before = renders[take.id].get(chosen), last_renders.get(path)
         if before and render and render.state is RenderState.MADE and mark_of(before) == mark_of(render):
             render = before
         reason = closed.get((cue.id, take.designer_id))
-        sounds.append(PackedSound(cue=cue, variation=variation, take=take, path=path, render=render, closed=reason))
+        sounds.append(PackedSound(cue, variation, take, path, render, language, reason))
     return Pack(
         project=project,
         target=chosen,

@@ -26,6 +26,8 @@ from app.sound_lists.models import Cue
 from app.sound_lists.queries import cues_of
 from app.sound_lists.rules import CueState, label
 from app.sound_lists.service import cue_facts
+from app.voice_lines.queries import languages_by_cue
+from app.voice_lines.rules import game_path
 from audio_checks import TOOL_VERSION, CueFacts, DeliverySpec
 
 SETTLED_FIRST = {CueState.LOCKED: 0, CueState.PROTOTYPE: 1, CueState.CONCEPT: 2}
@@ -47,6 +49,7 @@ def open_slots(session: Session, pack: Pack) -> Iterator[Slot]:
     """Yield what a pack lacks, in list order."""
     spec = parsed_spec(current_spec(session, pack.project.id).toml)
     there = {(sound.cue.id, sound.variation) for sound in pack.sounds if sound.made}
+    languages = languages_by_cue(session, pack.project.id)
     views: dict[str, DeliverySpec] = {}
     for cue in cues_of(session, pack.project.id):
         if cue.state is CueState.CUT:
@@ -57,7 +60,8 @@ def open_slots(session: Session, pack: Pack) -> Iterator[Slot]:
         facts = replace(cue_facts(cue), number=label(pack.project.cue_prefix, cue.number))
         for stem in sorted(cue.stems, key=lambda one: one.variation):
             if (cue.id, stem.variation) not in there and view.target is not None:
-                path = view.target.path_of(stem.stem + view.ending, cue.category)
+                named = view.target.path_of(stem.stem + view.ending, cue.category)
+                path = game_path(languages.get(cue.id), named)
                 yield Slot(cue, stem.variation, path, facts, view, _key(facts, stem.variation, view))
 
 

@@ -115,6 +115,12 @@ def languages_of(session: Session, project_id: UUID) -> list[str]:
     return sorted(session.scalars(select(VoiceText.language).where(VoiceText.project_id == project_id).distinct()))
 
 
+def languages_by_cue(session: Session, project_id: UUID) -> dict[UUID, str]:
+    """Return the language of each cue that is a voice line."""
+    spoken = select(VoiceText.cue_id, VoiceText.language).where(VoiceText.project_id == project_id)
+    return dict(session.execute(spoken).all())
+
+
 def newest_version(session: Session, text: VoiceText) -> VoiceTextVersion:
     """Return the newest version of a text."""
     of_it = (VoiceTextVersion.text_id == text.id, VoiceTextVersion.number == text.newest_number)
