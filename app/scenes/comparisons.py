@@ -15,7 +15,7 @@ from app.scenes import queries
 from app.scenes.errors import ComparisonNotFound, ComparisonNotMade, NothingToCompare
 from app.scenes.listening import Compared
 from app.scenes.models import Comparison
-from app.scenes.schemas import ComparisonRead, SpectraRead
+from app.scenes.schemas import SoundComparisonRead, SpectraRead
 
 NO_PREVIEW = "one of the two has no preview yet"
 
@@ -93,10 +93,10 @@ def refuse(session: Session, comparison_id: UUID, reason: str) -> None:
     session.get_one(Comparison, comparison_id).refusal = reason
 
 
-def comparison_read(comparison: Comparison) -> ComparisonRead:
+def comparison_read(comparison: Comparison) -> SoundComparisonRead:
     """Return a comparison as it is shown."""
     is_made = comparison.sha256 is not None
-    return ComparisonRead(
+    return SoundComparisonRead(
         id=comparison.id,
         is_made=is_made,
         lag_s=comparison.lag_s,

@@ -30,8 +30,8 @@ from app.scenes.schemas import (
     BedRead,
     BedSet,
     BedSource,
-    ComparisonAdd,
-    ComparisonRead,
+    SoundComparisonAdd,
+    SoundComparisonRead,
     MaskingRead,
     SceneRead,
 )
@@ -121,7 +121,9 @@ def get_scene_sound(
 @router.post(
     "/takes/{take_id}/comparisons", status_code=201, responses=problems(TakeNotFound, TeamNeeded, NothingToCompare)
 )
-def add_comparison(take_id: UUID, body: ComparisonAdd, session: DbSession, actor: Actor = TEAM) -> ComparisonRead:
+def add_comparison(
+    take_id: UUID, body: SoundComparisonAdd, session: DbSession, actor: Actor = TEAM
+) -> SoundComparisonRead:
     """Have a version compared with another, or with one of its game files; the same two give the same comparison."""
     found = comparisons.request_comparison(
         session, actor, take_id, against_take_id=body.against_take_id, target=body.target
@@ -130,7 +132,7 @@ def add_comparison(take_id: UUID, body: ComparisonAdd, session: DbSession, actor
 
 
 @router.get("/comparisons/{comparison_id}", responses=problems(ComparisonNotFound, TeamNeeded))
-def get_comparison(comparison_id: UUID, session: DbSession, actor: Actor = TEAM) -> ComparisonRead:
+def get_comparison(comparison_id: UUID, session: DbSession, actor: Actor = TEAM) -> SoundComparisonRead:
     """Return whether a comparison is made, and what differs."""
     return comparisons.comparison_read(comparisons.visible_comparison(session, actor, comparison_id))
 

@@ -13,7 +13,7 @@ from app.scenes.errors import LaneUnknown
 from app.scenes.excitations import placed, unpacked
 from app.scenes.models import Bed
 from app.scenes.rules import HIGHEST_DB, LOWEST_DB, CoveredBand, masking_words
-from app.scenes.schemas import BedRead, ClipRead, LaneRead, MaskedBand, MaskingRead, SceneRead
+from app.scenes.schemas import BedRead, ClipRead, SceneLaneRead, MaskedBand, MaskingRead, SceneRead
 from app.scenes.service import SOUND, Lane, Scene, scene_of
 from audio_checks import CENTRES_HZ, Masking, masking
 
@@ -46,7 +46,7 @@ def read_scene(scene: Scene) -> SceneRead:
     )
 
 
-def _read_lane(scene: Scene, lane: Lane) -> LaneRead:
+def _read_lane(scene: Scene, lane: Lane) -> SceneLaneRead:
     sound = scene.sounds.get(lane.sound)
     picture = lane.take.picture if lane.take else None
     if picture is not None:
@@ -56,7 +56,7 @@ def _read_lane(scene: Scene, lane: Lane) -> LaneRead:
         is_playable = sound is not None and sound.preview_sha256 is not None
         preview_url = f"/v1/scene-sounds/{sound.id}/preview" if sound and is_playable else None
         thumb, duration_s = (sound.thumb or None, sound.duration_s) if sound and is_playable else (None, None)
-    return LaneRead(
+    return SceneLaneRead(
         id=lane.id,
         name=lane.name,
         cue_id=lane.take.cue.id if lane.take else None,

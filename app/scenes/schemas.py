@@ -52,7 +52,7 @@ class BedSource(Schema):
     loops: bool
 
 
-class LaneRead(Schema):
+class SceneLaneRead(Schema):
     """One sound of a scene: when it plays, how loud, and what plays it."""
 
     id: str = Field(description="`sound`, or the id of the neighbour's cue, or the bed's role.")
@@ -96,7 +96,7 @@ class SceneRead(Schema):
     length_s: float
     has_spots: bool = Field(description="Whether the list says when the sound plays; else it plays once.")
     audit_label: str | None = Field(description="Of the newest audit of a build, which the levels come from.")
-    lanes: list[LaneRead]
+    lanes: list[SceneLaneRead]
     clips: list[ClipRead]
     is_ready: bool = Field(description="Whether all that can be prepared is.")
     may_change: bool
@@ -126,7 +126,7 @@ class MaskingRead(Schema):
     in_words: str
 
 
-class ComparisonAdd(Schema):
+class SoundComparisonAdd(Schema):
     """What a version is compared with: another version, or one of its own game files. Exactly one of the two."""
 
     against_take_id: UUID | None = None
@@ -142,7 +142,7 @@ class SpectraRead(Schema):
     difference_dbfs: list[float | None]
 
 
-class ComparisonRead(Schema):
+class SoundComparisonRead(Schema):
     """How a version differs from another sound, both aligned to the sample and brought to one level."""
 
     id: UUID
