@@ -155,6 +155,7 @@ export const queryKeys = {
   desk: family<[projectId: string, list?: string]>('desk'),
   overview: family<[projectId: string]>('overview'),
   palette: family<[projectId: string]>('palette'),
+  hours: family<[projectId: string]>('hours'),
   pace: family<[projectId: string]>('pace'),
   progress: family<[projectId: string, part?: 'cues' | 'counts']>('progress'),
   operations: family<[scope: string, part: 'kept' | 'limits' | 'sums' | 'jobs', state?: string]>('operations'),

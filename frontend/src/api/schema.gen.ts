@@ -7799,6 +7799,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/hours": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Project Hours
+         * @description Return hours wanted, done and there, by designer, week and category; cues without an estimate are counted.
+         */
+        get: operations["read_project_hours"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/events": {
         parameters: {
             query?: never;
@@ -10357,6 +10377,31 @@ export interface components {
             left: number;
         };
         /**
+         * CategoryHours
+         * @description The hours of one category.
+         */
+        CategoryHours: {
+            /** Cues */
+            cues: number;
+            /**
+             * Unknown
+             * @description Cues without an estimate; no hours are guessed for them.
+             */
+            unknown: number;
+            /**
+             * Left H
+             * @description Of the estimates, less what was logged.
+             */
+            left_h: number;
+            /**
+             * Done H
+             * @description Logged so far.
+             */
+            done_h: number;
+            /** Category */
+            category: string;
+        };
+        /**
          * CategoryInGame
          * @description The counts of one category.
          */
@@ -11183,14 +11228,16 @@ export interface components {
             received_at: string;
         };
         /**
-         * ComparisonAdd
-         * @description What a version is compared with: another version, or one of its own game files. Exactly one of the two.
+         * ComparisonRead
+         * @description Two versions word by word.
          */
-        ComparisonAdd: {
-            /** Against Take Id */
-            against_take_id?: string | null;
-            /** Target */
-            target?: string | null;
+        ComparisonRead: {
+            /** From Version */
+            from_version: number;
+            /** To Version */
+            to_version: number;
+            /** Lines */
+            lines: components["schemas"]["ComparedRead"][];
         };
         /**
          * ContractAdd
@@ -12522,6 +12569,47 @@ export interface components {
             until_on: string;
         };
         /**
+         * DesignerHours
+         * @description The hours of one designer in this project.
+         */
+        DesignerHours: {
+            /** Cues */
+            cues: number;
+            /**
+             * Unknown
+             * @description Cues without an estimate; no hours are guessed for them.
+             */
+            unknown: number;
+            /**
+             * Left H
+             * @description Of the estimates, less what was logged.
+             */
+            left_h: number;
+            /**
+             * Done H
+             * @description Logged so far.
+             */
+            done_h: number;
+            designer: components["schemas"]["PersonBrief"];
+            /**
+             * Undated
+             * @description Cues without a day, which are in no week.
+             */
+            undated: number;
+            /**
+             * Roster Entry Id
+             * @description Where hours a week and booked days are kept; null: not on file.
+             */
+            roster_entry_id: string | null;
+            /**
+             * Weekly Hours
+             * @description As they say; null where that is not known.
+             */
+            weekly_hours: number | null;
+            /** Weeks */
+            weeks: components["schemas"]["WeekHours"][];
+        };
+        /**
          * Desk
          * @description A designer's work in one project; of its lists the first page each, and the cursor of the following one.
          */
@@ -12948,7 +13036,7 @@ export interface components {
          * @description What a designer may have to know.
          * @enum {string}
          */
-        Fact: "source" | "material" | "size" | "surface" | "place" | "distance" | "intensity" | "mood" | "loop" | "length";
+        Fact: "source" | "material" | "size" | "surface" | "place" | "distance" | "intensity" | "mood" | "loop" | "length" | "character" | "words" | "direction";
         /**
          * FactAnswer
          * @description An answer, which is written into the cue's description.
@@ -13957,6 +14045,29 @@ export interface components {
             created_at: string;
         };
         /**
+         * HoursSum
+         * @description Hours of cues that are neither accepted nor cut.
+         */
+        HoursSum: {
+            /** Cues */
+            cues: number;
+            /**
+             * Unknown
+             * @description Cues without an estimate; no hours are guessed for them.
+             */
+            unknown: number;
+            /**
+             * Left H
+             * @description Of the estimates, less what was logged.
+             */
+            left_h: number;
+            /**
+             * Done H
+             * @description Logged so far.
+             */
+            done_h: number;
+        };
+        /**
          * ImportAsk
          * @description A spreadsheet, and how to read it.
          */
@@ -14641,6 +14752,34 @@ export interface components {
             name: string;
             /** Rows */
             rows: components["schemas"]["KitRow"][];
+        };
+        /**
+         * LaneRead
+         * @description The jobs of one studio and one urgency; lanes take turns.
+         */
+        LaneRead: {
+            /**
+             * Studio Id
+             * @description Null for what is done on no studio's behalf.
+             */
+            studio_id: string | null;
+            /** Studio Name */
+            studio_name: string | null;
+            urgency: components["schemas"]["Urgency"];
+            /** Waiting */
+            waiting: number;
+            /** Running */
+            running: number;
+            /**
+             * Delayed
+             * @description Failed, and to be tried again later.
+             */
+            delayed: number;
+            /**
+             * Oldest At
+             * @description Since when the one waits that has waited longest.
+             */
+            oldest_at: string | null;
         };
         /**
          * LastContract
@@ -18218,6 +18357,22 @@ export interface components {
             am_left_out: boolean;
         };
         /**
+         * ProjectHours
+         * @description Hours of a project's agreed work: wanted, done, and there.
+         */
+        ProjectHours: {
+            total: components["schemas"]["HoursSum"];
+            /**
+             * Uncontracted
+             * @description Cues of the list that no agreed contract covers: their hours are unknown.
+             */
+            uncontracted: number;
+            /** Categories */
+            categories: components["schemas"]["CategoryHours"][];
+            /** Designers */
+            designers: components["schemas"]["DesignerHours"][];
+        };
+        /**
          * ProjectMoney
          * @description The money of a project, as far as the caller sees its contracts.
          */
@@ -20097,6 +20252,50 @@ export interface components {
             query: string;
         };
         /**
+         * SceneLaneRead
+         * @description One sound of a scene: when it plays, how loud, and what plays it.
+         */
+        SceneLaneRead: {
+            /**
+             * Id
+             * @description `sound`, or the id of the neighbour's cue, or the bed's role.
+             */
+            id: string;
+            /** Name */
+            name: string;
+            /** Cue Id */
+            cue_id: string | null;
+            /** Take Id */
+            take_id: string | null;
+            bed: components["schemas"]["BedRead"] | null;
+            /**
+             * Reference Version Id
+             * @description Of a bed from the references. Its opening is recorded before it is sent.
+             */
+            reference_version_id: string | null;
+            /**
+             * Preview Url
+             * @description Null while it is prepared, or where it cannot be played.
+             */
+            preview_url: string | null;
+            thumb: components["schemas"]["ThumbRead"] | null;
+            /** Duration S */
+            duration_s: number | null;
+            /** Loops */
+            loops: boolean;
+            /** Starts S */
+            starts_s: number[];
+            /** Level Db */
+            level_db: number;
+            level_from: components["schemas"]["LevelFrom"];
+            /** Is On */
+            is_on: boolean;
+            /** Is Measured */
+            is_measured: boolean;
+            /** Problem */
+            problem: string;
+        };
+        /**
          * SceneRead
          * @description A version among what sounds with it: the first lane is the version itself.
          */
@@ -20126,7 +20325,7 @@ export interface components {
              */
             audit_label: string | null;
             /** Lanes */
-            lanes: components["schemas"]["app__scenes__schemas__LaneRead"][];
+            lanes: components["schemas"]["SceneLaneRead"][];
             /** Clips */
             clips: components["schemas"]["ClipRead"][];
             /**
@@ -20418,7 +20617,7 @@ export interface components {
              * Lanes
              * @description The longest first, fifty at most.
              */
-            lanes: components["schemas"]["app__operations__schemas__LaneRead"][];
+            lanes: components["schemas"]["LaneRead"][];
             /**
              * Workers
              * @description Those that said within the hour that they live.
@@ -20757,6 +20956,49 @@ export interface components {
             peaks_url: string | null;
             /** Spectrum Url */
             spectrum_url: string | null;
+        };
+        /**
+         * SoundComparisonAdd
+         * @description What a version is compared with: another version, or one of its own game files. Exactly one of the two.
+         */
+        SoundComparisonAdd: {
+            /** Against Take Id */
+            against_take_id?: string | null;
+            /** Target */
+            target?: string | null;
+        };
+        /**
+         * SoundComparisonRead
+         * @description How a version differs from another sound, both aligned to the sample and brought to one level.
+         */
+        SoundComparisonRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Is Made */
+            is_made: boolean;
+            /**
+             * Lag S
+             * @description How much later the other sound had to begin.
+             */
+            lag_s: number | null;
+            /**
+             * Gain Db
+             * @description How much louder the other sound had to be.
+             */
+            gain_db: number | null;
+            /**
+             * Residue Db
+             * @description The level of the difference against that of the version.
+             */
+            residue_db: number | null;
+            spectra: components["schemas"]["SpectraRead"] | null;
+            /** File Url */
+            file_url: string | null;
+            /** Refusal */
+            refusal: string | null;
         };
         /**
          * SoundCue
@@ -21291,7 +21533,7 @@ export interface components {
             /** Counts */
             counts: components["schemas"]["JobCountRead"][];
             /** Lanes */
-            lanes: components["schemas"]["app__operations__schemas__LaneRead"][];
+            lanes: components["schemas"]["LaneRead"][];
             /**
              * Workers
              * @description Worker processes that live.
@@ -22603,7 +22845,7 @@ export interface components {
         WebhookAdd: {
             /**
              * Url
-             * @description An https address of a public host.
+             * @description Of a public host, by https.
              */
             url: string;
             /** @default json */
@@ -22774,6 +23016,38 @@ export interface components {
              * @description Whether this server calls its own machine too, for trying things out.
              */
             may_be_localhost: boolean;
+        };
+        /**
+         * WeekHours
+         * @description The hours due by the end of a week against the hours there are.
+         */
+        WeekHours: {
+            /**
+             * Week On
+             * Format: date
+             * @description Its Monday.
+             */
+            week_on: string;
+            /**
+             * Due H
+             * @description Due in this week; in the first one, what is overdue too.
+             */
+            due_h: number;
+            /**
+             * Wanted H
+             * @description Due from today to the end of this week.
+             */
+            wanted_h: number;
+            /**
+             * There H
+             * @description There from today to the end of this week; null where it is not known.
+             */
+            there_h: number | null;
+            /**
+             * Is Short
+             * @description More is wanted by then than there is.
+             */
+            is_short: boolean;
         };
         /**
          * WeekState
@@ -23073,18 +23347,6 @@ export interface components {
             rounds: number;
         };
         /**
-         * ComparisonRead
-         * @description Two versions word by word.
-         */
-        app__agreements__comparison_schemas__ComparisonRead: {
-            /** From Version */
-            from_version: number;
-            /** To Version */
-            to_version: number;
-            /** Lines */
-            lines: components["schemas"]["ComparedRead"][];
-        };
-        /**
          * AnswerKind
          * @description What the studio says to a redline.
          * @enum {string}
@@ -23096,111 +23358,6 @@ export interface components {
          * @enum {string}
          */
         app__briefs__questions__AnswerKind: "choice" | "choices" | "text" | "number" | "lines" | "per_category" | "per_scene" | "names";
-        /**
-         * LaneRead
-         * @description The jobs of one studio and one urgency; lanes take turns.
-         */
-        app__operations__schemas__LaneRead: {
-            /**
-             * Studio Id
-             * @description Null for what is done on no studio's behalf.
-             */
-            studio_id: string | null;
-            /** Studio Name */
-            studio_name: string | null;
-            urgency: components["schemas"]["Urgency"];
-            /** Waiting */
-            waiting: number;
-            /** Running */
-            running: number;
-            /**
-             * Delayed
-             * @description Failed, and to be tried again later.
-             */
-            delayed: number;
-            /**
-             * Oldest At
-             * @description Since when the one waits that has waited longest.
-             */
-            oldest_at: string | null;
-        };
-        /**
-         * ComparisonRead
-         * @description How a version differs from another sound, both aligned to the sample and brought to one level.
-         */
-        app__scenes__schemas__ComparisonRead: {
-            /**
-             * Id
-             * Format: uuid
-             */
-            id: string;
-            /** Is Made */
-            is_made: boolean;
-            /**
-             * Lag S
-             * @description How much later the other sound had to begin.
-             */
-            lag_s: number | null;
-            /**
-             * Gain Db
-             * @description How much louder the other sound had to be.
-             */
-            gain_db: number | null;
-            /**
-             * Residue Db
-             * @description The level of the difference against that of the version.
-             */
-            residue_db: number | null;
-            spectra: components["schemas"]["SpectraRead"] | null;
-            /** File Url */
-            file_url: string | null;
-            /** Refusal */
-            refusal: string | null;
-        };
-        /**
-         * LaneRead
-         * @description One sound of a scene: when it plays, how loud, and what plays it.
-         */
-        app__scenes__schemas__LaneRead: {
-            /**
-             * Id
-             * @description `sound`, or the id of the neighbour's cue, or the bed's role.
-             */
-            id: string;
-            /** Name */
-            name: string;
-            /** Cue Id */
-            cue_id: string | null;
-            /** Take Id */
-            take_id: string | null;
-            bed: components["schemas"]["BedRead"] | null;
-            /**
-             * Reference Version Id
-             * @description Of a bed from the references. Its opening is recorded before it is sent.
-             */
-            reference_version_id: string | null;
-            /**
-             * Preview Url
-             * @description Null while it is prepared, or where it cannot be played.
-             */
-            preview_url: string | null;
-            thumb: components["schemas"]["ThumbRead"] | null;
-            /** Duration S */
-            duration_s: number | null;
-            /** Loops */
-            loops: boolean;
-            /** Starts S */
-            starts_s: number[];
-            /** Level Db */
-            level_db: number;
-            level_from: components["schemas"]["LevelFrom"];
-            /** Is On */
-            is_on: boolean;
-            /** Is Measured */
-            is_measured: boolean;
-            /** Problem */
-            problem: string;
-        };
     };
     responses: never;
     parameters: never;
@@ -34071,7 +34228,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["app__agreements__comparison_schemas__ComparisonRead"];
+                    "application/json": components["schemas"]["ComparisonRead"];
                 };
             };
             /** @description `contract-not-found`, `contract-version-not-found` */
@@ -42589,7 +42746,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["ComparisonAdd"];
+                "application/json": components["schemas"]["SoundComparisonAdd"];
             };
         };
         responses: {
@@ -42599,7 +42756,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["app__scenes__schemas__ComparisonRead"];
+                    "application/json": components["schemas"]["SoundComparisonRead"];
                 };
             };
             /** @description `team-needed` */
@@ -42657,7 +42814,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["app__scenes__schemas__ComparisonRead"];
+                    "application/json": components["schemas"]["SoundComparisonRead"];
                 };
             };
             /** @description `team-needed` */
@@ -46405,6 +46562,55 @@ export interface operations {
                 };
             };
             /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_project_hours: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ProjectHours"];
+                };
+            };
+            /** @description `team-needed`, `producer-needed` */
             403: {
                 headers: {
                     [name: string]: unknown;

@@ -14,11 +14,13 @@ import { gameFilesRoutes } from '@/features/game-files/routes'
 import { hiringRoutes, postingLinkRoutes } from '@/features/hiring/routes'
 import { invitationRoutes } from '@/features/invitation/routes'
 import { moneyRoutes } from '@/features/money/routes'
+import { noticeRoutes } from '@/features/notices/routes'
 import { operationRoutes } from '@/features/operations/routes'
 import { projectRoutes } from '@/features/projects/routes'
 import { referenceRoutes } from '@/features/references/routes'
 import { reviewRoutes } from '@/features/review/routes'
 import { kitRoutes } from '@/features/sound-list/kits/routes'
+import { listenRoutes, shareRoutes } from '@/features/shares/routes'
 import { soundListRoutes } from '@/features/sound-list/routes'
 import { takeRoutes } from '@/features/take/routes'
 import { todayRoutes } from '@/features/today/routes'
@@ -35,6 +37,7 @@ const pages = [
     ...accountGuestRoutes,
     ...invitationRoutes,
     ...postingLinkRoutes,
+    ...listenRoutes,
     ...checkRoutes,
     ...verifyRoutes,
   ]),
@@ -49,6 +52,7 @@ const pages = [
     ...gameFilesRoutes,
     ...buildRoutes,
     ...reviewRoutes,
+    ...shareRoutes,
     ...soundListRoutes,
     ...kitRoutes,
     ...adoptionRoutes,
@@ -57,6 +61,7 @@ const pages = [
     ...takeRoutes,
     ...accountRoutes,
     ...operationRoutes,
+    ...noticeRoutes,
     nowhereRoute,
   ]),
 ] as const

@@ -19,6 +19,8 @@ export interface ShellData {
   projects: ShellProject[]
   /** What waits for this person, shown next to the tab where it is done. */
   counts: { today?: number; desk?: number; review?: number | string; contract?: number }
+  /** How many notices the person has not read, as the bell shows it; missing where all is read. */
+  unread?: string
   /** Whether jobs and storage are this person's to see: a producer's, or an operator. */
   operates: boolean
   signOut: () => void

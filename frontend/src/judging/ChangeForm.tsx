@@ -11,6 +11,7 @@ import { ProblemNote } from '@/ui/ProblemNote'
 import { Segmented } from '@/ui/Segmented'
 
 import classes from './ChangeForm.module.css'
+import { Mentions } from './Mentions'
 import type { ChangeSaid } from './useJudge'
 
 /** What approvers say most, each on its digit. */
@@ -142,6 +143,7 @@ export function ChangeForm({ takeId, what, positionS, range, saving, problem, on
           Add change request
         </Button>
       </div>
+      <Mentions takeId={takeId} field={field} text={text} onText={setText} />
       {empty && <FieldError id={errorId}>Choose a reason or write what to change.</FieldError>}
       {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
       <DraftNote draft={draft} />

@@ -4,9 +4,12 @@ import { useDraft } from '@/app/drafts'
 import { Button } from '@/ui/Button'
 import { useFocusOnMount } from '@/ui/useFocusOnMount'
 
+import { Mentions } from './Mentions'
 import classes from './ReplyField.module.css'
 
 interface ReplyFieldProps {
+  /** The version that it is about. */
+  takeId: string
   /** Who wrote the note. */
   to: string
   draftKey: string
@@ -16,7 +19,7 @@ interface ReplyFieldProps {
 }
 
 /** One line to answer a note with; Enter sends. */
-export function ReplyField({ to, draftKey, onSend, onClose }: ReplyFieldProps) {
+export function ReplyField({ takeId, to, draftKey, onSend, onClose }: ReplyFieldProps) {
   const [text, setText, draft] = useDraft(draftKey, '')
   const [sending, setSending] = useState(false)
   const field = useFocusOnMount<HTMLInputElement>(true)
@@ -34,25 +37,28 @@ export function ReplyField({ to, draftKey, onSend, onClose }: ReplyFieldProps) {
     }
   }
   return (
-    <div className={classes.reply}>
-      <input
-        ref={field}
-        aria-label={`Reply to ${to}`}
-        placeholder={`Reply to ${to}`}
-        maxLength={10_000}
-        value={text}
-        onChange={(event) => setText(event.currentTarget.value)}
-        onKeyDown={(event) => {
-          if (event.key === 'Enter' && !event.nativeEvent.isComposing) void send()
-          else if (event.key === 'Escape') {
-            event.stopPropagation()
-            onClose()
-          }
-        }}
-      />
-      <Button disabled={sending || text.trim() === ''} onClick={() => void send()}>
-        Send
-      </Button>
+    <div>
+      <div className={classes.reply}>
+        <input
+          ref={field}
+          aria-label={`Reply to ${to}`}
+          placeholder={`Reply to ${to}`}
+          maxLength={10_000}
+          value={text}
+          onChange={(event) => setText(event.currentTarget.value)}
+          onKeyDown={(event) => {
+            if (event.key === 'Enter' && !event.nativeEvent.isComposing) void send()
+            else if (event.key === 'Escape') {
+              event.stopPropagation()
+              onClose()
+            }
+          }}
+        />
+        <Button disabled={sending || text.trim() === ''} onClick={() => void send()}>
+          Send
+        </Button>
+      </div>
+      <Mentions takeId={takeId} field={field} text={text} onText={setText} />
     </div>
   )
 }

@@ -1,19 +1,31 @@
 import { useQueryClient } from '@tanstack/react-query'
-import { useEffect, useMemo } from 'react'
+import { useEffect, useMemo, useRef } from 'react'
 
 import type { Player, Source } from '@/audio'
 
 import type { QueueItem, ReviewTake } from './api'
 import { AS_SENT, type Gains, MASTER, sourceOf } from './hearing'
 
-/** Keep the selected take in the player, from the start of every cue and silent until it is asked for. */
+/** Where a sound plays in its scene. */
+export interface Placing {
+  place: NonNullable<Source['place']>
+  /** When it first plays. */
+  startS: number
+}
+
+/**
+ * Keep the selected take in the player, from the start of every cue and silent until it is asked for; with a placing
+ * where it plays in its scene.
+ */
 export function useHearing(
   player: Player,
   cueId: string | undefined,
   take: ReviewTake | undefined,
   target: string = MASTER,
   gains: Gains = AS_SENT,
+  placing: Placing | null = null,
 ): Source | null {
+  const placedAtS = useRef(0)
   useEffect(() => {
     player.pause()
     player.setRange(null)
@@ -21,11 +33,16 @@ export function useHearing(
     player.seek(0)
   }, [player, cueId])
 
-  const source = useMemo(() => (take ? sourceOf(take, target, gains) : null), [take, target, gains])
+  const source = useMemo(() => {
+    const alone = take ? sourceOf(take, target, gains) : null
+    return alone && placing ? { ...alone, place: placing.place } : alone
+  }, [take, target, gains, placing])
+  const startS = placing?.startS ?? 0
   useEffect(() => {
     if (source === null) player.pause()
-    else void player.select(source)
-  }, [player, source])
+    else void player.select(source, startS - placedAtS.current)
+    placedAtS.current = startS
+  }, [player, source, startS])
   return source
 }
 

@@ -7,6 +7,7 @@ import { dismissToast, showToast } from '@/app/toast'
 
 import { withoutVerdict } from './afterVerdict'
 import { type QueueCount, type QueuePage, refresh, type ReviewCue, type ReviewTake } from './api'
+import { mentionsOf } from './mentions'
 
 /** What was refused, and why: said where it happened. */
 export interface Refusal {
@@ -22,11 +23,11 @@ export interface ChangeSaid {
 
 const asProblem = (error: unknown): ApiProblem => (error instanceof ApiProblem ? error : lineLost())
 
-const giveVerdict = (take: ReviewTake, kind: 'approve' | 'request_change', said: ChangeSaid) =>
+const giveVerdict = (take: ReviewTake, kind: 'approve' | 'request_change', said: ChangeSaid, mentions: string[] = []) =>
   answered(
     api.POST('/v1/takes/{take_id}/verdict', {
       params: { path: { take_id: take.id } },
-      body: { kind, note: said.note, start_s: said.startS, end_s: said.endS, seen_state: take.state },
+      body: { kind, note: said.note, start_s: said.startS, end_s: said.endS, seen_state: take.state, mentions },
     }),
   )
 
@@ -125,7 +126,8 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void) {
 
   const change = useMutation({
     mutationFn: async ({ takes, said }: { takes: readonly ReviewTake[]; said: ChangeSaid }) => {
-      for (const take of takes) await giveVerdict(take, 'request_change', said)
+      for (const take of takes)
+        await giveVerdict(take, 'request_change', said, await mentionsOf(client, take.id, said.note))
     },
     // Not awaited: the confirmation is shown before the lists are refetched.
     onSettled: () => void refresh(client, projectId),

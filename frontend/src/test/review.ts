@@ -144,6 +144,7 @@ export function aDraft(take: ReviewTake, cue: ReviewCue, text: string): ChangeRe
     variation: take.variation,
     number: take.number,
     text,
+    mentions: [],
     start_s: null,
     end_s: null,
     reverses: false,

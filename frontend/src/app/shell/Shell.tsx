@@ -33,6 +33,7 @@ export function Shell({ session }: { session: Session }) {
   useHotkeys([
     { keys: 'mod+k', label: 'Search or run a command', group: 'Everywhere', run: () => setFinding(true) },
     { keys: '?', label: 'Keyboard shortcuts', group: 'Everywhere', run: () => setShowingKeys(true) },
+    ...(data.person ? [{ keys: 'g n', label: 'Go to Notices', group: 'Everywhere', run: () => go('/notices') }] : []),
     ...screens.map(({ label, path, letter }) => ({
       keys: `g ${letter}`,
       label: `Go to ${label}`,
@@ -48,6 +49,18 @@ export function Shell({ session }: { session: Session }) {
       keys: `g ${letter}`,
       run: () => go(path),
     })),
+    ...(data.person
+      ? [
+          {
+            id: 'place-/notices',
+            label: 'Notices',
+            icon: 'bell' as const,
+            keys: 'g n',
+            also: ['news', 'mentions', 'unread'],
+            run: () => go('/notices'),
+          },
+        ]
+      : []),
     ...placesOf(data).map(({ label, path, also }) => ({
       id: `place-${path}`,
       label,

@@ -46,6 +46,16 @@ export function TopBar({ data, screens, findKeys, onFind, onKeys }: TopBarProps)
           {findKeys}
         </kbd>
       </button>
+      {data.person && (
+        <ShellLink
+          path="/notices"
+          className={classes.bell}
+          aria-label={data.unread ? `Notices, ${data.unread} unread` : 'Notices'}
+        >
+          <Icon name="bell" size={18} />
+          {data.unread && <Count of={data.unread} />}
+        </ShellLink>
+      )}
       <WhoMenu data={data} onKeys={onKeys} />
     </header>
   )

@@ -114,6 +114,7 @@ export function placesOf({ side, project, isParty }: ShellData): Place[] {
     { label: 'Brief', path: `${at}/brief`, also: ['questions', 'platforms', 'scenes', 'kickoff'] },
     references,
     voiceLines,
+    { label: 'Guest links and playlists', path: `${at}/sharing`, also: ['share', 'guest', 'listen', 'session'] },
     { label: 'Start from a kit', path: `${at}/sound-list/kits`, also: ['starter', 'template', 'genre'] },
     { label: 'Delivery spec', path: `${at}/spec`, also: ['limits', 'loudness', 'naming', 'toml'] },
     { label: 'Game files and packs', path: `${at}/game-files`, also: ['pack', 'download', 'export', 'targets'] },

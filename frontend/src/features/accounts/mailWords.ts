@@ -4,6 +4,7 @@ import type { Cadence, News } from './api'
 export const NEWS_WORDS: Record<News, { label: string; hint: string }> = {
   sounds: { label: 'Sounds', hint: 'to review, returned, approved, changes requested' },
   talk: { label: 'Questions and replies', hint: 'on cues and versions' },
+  mentions: { label: 'Mentions', hint: 'comments and change requests that name you' },
   list: { label: 'Sound list and builds', hint: 'cues added, changed or cut, refused builds, people who joined' },
   contracts: { label: 'Contracts and payments', hint: 'to sign, changed, invoiced' },
   hiring: { label: 'Postings and bids', hint: 'bids, questions, the choice' },

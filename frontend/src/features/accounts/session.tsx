@@ -10,6 +10,7 @@ import { forgetDrafts, openDraftsOf } from '@/app/drafts'
 import { followChanges } from '@/app/liveChanges'
 import { keepLastProject, lastProject } from '@/app/lastProject'
 import { badgesOf, nextStepsQuery } from '@/app/nextSteps'
+import { unreadQuery, unreadWords } from '@/app/notices'
 import { showToast } from '@/app/toast'
 import { NOBODY, type Session, type ShellData } from '@/app/session'
 import { countQuery } from '@/judging/api'
@@ -60,6 +61,7 @@ function useShell(): ShellData {
   })
   const { data: next } = useQuery({ ...nextStepsQuery(project?.id ?? ''), enabled: project !== undefined })
   const badges = next && badgesOf(next)
+  const { data: unread } = useQuery({ ...unreadQuery, enabled: me !== undefined })
 
   useEffect(() => {
     if (project && project.id === projectId) keepLastProject(project.id)
@@ -94,6 +96,7 @@ function useShell(): ShellData {
       today: badges?.today,
       contract: badges?.contract,
     },
+    unread: unreadWords(unread),
     operates: me.is_operator || me.studios.some(({ roles }) => roles.includes('producer')),
     signOut: () => void signOut(client, () => router.navigate({ to: '/sign-in', search: {} })),
     signInAgain: isDemo ? undefined : <SignInAgain me={me} />,

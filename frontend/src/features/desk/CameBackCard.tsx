@@ -13,6 +13,7 @@ import {
   WaveThumb,
 } from '@/audio'
 import { spotOf, wordsOf, worstFirst } from '@/judging/findings'
+import { MentionedText } from '@/judging/MentionedText'
 import { usePeaks } from '@/judging/peaks'
 import { FixPanel, type Fixing, useFixing } from '@/fixing'
 import { ReferencesWhereAny } from '@/references/ReferencesWhereAny'
@@ -199,13 +200,16 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
                   <span className="small dim">{roleOf(one.author.id)}</span>{' '}
                   <span className="small dim">{ago(one.created_at)}</span>
                 </p>
-                <p>{one.text}</p>
+                <p>
+                  <MentionedText text={one.text} mentions={one.mentions} />
+                </p>
                 <Conversation
                   projectId={projectId}
                   takeId={id}
                   noteId={one.id}
                   kind="comment"
                   to={one.author.name}
+                  comment={one}
                   replies={item.comments.filter((other) => other.reply_to_id === one.id)}
                 />
               </div>

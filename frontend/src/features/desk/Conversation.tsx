@@ -1,13 +1,16 @@
+import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { meQuery } from '@/api/me'
 import { useRoles } from '@/api/roles'
+import { MentionedText } from '@/judging/MentionedText'
 import { ReplyField } from '@/judging/ReplyField'
 import { ago } from '@/ui/format'
 import { Person } from '@/ui/Person'
 import { ProblemNote } from '@/ui/ProblemNote'
 
-import { type CameBack, useReply } from './api'
+import { type CameBack, useAcknowledge, useReply } from './api'
 import classes from './CameBack.module.css'
 
 interface ConversationProps {
@@ -18,13 +21,18 @@ interface ConversationProps {
   /** Who wrote the note. */
   to: string
   replies: CameBack['comments']
+  /** The comment that is answered, to be acknowledged. */
+  comment?: CameBack['comments'][number]
 }
 
 /** What was answered to a note, and the way to answer it. */
-export function Conversation({ projectId, takeId, noteId, kind, to, replies }: ConversationProps) {
+export function Conversation({ projectId, takeId, noteId, kind, to, replies, comment }: ConversationProps) {
   const [replying, setReplying] = useState(false)
   const reply = useReply(takeId)
   const roleOf = useRoles(projectId)
+  const seen = useAcknowledge()
+  const { data: me } = useQuery(meQuery)
+  const isDue = comment !== undefined && !comment.acknowledgements.some(({ person }) => person.id === me?.person.id)
   const send = async (text: string) => {
     const answers = kind === 'change' ? { change_request_id: noteId } : { reply_to_id: noteId }
     await reply.mutateAsync({ text, ...answers })
@@ -37,18 +45,35 @@ export function Conversation({ projectId, takeId, noteId, kind, to, replies }: C
             <li key={one.id}>
               <Person name={one.author.name} role={roleOf(one.author.id)} />{' '}
               <span className="small dim">{ago(one.created_at)}</span>
-              <p>{one.text}</p>
+              <p>
+                <MentionedText text={one.text} mentions={one.mentions} />
+              </p>
             </li>
           ))}
         </ul>
       )}
       {replying ? (
-        <ReplyField to={to} draftKey={`reply:${noteId}`} onSend={send} onClose={() => setReplying(false)} />
+        <ReplyField
+          takeId={takeId}
+          to={to}
+          draftKey={`reply:${noteId}`}
+          onSend={send}
+          onClose={() => setReplying(false)}
+        />
       ) : (
-        <button type="button" className="link small mid" onClick={() => setReplying(true)}>
-          Reply<span className="visually-hidden"> to {to}</span>
-        </button>
+        <p className="row">
+          <button type="button" className="link small mid" onClick={() => setReplying(true)}>
+            Reply<span className="visually-hidden"> to {to}</span>
+          </button>
+          {isDue && (
+            <button type="button" className="link small mid" onClick={() => seen.mutate(comment.id)}>
+              Seen<span className="visually-hidden">: what {to} said</span>
+            </button>
+          )}
+          {comment && !isDue && <span className="small dim">Seen</span>}
+        </p>
       )}
+      {seen.error instanceof ApiProblem && <ProblemNote detail={seen.error.detail} fix={seen.error.fix} />}
       {reply.error instanceof ApiProblem && <ProblemNote detail={reply.error.detail} fix={reply.error.fix} />}
     </>
   )

@@ -11,6 +11,7 @@ import { answered, api, everyPage } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { deskQuery } from '@/app/desk'
+import { mentionsOf } from '@/judging/mentions'
 import type { Accepts } from '@/uploads'
 
 import { acceptedFiles } from './accepted'
@@ -225,9 +226,24 @@ export function useRecheck(projectId: string) {
 export function useReply(takeId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (body: { text: string; reply_to_id?: string; change_request_id?: string }) =>
-      answered(api.POST('/v1/takes/{take_id}/comments', { params: { path: { take_id: takeId } }, body })),
+    mutationFn: async (said: { text: string; reply_to_id?: string; change_request_id?: string }) =>
+      answered(
+        api.POST('/v1/takes/{take_id}/comments', {
+          params: { path: { take_id: takeId } },
+          body: { ...said, mentions: await mentionsOf(client, takeId, said.text) },
+        }),
+      ),
     onSuccess: () => invalidate(client, queryKeys.desk.all),
+  })
+}
+
+/** Say that the designer has seen a comment on their sound. */
+export function useAcknowledge() {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (commentId: string) =>
+      answered(api.POST('/v1/comments/{comment_id}/acknowledgement', { params: { path: { comment_id: commentId } } })),
+    onSettled: () => invalidate(client, queryKeys.desk.all),
   })
 }
 

@@ -3,6 +3,7 @@ import { type Dispatch, type SetStateAction, useLayoutEffect, useRef } from 'rea
 import { ApiProblem } from '@/api'
 import { DraftNote, keepDraft, keptDraft } from '@/app/drafts'
 import type { CueReview, ReviewTake } from '@/judging/api'
+import { Mentions } from '@/judging/Mentions'
 import { capital } from '@/judging/words'
 import { Button } from '@/ui/Button'
 import { place, range } from '@/ui/format'
@@ -85,6 +86,9 @@ export function Composer({ review, hand, writing, onWrite, onWriting, comment }:
           }
         }}
       />
+      {writing && (
+        <Mentions takeId={hand.id} field={field} text={text} onText={(next) => onWriting({ ...writing, text: next })} />
+      )}
       <p className="row between">
         <span className="small dim">
           {opened ? (

@@ -380,6 +380,8 @@ describe('what is said', () => {
       decides: true,
       created_at: '2026-11-20T10:00:00Z',
       resolved_at: null,
+      mentions: [],
+      acknowledgements: [],
     })
     await opened()
     await userEvent.keyboard('ca clear attack{Control>}{Enter}{/Control}')

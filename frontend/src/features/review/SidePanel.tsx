@@ -3,8 +3,10 @@ import { Link } from '@tanstack/react-router'
 import { type Dispatch, type KeyboardEvent, type ReactNode, type SetStateAction, useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { meQuery } from '@/api/me'
 import { useRoles } from '@/api/roles'
 import { type CueReview, historyQuery, type ReviewFinding, type ReviewTake } from '@/judging/api'
+import { MentionedText } from '@/judging/MentionedText'
 import { ReplyField } from '@/judging/ReplyField'
 import { byWhom, capital, happened, sentence, spot, historyText } from '@/judging/words'
 import { ReferencesWhereAny } from '@/references/ReferencesWhereAny'
@@ -17,7 +19,7 @@ import { Key } from '@/ui/Key'
 import { Person } from '@/ui/Person'
 import { ProblemNote } from '@/ui/ProblemNote'
 
-import { useComment, useResolve } from './api'
+import { type Comment, useComment, useMarkComment } from './api'
 import type { Carried } from './carried'
 import { CarriedNotes } from './CarriedNotes'
 import { Composer, type Writing } from './Composer'
@@ -112,7 +114,8 @@ export function SidePanel(props: SidePanelProps) {
 }
 
 function Comments({ review, projectId, hand, heard, nameOf, said, carried, openSaid, onOpen, onSpot }: SidePanelProps) {
-  const resolve = useResolve(review.cue.id)
+  const mark = useMarkComment(review.cue.id)
+  const { data: me } = useQuery(meQuery)
   const replying = useComment(review.cue.id)
   const roleOf = useRoles(projectId)
   const reply = async ({ id, takeId, kind }: Said, text: string) => {
@@ -135,15 +138,12 @@ function Comments({ review, projectId, hand, heard, nameOf, said, carried, openS
             on={aboutAnother(one, hand, heard, nameOf)}
             onOpen={() => onOpen(one)}
             onReply={one.draft ? undefined : (text) => reply(one, text)}
-            onResolve={
-              one.comment && one.comment.resolved_at === null
-                ? () => one.comment && resolve.mutate(one.comment)
-                : undefined
-            }
+            myId={me?.person.id}
+            onMark={(id, as) => mark.mutate({ id, as })}
           />
         ))}
       </ul>
-      {[resolve.error, replying.error].map(
+      {[mark.error, replying.error].map(
         (error) =>
           error instanceof ApiProblem && <ProblemNote key={error.code} detail={error.detail} fix={error.fix} />,
       )}
@@ -195,15 +195,18 @@ interface SaidLineProps {
   /** Which other version it is said of. */
   on: string | null
   onOpen: () => void
-  onResolve?: () => void
+  /** The current person's id. */
+  myId: string | undefined
+  onMark: (commentId: string, as: 'resolve' | 'reopen' | 'acknowledgement') => void
   /** Send a reply; undefined for what is not sent itself. */
   onReply?: (text: string) => Promise<void>
 }
 
-function SaidLine({ said, roleOf, open, on, onOpen, onResolve, onReply }: SaidLineProps) {
+function SaidLine({ said, roleOf, open, on, onOpen, myId, onMark, onReply }: SaidLineProps) {
   const [replying, setReplying] = useState(false)
   const where = spot(said.startS, said.endS)
-  const resolved = Boolean(said.comment?.resolved_at)
+  const { comment } = said
+  const resolved = Boolean(comment?.resolved_at)
   const role =
     said.kind === 'change'
       ? said.draft
@@ -223,24 +226,34 @@ function SaidLine({ said, roleOf, open, on, onOpen, onResolve, onReply }: SaidLi
       </p>
       <p className={classes.saidText}>
         {on && <span className="dim">On {on}: </span>}
-        {said.text}
+        <MentionedText text={said.text} mentions={said.mentions} />
         {resolved && <span className="dim"> Resolved.</span>}
       </p>
+      {comment && <SeenLine comment={comment} myId={myId} onSeen={() => onMark(comment.id, 'acknowledgement')} />}
       {said.replies.length > 0 && (
         <ul className={classes.replies} aria-label={`Replies to ${said.who}`}>
           {said.replies.map((one) => (
             <li key={one.id}>
               <Person name={one.author.name} role={roleOf(one.author.id)} />{' '}
               <span className="small dim">{age(one.created_at)}</span>
-              <p>{one.text}</p>
+              <p>
+                <MentionedText text={one.text} mentions={one.mentions} />
+              </p>
+              <SeenLine comment={one} myId={myId} onSeen={() => onMark(one.id, 'acknowledgement')} />
             </li>
           ))}
         </ul>
       )}
       {replying && onReply && (
-        <ReplyField to={said.who} draftKey={`reply:${said.id}`} onSend={onReply} onClose={() => setReplying(false)} />
+        <ReplyField
+          takeId={said.takeId}
+          to={said.who}
+          draftKey={`reply:${said.id}`}
+          onSend={onReply}
+          onClose={() => setReplying(false)}
+        />
       )}
-      {(where !== undefined || on !== null || onResolve || onReply) && (
+      {(where !== undefined || on !== null || comment || onReply) && (
         <p className={classes.saidActs}>
           {(where !== undefined || on !== null) && (
             <Button variant="quiet" className="small" onClick={onOpen}>
@@ -253,14 +266,45 @@ function SaidLine({ said, roleOf, open, on, onOpen, onResolve, onReply }: SaidLi
               Reply<span className="visually-hidden"> to {said.who}</span>
             </Button>
           )}
-          {onResolve && (
-            <Button variant="quiet" className="small" onClick={onResolve}>
-              Resolve<span className="visually-hidden"> what {said.who} said</span>
+          {comment && (
+            <Button
+              variant="quiet"
+              className="small"
+              onClick={() => onMark(comment.id, resolved ? 'reopen' : 'resolve')}
+            >
+              {resolved ? 'Reopen' : 'Resolve'}
+              <span className="visually-hidden"> what {said.who} said</span>
             </Button>
           )}
         </p>
       )}
     </li>
+  )
+}
+
+interface SeenLineProps {
+  comment: Comment
+  myId: string | undefined
+  onSeen: () => void
+}
+
+/** Who has acknowledged a comment; whom it mentions does so here. */
+function SeenLine({ comment, myId, onSeen }: SeenLineProps) {
+  const { mentions, acknowledgements, author } = comment
+  const isDue =
+    mentions.some(({ person_id: id }) => id === myId) && !acknowledgements.some(({ person }) => person.id === myId)
+  if (!isDue && acknowledgements.length === 0) return null
+  return (
+    <p className="row small dim">
+      {acknowledgements.length > 0 && (
+        <span>Seen by {acknowledgements.map(({ person }) => person.name).join(', ')}</span>
+      )}
+      {isDue && (
+        <Button variant="quiet" className="small" icon="tick" onClick={onSeen}>
+          Seen<span className="visually-hidden">: what {author.name} said</span>
+        </Button>
+      )}
+    </p>
   )
 }
 

@@ -4,6 +4,7 @@ import { answered, api } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { type CarriedNote, type CueReview, refresh } from '@/judging/api'
+import { mentionsOf } from '@/judging/mentions'
 
 type Schemas = components['schemas']
 export type Comment = Schemas['CommentRead']
@@ -43,11 +44,17 @@ export interface CommentSaid {
 export function useComment(cueId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: ({ takeId, text, startS, endS, answers }: CommentSaid) =>
+    mutationFn: async ({ takeId, text, startS, endS, answers }: CommentSaid) =>
       answered(
         api.POST('/v1/takes/{take_id}/comments', {
           params: { path: { take_id: takeId } },
-          body: { text, start_s: startS, end_s: endS, ...answers },
+          body: {
+            text,
+            start_s: startS,
+            end_s: endS,
+            mentions: await mentionsOf(client, takeId, text),
+            ...answers,
+          },
         }),
       ),
     onSuccess: (comment) => {
@@ -82,11 +89,12 @@ export function useAnswerNote(projectId: string, cueId: string) {
   })
 }
 
-export function useResolve(cueId: string) {
+/** Mark a comment as seen to, open it again, or acknowledge it. */
+export function useMarkComment(cueId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (comment: Comment) =>
-      answered(api.POST('/v1/comments/{comment_id}/resolve', { params: { path: { comment_id: comment.id } } })),
+    mutationFn: ({ id, as }: { id: string; as: 'resolve' | 'reopen' | 'acknowledgement' }) =>
+      answered(api.POST(`/v1/comments/{comment_id}/${as}`, { params: { path: { comment_id: id } } })),
     onSettled: () => invalidate(client, queryKeys.cueReview(cueId)),
   })
 }

@@ -18,6 +18,8 @@ const comment = (id: string, at: string, startS: number | null, endS: number | n
   decides: true,
   created_at: at,
   resolved_at: null,
+  mentions: [],
+  acknowledgements: [],
 })
 
 test('what was said is numbered in time, where it has a place in the sound', () => {

@@ -1,5 +1,6 @@
 import type { CommentMark } from '@/audio'
 import type { CueReview, ReviewTake } from '@/judging/api'
+import type { Mention } from '@/judging/mentions'
 
 import type { Comment } from './api'
 
@@ -15,6 +16,7 @@ export interface Said {
   /** A change that is noted and not sent. */
   draft: boolean
   text: string
+  mentions: readonly Mention[]
   startS: number | null
   endS: number | null
   at: string
@@ -39,6 +41,7 @@ export function saidOf(review: CueReview, takes: readonly ReviewTake[]): Said[] 
         kind: 'comment' as const,
         draft: false,
         text: comment.text,
+        mentions: comment.mentions,
         startS: comment.start_s,
         endS: comment.end_s,
         at: comment.created_at,
@@ -55,6 +58,7 @@ export function saidOf(review: CueReview, takes: readonly ReviewTake[]): Said[] 
         kind: 'change' as const,
         draft: change.sent_at === null,
         text: change.text,
+        mentions: change.mentions,
         startS: change.start_s,
         endS: change.end_s,
         at: change.created_at,

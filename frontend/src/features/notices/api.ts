@@ -1,0 +1,26 @@
+import { infiniteQueryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
+
+import { answered, api } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
+import type { components } from '@/api/schema.gen'
+
+export type Notice = components['schemas']['InAppNoticeRead']
+type Mark = components['schemas']['NoticesMark']
+
+/** The current person's notices, the newest first. */
+export const noticesQuery = infiniteQueryOptions({
+  queryKey: queryKeys.notices('list'),
+  queryFn: ({ pageParam: cursor }) => answered(api.GET('/v1/me/notices', { params: { query: { cursor } } })),
+  initialPageParam: undefined as string | undefined,
+  getNextPageParam: ({ next }) => next ?? undefined,
+  select: ({ pages }) => pages.flatMap(({ items }) => items),
+})
+
+/** Mark notices as read: some, or all up to one. */
+export function useMarkRead() {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (mark: Partial<Mark>) => answered(api.POST('/v1/me/notices/read', { body: { ids: [], ...mark } })),
+    onSettled: () => invalidate(client, queryKeys.notices.all),
+  })
+}
