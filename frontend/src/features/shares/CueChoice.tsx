@@ -1,0 +1,67 @@
+import { TextInput } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+
+import { plural } from '@/ui/format'
+import { Select } from '@/ui/Select'
+
+import { cuesQuery } from './api'
+import { chosenCues, type CueFilter } from './choice'
+import classes from './Shares.module.css'
+
+interface CueChoiceProps {
+  projectId: string
+  filter: CueFilter
+  onFilter: (filter: CueFilter) => void
+  /** What is said against it. */
+  problem?: string
+}
+
+/** A filter of the list: words of the name, a category, one cue. It says what it gives now. */
+export function CueChoice({ projectId, filter, onFilter, problem }: CueChoiceProps) {
+  const { data: cues } = useQuery(cuesQuery(projectId))
+  const categories = [...new Set((cues ?? []).map(({ category }) => category).filter(Boolean))].sort()
+  const found = chosenCues(cues ?? [], filter)
+  const only = cues?.find(({ id }) => id === filter.cueId)
+  return (
+    <fieldset className={classes.choice}>
+      <legend className="small mid">Cues</legend>
+      {only ? (
+        <p className={classes.acts}>
+          <span className="strong">{only.name}</span> <span className="small dim mono">{only.label}</span>
+          <button type="button" className="link small" onClick={() => onFilter({ ...filter, cueId: '' })}>
+            Choose others
+          </button>
+        </p>
+      ) : (
+        <div className={classes.fields}>
+          <TextInput
+            label="Name has"
+            value={filter.text}
+            maxLength={200}
+            onChange={(event) => onFilter({ ...filter, text: event.currentTarget.value })}
+          />
+          <Select
+            label="Category"
+            value={filter.category}
+            onChange={(event) => onFilter({ ...filter, category: event.currentTarget.value })}
+          >
+            <option value="">All</option>
+            {categories.map((category) => (
+              <option key={category}>{category}</option>
+            ))}
+          </Select>
+        </div>
+      )}
+      <p className="small mid" role="status">
+        {cues === undefined
+          ? ''
+          : `${plural(found.length, 'cue')}${found.length > 0 && found.length <= 6 && !only ? `: ${found.map(({ name }) => name).join(', ')}` : ''}. Of each variation the approved version is heard, else the newest that conforms. Cues and versions that come later are not added.`}
+      </p>
+      {problem && (
+        <p className="small tone-bad toned" role="alert">
+          {problem}
+        </p>
+      )}
+    </fieldset>
+  )
+}

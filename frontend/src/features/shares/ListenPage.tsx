@@ -1,0 +1,283 @@
+import { useQuery, useQueryClient } from '@tanstack/react-query'
+import { useParams } from '@tanstack/react-router'
+import { type ReactNode, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { queryKeys } from '@/api/queryKeys'
+import { useDraft } from '@/app/drafts'
+import { Field, Form, sentence, Sheet } from '@/app/Form'
+import { useHotkeys } from '@/app/keys'
+import { useTitle } from '@/app/title'
+import { usePlayer, WaveThumb } from '@/audio'
+import { Button } from '@/ui/Button'
+import { length, place as placeWords } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { Row, Rows } from '@/ui/Rows'
+
+import { doorQuery, type GuestRoom, type GuestSound, openLink, recordPlay, roomQuery, sendGuestComment } from './api'
+import { Position } from './Position'
+import { keepVisit, keptVisit } from './visits'
+import classes from './Shares.module.css'
+import { titleOf } from './titles'
+
+/** What people without an account hear by a link. */
+export function ListenPage(): ReactNode {
+  const { secret } = useParams({ from: '/guest/listen/$secret' })
+  const [visit, setVisit] = useState(() => keptVisit(secret))
+  useTitle('Listen')
+  if (visit === null) {
+    return (
+      <Door
+        secret={secret}
+        onOpened={(opened) => {
+          keepVisit(secret, opened)
+          setVisit(opened)
+        }}
+      />
+    )
+  }
+  return (
+    <Visit
+      visit={visit}
+      onOver={() => {
+        keepVisit(secret, null)
+        setVisit(null)
+      }}
+    />
+  )
+}
+
+function Gone({ problem }: { problem: ApiProblem | null }) {
+  return (
+    <Sheet>
+      <div className={classes.body}>
+        <h1 className="title">{problem?.detail ?? 'This page could not be loaded.'}</h1>
+        {problem?.fix && <p className="mid">{sentence(problem.fix)}</p>}
+      </div>
+    </Sheet>
+  )
+}
+
+function Door({ secret, onOpened }: { secret: string; onOpened: (visit: string) => void }) {
+  const client = useQueryClient()
+  const door = useQuery(doorQuery(secret))
+  const [busy, setBusy] = useState(false)
+  const [error, setError] = useState<unknown>(null)
+  if (door.error) return <Gone problem={door.error instanceof ApiProblem ? door.error : null} />
+  if (door.data === undefined) return <div className="page" aria-busy="true" />
+  const open = async (name: string, password: string | null) => {
+    setBusy(true)
+    try {
+      const { visit, room } = await openLink(secret, { guest_name: name, password })
+      client.setQueryData(queryKeys.guestRoom(visit), room)
+      onOpened(visit)
+    } catch (refused) {
+      setError(refused)
+      setBusy(false)
+    }
+  }
+  return (
+    <Sheet>
+      <div className={classes.body}>
+        <h1 className="title">Listen</h1>
+        <p className="mid">The person who sent you this link sees the name that you type, and what you play.</p>
+        <Form
+          draftKey="guest-name"
+          action="Open"
+          busy={busy}
+          error={error}
+          onSubmit={(value) => void open(value('guest_name'), door.data.needs_password ? value('password') : null)}
+        >
+          <Field name="guest_name" label="Your name" autoComplete="name" />
+          {door.data.needs_password && (
+            <Field name="password" label="Password of the link" type="password" autoComplete="off" />
+          )}
+        </Form>
+      </div>
+    </Sheet>
+  )
+}
+
+function Visit({ visit, onOver }: { visit: string; onOver: () => void }) {
+  const { data: room, error } = useQuery(roomQuery(visit))
+  useTitle(room?.title ?? 'Listen')
+  if (error) {
+    return (
+      <>
+        <Gone problem={error instanceof ApiProblem ? error : null} />
+        <p className={classes.again}>
+          <button type="button" className="link" onClick={onOver}>
+            Open the link again
+          </button>
+        </p>
+      </>
+    )
+  }
+  if (!room) return <div className="page" aria-busy="true" />
+  return <Room visit={visit} room={room} />
+}
+
+const GROUP = 'Listen'
+
+function Room({ visit, room }: { visit: string; room: GuestRoom }) {
+  const { sounds, title } = room
+  const [player, playing] = usePlayer()
+  const [at, setAt] = useState(0)
+  const [problem, setProblem] = useState<ApiProblem | null>(null)
+  const current = sounds[at]
+  const isPlaying = playing.status === 'playing'
+  const play = async (to: number) => {
+    const sound = sounds[to]
+    if (!sound) return
+    setAt(to)
+    setProblem(null)
+    try {
+      player.pause()
+      await recordPlay(visit, sound.place) // what a guest plays is on record before it is sent
+      await player.select({
+        id: String(sound.place),
+        url: `/v1/guest-visits/${encodeURIComponent(visit)}/sounds/${sound.place}/preview`,
+      })
+      await player.play(0)
+    } catch (error) {
+      if (error instanceof ApiProblem) setProblem(error)
+    }
+  }
+  const toggle = () => {
+    const isHeld = playing.sourceId === String(current?.place)
+    if (isPlaying) player.pause()
+    else if (isHeld && player.positionS() > 0 && player.positionS() < playing.durationS) void player.play()
+    else void play(at)
+  }
+  useHotkeys([
+    { keys: 'Space', label: 'Play or pause', group: GROUP, run: toggle },
+    { keys: 'j', label: 'Next sound', group: GROUP, run: () => void play(at + 1), repeats: true },
+    { keys: 'k', label: 'Previous sound', group: GROUP, run: () => void play(at - 1), repeats: true },
+  ])
+  return (
+    <div className={`page ${classes.page} ${classes.narrow}`}>
+      <header className={classes.top}>
+        <h1>{title}</h1>
+        <span className="small dim">for {room.guest_name}</span>
+      </header>
+      {problem && <ProblemNote detail={sentence(problem.detail)} fix={problem.fix && sentence(problem.fix)} />}
+      {playing.error && <ProblemNote detail={playing.error} />}
+      {current && (
+        <section aria-label="Now" className={classes.now}>
+          <p className="title cut-text">{titleOf(current)}</p>
+          <Position
+            player={player}
+            durationS={current.duration_s ?? 0}
+            thumb={current.thumb}
+            onSeek={(s) => player.seek(s)}
+            disabled={playing.sourceId !== String(current.place)}
+          />
+          <div className={classes.acts}>
+            <Button
+              square
+              tall
+              icon="back"
+              aria-label="Previous sound"
+              disabled={at === 0}
+              onClick={() => void play(at - 1)}
+            />
+            <Button
+              variant="primary"
+              tall
+              icon={isPlaying ? 'pause' : 'play'}
+              keys="Space"
+              aria-busy={playing.status === 'loading'}
+              disabled={!current.is_ready}
+              onClick={toggle}
+            >
+              {isPlaying ? 'Pause' : 'Play'}
+            </Button>
+            <Button
+              square
+              tall
+              icon="right"
+              aria-label="Next sound"
+              disabled={at >= sounds.length - 1}
+              onClick={() => void play(at + 1)}
+            />
+            {!current.is_ready && <span className="small mid">It is being made ready.</span>}
+          </div>
+          {room.may_comment && (
+            <Comment key={current.place} visit={visit} sound={current} positionS={() => player.positionS()} />
+          )}
+        </section>
+      )}
+      <section aria-label="Sounds" className={classes.list}>
+        <Rows aria-label="Sounds">
+          {sounds.map((sound, index) => (
+            <Row key={sound.place} selected={index === at}>
+              <button type="button" className={classes.sound} onClick={() => void play(index)}>
+                <span className="strong cut-text">{titleOf(sound)}</span>
+              </button>
+              <span className={classes.thumb}>
+                <WaveThumb peaks={sound.thumb} lit={index === at} />
+              </span>
+              <span className="small mid num nowrap">{sound.duration_s === null ? '' : length(sound.duration_s)}</span>
+            </Row>
+          ))}
+        </Rows>
+      </section>
+    </div>
+  )
+}
+
+function Comment({ visit, sound, positionS }: { visit: string; sound: GuestSound; positionS: () => number }) {
+  const [text, setText, draft] = useDraft(`guest-comment:${visit.slice(0, 8)}:${sound.place}`, '')
+  const [sent, setSent] = useState<{ text: string; startS: number | null }[]>([])
+  const [busy, setBusy] = useState(false)
+  const [problem, setProblem] = useState<ApiProblem | null>(null)
+  const send = async () => {
+    const said = text.trim()
+    if (said === '' || busy) return
+    const atS = positionS()
+    const startS = atS > 0 && sound.duration_s !== null && atS < sound.duration_s ? Math.floor(atS * 1000) / 1000 : null
+    setBusy(true)
+    try {
+      await sendGuestComment(visit, sound.place, said, startS)
+      draft.discard()
+      setSent([...sent, { text: said, startS }])
+      setProblem(null)
+    } catch (error) {
+      if (error instanceof ApiProblem) setProblem(error)
+    }
+    setBusy(false)
+  }
+  return (
+    <form
+      className={classes.comment}
+      onSubmit={(event) => {
+        event.preventDefault()
+        void send()
+      }}
+    >
+      <ul aria-label="What you wrote" aria-live="polite">
+        {sent.map((one) => (
+          <li key={`${one.startS} ${one.text}`} className="small">
+            {one.startS !== null && <span className="mono dim">{placeWords(one.startS)} </span>}
+            {one.text} <span className="dim">sent</span>
+          </li>
+        ))}
+      </ul>
+      <textarea
+        className={classes.text}
+        rows={2}
+        maxLength={10_000}
+        aria-label={`Comment on ${titleOf(sound)}`}
+        placeholder="Comment, at the place where the playhead stands"
+        value={text}
+        onChange={(event) => setText(event.currentTarget.value)}
+      />
+      {problem && <ProblemNote detail={sentence(problem.detail)} fix={problem.fix && sentence(problem.fix)} />}
+      <div className={classes.acts}>
+        <Button type="submit" icon="comment" aria-busy={busy}>
+          Send comment
+        </Button>
+      </div>
+    </form>
+  )
+}

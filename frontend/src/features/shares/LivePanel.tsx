@@ -1,0 +1,81 @@
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { Icon } from '@/ui/Icon'
+import { Person } from '@/ui/Person'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { Row, Rows } from '@/ui/Rows'
+
+import classes from './Shares.module.css'
+import type { LiveHand } from './useLive'
+
+/** Who hears the same, who holds the keys, and how they change hands. */
+export function LivePanel({ hand, meId }: { hand: LiveHand; meId: string | undefined }) {
+  const { live, isIn, problem } = hand
+  const present = live?.present ?? []
+  return (
+    <Card aria-labelledby="session">
+      <CardHead
+        id="session"
+        title="Session"
+        count={present.length}
+        end={
+          isIn ? (
+            <Button icon="cross" onClick={hand.leave}>
+              Leave
+            </Button>
+          ) : (
+            <Button icon="people" onClick={hand.join}>
+              {present.length > 0 ? 'Join session' : 'Start session'}
+            </Button>
+          )
+        }
+      />
+      <div className={classes.body}>
+        {!isIn && (
+          <p className="mid">
+            Everyone of the team who joins hears the same playhead. One person holds the keys; nobody needs to share a
+            screen.
+          </p>
+        )}
+        {problem !== '' && <ProblemNote detail={problem} />}
+        {isIn && (
+          <p role="status" className={classes.keys}>
+            {live?.holder ? (
+              <>
+                <Icon name="headphones" />
+                {live.is_holder ? 'You hold the keys: all hear what you play.' : `${live.holder.name} holds the keys.`}
+              </>
+            ) : (
+              'The keys are free.'
+            )}
+            {live && !live.holder && (
+              <Button variant="primary" onClick={hand.take}>
+                Take the keys
+              </Button>
+            )}
+            {live?.is_holder && <Button onClick={hand.drop}>Put the keys down</Button>}
+          </p>
+        )}
+      </div>
+      {present.length > 0 && (
+        <Rows aria-label="In the session">
+          {present.map(({ id, name }) => (
+            <Row key={id} dense>
+              <Person
+                name={id === meId ? `${name} (you)` : name}
+                role={live?.holder?.id === id ? 'holds the keys' : undefined}
+              />
+              {live?.is_holder && id !== meId && (
+                <span className="end">
+                  <Button onClick={() => hand.give(id)}>
+                    Hand over <span className="visually-hidden">the keys to {name}</span>
+                  </Button>
+                </span>
+              )}
+            </Row>
+          ))}
+        </Rows>
+      )}
+    </Card>
+  )
+}

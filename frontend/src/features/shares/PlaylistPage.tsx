@@ -1,0 +1,265 @@
+import { useQuery } from '@tanstack/react-query'
+import { Link, useNavigate, useParams } from '@tanstack/react-router'
+import { type ReactNode, useEffect, useEffectEvent, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { meQuery } from '@/api/me'
+import { useHotkeys } from '@/app/keys'
+import { useTitle } from '@/app/title'
+import { showToast } from '@/app/toast'
+import { usePlayer, WaveThumb } from '@/audio'
+import { Button } from '@/ui/Button'
+import { Count } from '@/ui/Count'
+import { length, plural } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { Row, Rows } from '@/ui/Rows'
+
+import { type Playlist, playlistQuery, savePosition, useChangePlaylist, useRemovePlaylist } from './api'
+import { LivePanel } from './LivePanel'
+import { moved } from './order'
+import { Position } from './Position'
+import { titleOf } from './titles'
+import classes from './Shares.module.css'
+import { useLive } from './useLive'
+import { usePlaythrough } from './usePlaythrough'
+import { VerdictOfTake } from './VerdictOfTake'
+
+const GROUP = 'Playlist'
+
+/** A playlist: put in order, played through, judged on the way, alone or together. */
+export function PlaylistPage(): ReactNode {
+  const { playlistId = '' } = useParams({ strict: false })
+  const { data: playlist, error } = useQuery(playlistQuery(playlistId))
+  useTitle(playlist?.name ?? 'Playlist')
+  if (error instanceof ApiProblem) {
+    return (
+      <div className="page">
+        <h1>Playlist</h1>
+        <ProblemNote detail={error.detail} fix={error.fix} />
+      </div>
+    )
+  }
+  if (!playlist) return <div className="page" aria-busy="true" />
+  return <Room key={playlistId} playlist={playlist} />
+}
+
+function Room({ playlist }: { playlist: Playlist }) {
+  const { id, project_id: projectId, takes, position, may_share: mayChange } = playlist
+  const navigate = useNavigate()
+  const { data: me } = useQuery(meQuery)
+  const [player, playing] = usePlayer()
+  const change = useChangePlaylist(id)
+  const remove = useRemovePlaylist(projectId, id)
+  const [dragged, setDragged] = useState<string | null>(null)
+  const start = { takeId: position?.take_id, atS: position?.at_s ?? 0 }
+  const playthrough = usePlaythrough(player, takes, start, (next) => {
+    if (next) hand.lead(next.take_id, true, 0)
+  })
+  const { current, step } = playthrough
+  const hand = useLive(id, player, playthrough)
+  const follows = hand.isIn && hand.live?.is_holder === false
+  const isPlaying = playing.status === 'playing'
+
+  const open = (takeId: string) => {
+    if (follows) return
+    const plays = player.isPlaying()
+    void playthrough.open(takeId, { plays })
+    hand.lead(takeId, plays, 0)
+  }
+  const toggle = async () => {
+    if (follows || !current) return
+    await player.toggle()
+    hand.lead(current.take_id, player.isPlaying(), player.positionS())
+  }
+  const seek = (s: number) => {
+    if (follows || !current) return
+    player.seek(s)
+    hand.lead(current.take_id, player.isPlaying(), s)
+  }
+  const goBy = (by: 1 | -1) => {
+    const take = step(by)
+    if (take) open(take.take_id)
+  }
+  const order = takes.map(({ take_id }) => take_id)
+  const move = (takeId: string, to: number) => {
+    const next = moved(order, takeId, to)
+    if (next.join() !== order.join()) change.mutate({ take_ids: next })
+  }
+  const moveFocused = (by: 1 | -1) => {
+    const row = document.activeElement?.closest<HTMLElement>('[data-take]')?.dataset.take
+    if (row !== undefined && mayChange) move(row, order.indexOf(row) + by)
+  }
+  useHotkeys([
+    { keys: 'Space', label: 'Play or pause', group: GROUP, run: () => void toggle() },
+    { keys: 'j', label: 'Next sound', group: GROUP, run: () => goBy(1), repeats: true },
+    { keys: 'k', label: 'Previous sound', group: GROUP, run: () => goBy(-1), repeats: true },
+    { keys: 'alt+ArrowUp', label: 'Move the sound up', group: GROUP, run: () => moveFocused(-1), disabled: !mayChange },
+    {
+      keys: 'alt+ArrowDown',
+      label: 'Move the sound down',
+      group: GROUP,
+      run: () => moveFocused(1),
+      disabled: !mayChange,
+    },
+  ])
+
+  // Where one stopped is kept when the sound is paused or changed, and when the page is left.
+  const keep = useEffectEvent(() => {
+    if (current) void savePosition(id, current.take_id, player.positionS()).catch(() => undefined)
+  })
+  const currentId = current?.take_id
+  useEffect(() => {
+    if (playing.status === 'paused') keep()
+  }, [playing.status, currentId])
+  useEffect(() => () => keep(), [])
+
+  const problem = change.error instanceof ApiProblem ? change.error : null
+  return (
+    <div className={`page ${classes.page}`}>
+      <header className={classes.top}>
+        <h1>{playlist.name}</h1>
+        <Count of={takes.length} />
+        <span className="small dim">by {playlist.made_by.name}</span>
+        <span className={`end ${classes.acts}`}>
+          {mayChange && (
+            <Link className="link" to="/projects/$projectId/sharing" params={{ projectId }} search={{ playlist: id }}>
+              Share with guests
+            </Link>
+          )}
+          {mayChange && (
+            <Button
+              icon="cross"
+              onClick={() =>
+                remove.mutate(undefined, {
+                  onSuccess: () => {
+                    showToast('Playlist removed. Guest links made of it stay.')
+                    void navigate({ to: '/projects/$projectId/sharing', params: { projectId }, search: {} })
+                  },
+                })
+              }
+            >
+              Remove
+            </Button>
+          )}
+        </span>
+      </header>
+      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      {current && (
+        <section aria-label="Now" className={classes.now}>
+          <p className={classes.nowHead}>
+            <span className="title cut-text">{titleOf(current)}</span>{' '}
+            <span className="small dim mono">{current.cue_label}</span>
+          </p>
+          <Position
+            player={player}
+            durationS={current.duration_s ?? playing.durationS}
+            thumb={current.thumb}
+            onSeek={seek}
+            disabled={follows}
+          />
+          {playing.error && <ProblemNote detail={playing.error} />}
+          <div className={classes.acts}>
+            <Button
+              square
+              icon="back"
+              aria-label="Previous sound"
+              disabled={follows || !step(-1)}
+              onClick={() => goBy(-1)}
+              tall
+            />
+            <Button
+              variant="primary"
+              tall
+              icon={isPlaying ? 'pause' : 'play'}
+              keys="Space"
+              disabled={follows}
+              onClick={() => void toggle()}
+            >
+              {isPlaying ? 'Pause' : 'Play'}
+            </Button>
+            <Button
+              square
+              icon="right"
+              aria-label="Next sound"
+              disabled={follows || !step(1)}
+              onClick={() => goBy(1)}
+              tall
+            />
+            {follows && <span className="small mid">{hand.live?.holder?.name ?? 'The session'} plays for all.</span>}
+          </div>
+          <VerdictOfTake
+            key={current.take_id}
+            projectId={projectId}
+            playlistId={id}
+            take={current}
+            player={player}
+            onJudged={() => goBy(1)}
+          />
+        </section>
+      )}
+      <div className={classes.two}>
+        <section aria-label="Sounds" className={classes.list}>
+          <Rows aria-label={`${plural(takes.length, 'sound')} in order`}>
+            {takes.map((take, at) => (
+              <Row
+                key={take.take_id}
+                data-take={take.take_id}
+                selected={take.take_id === currentId}
+                draggable={mayChange}
+                data-dragged={dragged === take.take_id || undefined}
+                onDragStart={() => setDragged(take.take_id)}
+                onDragEnd={() => setDragged(null)}
+                onDragOver={(event) => {
+                  if (dragged !== null) event.preventDefault()
+                }}
+                onDrop={() => {
+                  if (dragged !== null) move(dragged, at)
+                }}
+              >
+                <span className="small dim num">{at + 1}</span>
+                <button type="button" className={classes.sound} onClick={() => open(take.take_id)} disabled={follows}>
+                  <span className="strong cut-text">{titleOf(take)}</span>
+                  <span className="small dim nowrap">version {take.number}</span>
+                </button>
+                <span className={classes.thumb}>
+                  <WaveThumb peaks={take.thumb} lit={take.take_id === currentId} />
+                </span>
+                <span className="small mid num nowrap">{take.duration_s === null ? '' : length(take.duration_s)}</span>
+                {mayChange && (
+                  <span className={classes.moves}>
+                    <Button
+                      variant="quiet"
+                      square
+                      icon="chevron"
+                      className={classes.up}
+                      aria-label={`Move ${titleOf(take)} up`}
+                      disabled={at === 0}
+                      onClick={() => move(take.take_id, at - 1)}
+                    />
+                    <Button
+                      variant="quiet"
+                      square
+                      icon="chevron"
+                      aria-label={`Move ${titleOf(take)} down`}
+                      disabled={at === takes.length - 1}
+                      onClick={() => move(take.take_id, at + 1)}
+                    />
+                    <Button
+                      variant="quiet"
+                      square
+                      icon="cross"
+                      aria-label={`Take ${titleOf(take)} out`}
+                      disabled={takes.length === 1}
+                      onClick={() => change.mutate({ take_ids: order.filter((one) => one !== take.take_id) })}
+                    />
+                  </span>
+                )}
+              </Row>
+            ))}
+          </Rows>
+        </section>
+        <LivePanel hand={hand} meId={me?.person.id} />
+      </div>
+    </div>
+  )
+}

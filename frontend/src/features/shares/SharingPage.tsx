@@ -1,0 +1,150 @@
+import { TextInput } from '@mantine/core'
+import { useInfiniteQuery, useQuery } from '@tanstack/react-query'
+import { Link, useNavigate, useParams, useSearch } from '@tanstack/react-router'
+import type { FormEvent, ReactNode } from 'react'
+
+import { ApiProblem } from '@/api'
+import { useMyProject } from '@/api/me'
+import { DraftNote, useDraft } from '@/app/drafts'
+import { sentence } from '@/app/Form'
+import { useTitle } from '@/app/title'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { ago, plural } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { Row, Rows } from '@/ui/Rows'
+
+import { cuesQuery, linksQuery, playlistsQuery, useAddPlaylist } from './api'
+import { chosenCues, NO_FILTER } from './choice'
+import { CueChoice } from './CueChoice'
+import { LinkForm } from './LinkForm'
+import { LinkRow } from './LinkRow'
+import classes from './Shares.module.css'
+
+/** Links for people without an account, and playlists for those with one. */
+export function SharingPage(): ReactNode {
+  const { projectId = '' } = useParams({ strict: false })
+  const { cue, playlist } = useSearch({ from: '/shell/projects/$projectId/sharing' })
+  const project = useMyProject(projectId)
+  const mayShare = (project?.is_producer || project?.is_liaison || project?.is_approver) ?? false
+  useTitle('Sharing')
+  return (
+    <div className={`page ${classes.page}`}>
+      <header className={classes.top}>
+        <h1>Sharing</h1>
+      </header>
+      <div className={classes.two}>
+        <div className={classes.stack}>
+          {mayShare && <LinkForm key={`${cue} ${playlist}`} projectId={projectId} cueId={cue} playlistId={playlist} />}
+          {mayShare && <Links projectId={projectId} />}
+        </div>
+        <div className={classes.stack}>
+          <Playlists projectId={projectId} />
+          {mayShare && <NewPlaylist projectId={projectId} />}
+        </div>
+      </div>
+    </div>
+  )
+}
+
+function Links({ projectId }: { projectId: string }) {
+  const links = useInfiniteQuery(linksQuery(projectId))
+  const problem = links.error instanceof ApiProblem ? links.error : null
+  return (
+    <Card aria-labelledby="links" aria-busy={links.isPending}>
+      <CardHead id="links" title="Guest links" count={links.data?.length} />
+      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      {links.data?.length === 0 && (
+        <p className={`mid ${classes.body}`}>
+          No links yet. A link lets a publisher, a composer or a friend hear sounds without an account.
+        </p>
+      )}
+      <Rows aria-label="Guest links">
+        {links.data?.map((link) => (
+          <LinkRow key={link.id} projectId={projectId} link={link} />
+        ))}
+      </Rows>
+      {links.hasNextPage && <Button onClick={() => void links.fetchNextPage()}>Show more</Button>}
+    </Card>
+  )
+}
+
+function Playlists({ projectId }: { projectId: string }) {
+  const { data: playlists, error } = useQuery(playlistsQuery(projectId))
+  return (
+    <Card aria-labelledby="playlists">
+      <CardHead id="playlists" title="Playlists" count={playlists?.length} />
+      {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
+      {playlists?.length === 0 && (
+        <p className={`mid ${classes.body}`}>
+          No playlists yet. A playlist plays sounds one after another, alone or together with others of the team.
+        </p>
+      )}
+      <Rows aria-label="Playlists">
+        {playlists?.map(({ id, name, takes, made_by, created_at }) => (
+          <Row key={id}>
+            <Link
+              to="/projects/$projectId/playlists/$playlistId"
+              params={{ projectId, playlistId: id }}
+              className="link cut-text"
+            >
+              {name}
+            </Link>
+            <span className="small dim end nowrap">
+              {plural(takes, 'sound')}, {made_by.name} {ago(created_at)}
+            </span>
+          </Row>
+        ))}
+      </Rows>
+    </Card>
+  )
+}
+
+function NewPlaylist({ projectId }: { projectId: string }) {
+  const [typed, setTyped, draft] = useDraft(`playlist:${projectId}`, { name: '', filter: NO_FILTER })
+  const { data: cues } = useQuery(cuesQuery(projectId))
+  const add = useAddPlaylist(projectId)
+  const navigate = useNavigate()
+  const refusal = add.error instanceof ApiProblem ? add.error : null
+  const send = (event: FormEvent) => {
+    event.preventDefault()
+    if (add.isPending) return
+    const found = chosenCues(cues ?? [], typed.filter)
+    add.mutate(
+      {
+        name: typed.name.trim() || typed.filter.category || 'Playlist',
+        cue_ids: found.map(({ id }) => id).slice(0, 500),
+      },
+      {
+        onSuccess: ({ id }) => {
+          draft.discard()
+          void navigate({ to: '/projects/$projectId/playlists/$playlistId', params: { projectId, playlistId: id } })
+        },
+      },
+    )
+  }
+  return (
+    <Card aria-labelledby="new-playlist">
+      <CardHead id="new-playlist" title="New playlist" />
+      <form className={classes.form} onSubmit={send} noValidate>
+        <TextInput
+          label="Name"
+          maxLength={200}
+          value={typed.name}
+          placeholder={typed.filter.category || 'Playlist'}
+          onChange={(event) => setTyped({ ...typed, name: event.currentTarget.value })}
+        />
+        <CueChoice projectId={projectId} filter={typed.filter} onFilter={(filter) => setTyped({ ...typed, filter })} />
+        <DraftNote draft={draft} />
+        {refusal && (
+          <ProblemNote detail={sentence(refusal.detail)} fix={refusal.fix ? sentence(refusal.fix) : undefined} />
+        )}
+        <div className={classes.acts}>
+          <Button type="submit" aria-busy={add.isPending}>
+            Make playlist
+          </Button>
+        </div>
+      </form>
+    </Card>
+  )
+}

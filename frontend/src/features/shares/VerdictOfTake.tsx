@@ -1,0 +1,117 @@
+import { useQuery, useQueryClient } from '@tanstack/react-query'
+import { Link } from '@tanstack/react-router'
+import { useState } from 'react'
+
+import { invalidate, queryKeys } from '@/api/queryKeys'
+import { HotkeyButton } from '@/app/keys'
+import type { Player } from '@/audio'
+import { reviewQuery } from '@/judging/api'
+import { ChangeForm } from '@/judging/ChangeForm'
+import { useJudge } from '@/judging/useJudge'
+import { takeName } from '@/judging/words'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { State, type StateKind } from '@/ui/State'
+
+import type { PlaylistTake } from './api'
+import classes from './Shares.module.css'
+
+interface VerdictOfTakeProps {
+  projectId: string
+  playlistId: string
+  take: PlaylistTake
+  player: Player
+  onJudged: () => void
+}
+
+const STATES: Record<PlaylistTake['state'], StateKind> = {
+  received: 'checking',
+  conforming: 'to_review',
+  returned: 'returned',
+  unjudged: 'unjudged',
+  approved: 'approved',
+  change_requested: 'change_requested',
+  set_aside: 'set_aside',
+}
+
+/** The verdict on the sound that plays, by the keys of the review room, for who may give it. */
+export function VerdictOfTake({ projectId, playlistId, take, player, onJudged }: VerdictOfTakeProps) {
+  const client = useQueryClient()
+  const { data: review } = useQuery({ ...reviewQuery(take.cue_id), enabled: take.may_approve })
+  const judge = useJudge(projectId)
+  const [changing, setChanging] = useState<{ positionS: number } | null>(null)
+  const judged = review?.takes.find(({ id }) => id === take.take_id)
+  const mayApprove = take.may_approve && judged !== undefined
+  const canApprove = judged?.state === 'conforming' || judged?.state === 'set_aside'
+  const canChange = judged?.state === 'conforming' || judged?.state === 'approved'
+  const name = review && judged ? takeName(judged, review.cue, review.takes) : ''
+  const done = () => {
+    void invalidate(client, queryKeys.playlist(playlistId))
+    onJudged()
+  }
+  return (
+    <div className={classes.verdict}>
+      {judge.refusal && (
+        <ProblemNote detail={`${judge.refusal.what} ${judge.refusal.problem.detail}`} fix={judge.refusal.problem.fix} />
+      )}
+      {changing && judged && review && (
+        <ChangeForm
+          takeId={judged.id}
+          what={`${review.cue.name} ${name}`}
+          positionS={changing.positionS}
+          range={null}
+          saving={judge.change.isPending}
+          problem={judge.changeProblem}
+          onClose={() => setChanging(null)}
+          onSave={(said, close) =>
+            judge.change.mutate(
+              { takes: [judged], said },
+              {
+                onSuccess: () => {
+                  close()
+                  setChanging(null)
+                  done()
+                },
+              },
+            )
+          }
+        />
+      )}
+      <div className={classes.acts}>
+        <State kind={STATES[judged?.state ?? take.state]} />
+        {mayApprove && canChange && (
+          <HotkeyButton
+            keys="r"
+            keyLabel="Request a change"
+            keyGroup="Playlist"
+            icon="pencil"
+            iconTone="change"
+            onPress={() => setChanging({ positionS: player.positionS() })}
+          >
+            Request a change
+          </HotkeyButton>
+        )}
+        {mayApprove && canApprove && review && (
+          <HotkeyButton
+            keys="a"
+            keyLabel="Approve"
+            keyGroup="Playlist"
+            icon="tick"
+            onPress={() => {
+              void judge.approve(review.cue, [judged], name).then(done)
+            }}
+          >
+            Approve
+          </HotkeyButton>
+        )}
+        <Link
+          className="link"
+          to="/projects/$projectId/review/$cueId"
+          params={{ projectId, cueId: take.cue_id }}
+          search={{ take: take.take_id }}
+        >
+          Open in Review
+        </Link>
+      </div>
+    </div>
+  )
+}

@@ -1,0 +1,54 @@
+import { expect, test } from 'vitest'
+
+import { correction, DRIFT_S, expectedS, offsetMs } from './live'
+
+test('the clock offset is that of the shortest round trip', () => {
+  expect(offsetMs([])).toBe(0)
+  // The server is 5 s ahead. A slow way back makes the first exchange 200 ms wrong, the second 5 ms.
+  const slow = { sentMs: 1_000, answeredMs: 1_500, serverMs: 6_050 }
+  const quick = { sentMs: 2_000, answeredMs: 2_020, serverMs: 7_005 }
+  expect(offsetMs([slow])).toBe(4_800)
+  expect(offsetMs([slow, quick])).toBe(4_995)
+  expect(offsetMs([quick, slow])).toBe(4_995)
+})
+
+test('an offset is wrong by at most half of its round trip', () => {
+  for (const there of [0, 0.25, 0.5, 1]) {
+    const exchange = { sentMs: 0, answeredMs: 300, serverMs: 9_000 + 300 * there }
+    expect(Math.abs(offsetMs([exchange]) - 9_000)).toBeLessThanOrEqual(150)
+  }
+})
+
+test('a playhead moves on with the server’s clock while it plays', () => {
+  const live = { position_s: 2, server_ms: 10_000, is_playing: true }
+  expect(expectedS(live, 4_000, 6_500)).toBeCloseTo(2.5)
+  expect(expectedS(live, 4_000, 1_000)).toBe(0)
+  expect(expectedS({ ...live, is_playing: false }, 4_000, 60_000)).toBe(2)
+})
+
+test('a page jumps when it is more than 150 ms away, and not past the end', () => {
+  expect(DRIFT_S).toBe(0.15)
+  expect(correction(1.1, 1, 5)).toBeNull()
+  expect(correction(1.149, 1, 5)).toBeNull()
+  expect(correction(1.151, 1, 5)).toBe(1.151)
+  expect(correction(0.8, 1, 5)).toBe(0.8)
+  expect(correction(9, 4.9, 5)).toBeNull()
+  expect(correction(9, 1, 5)).toBe(5)
+})
+
+test('two pages that follow one playhead are at most 150 ms apart and the error of their clocks', () => {
+  const live = { position_s: 0, server_ms: 50_000, is_playing: true }
+  // Each page's clock and round trip differ; the playhead each aims at differs by half of the round trips at most.
+  const pages = [
+    { skewMs: -3_000, roundMs: 20, there: 1 },
+    { skewMs: 8_000, roundMs: 40, there: 0 },
+  ].map(({ skewMs, roundMs, there }) => {
+    const exchange = {
+      sentMs: 50_000 + skewMs,
+      answeredMs: 50_000 + skewMs + roundMs,
+      serverMs: 50_000 + roundMs * there,
+    }
+    return expectedS(live, offsetMs([exchange]), 53_000 + skewMs)
+  })
+  expect(Math.abs((pages[0] ?? 0) - (pages[1] ?? 9))).toBeLessThanOrEqual(0.03 + 1e-9)
+})

@@ -1,0 +1,306 @@
+import { fireEvent, screen, waitFor, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import axe from 'axe-core'
+import { beforeEach, expect, test } from 'vitest'
+
+import { openApp } from '@/test/openApp'
+import { inProject, people } from '@/test/project'
+import { answer, type Asked, refusal, serve, wrote } from '@/test/server'
+
+import { chosenCues, NO_FILTER } from './choice'
+import { dayAfter, endOfDay } from './days'
+import { moved } from './order'
+
+const AT = '2026-11-20T10:00:00Z'
+const GONE = 'This link does not open anything any more.'
+
+const link = (id: string, more: object = {}) => ({
+  id,
+  kind: 'cues',
+  title: 'For the composer',
+  state: 'open',
+  sounds: 3,
+  has_password: true,
+  may_comment: true,
+  has_beeps: true,
+  expires_at: '2998-12-10T22:59:59Z',
+  max_openings: 5,
+  openings: 2,
+  plays: 7,
+  made_by: people.producer,
+  created_at: AT,
+  revoked_at: null,
+  is_own: true,
+  ...more,
+})
+const CUES = [
+  { id: 'c1', label: 'SW-001', name: 'shield_hit', category: 'impact', state: 'locked' },
+  { id: 'c2', label: 'SW-002', name: 'shield_down', category: 'impact', state: 'locked' },
+  { id: 'c3', label: 'SW-003', name: 'door', category: 'doors', state: 'locked' },
+  { id: 'c4', label: 'SW-004', name: 'gone', category: 'doors', state: 'cut' },
+]
+const take = (id: string, name: string, more: object = {}) => ({
+  take_id: id,
+  cue_id: `c-${id}`,
+  cue_label: 'SW-001',
+  cue_name: name,
+  category: '',
+  variation: null,
+  number: 2,
+  state: 'conforming',
+  may_approve: false,
+  picture_id: `p-${id}`,
+  duration_s: 0.8,
+  thumb: null,
+  preview_url: `/v1/sounds/p-${id}/preview`,
+  peaks_url: null,
+  spectrum_url: null,
+  ...more,
+})
+const PLAYLIST = {
+  id: 'l1',
+  project_id: 'p1',
+  name: 'Combat',
+  edition: 4,
+  made_by: people.producer,
+  takes: [take('t1', 'laser'), take('t2', 'door'), take('t3', 'steps')],
+  position: { take_id: 't2', at_s: 0.4 },
+  may_share: true,
+}
+const LIVE = {
+  sequence: 1,
+  holder: null,
+  is_holder: false,
+  take_id: null,
+  is_playing: false,
+  position_s: 0,
+  server_ms: Date.parse(AT),
+  present: [],
+}
+
+function open(path: string, more: object = {}, part: 'producer' | 'reviewer' = 'producer') {
+  const { asked } = serve(
+    inProject(part, {
+      'GET /v1/projects/p1/sound-list': { revision: 1, next: null, cues: CUES },
+      'GET /v1/projects/p1/guest-links': { items: [link('g1')], next: null },
+      'GET /v1/projects/p1/playlists': [
+        { id: 'l1', name: 'Combat', takes: 3, made_by: people.producer, created_at: AT },
+      ],
+      'GET /v1/playlists/l1': PLAYLIST,
+      'GET /v1/playlists/l1/live': LIVE,
+      'PUT /v1/playlists/l1/position': answer(null, 204),
+      ...more,
+    }),
+  )
+  openApp(path)
+  return asked
+}
+
+const noViolations = async () => {
+  const found = await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })
+  expect(found.violations.map(({ id }) => id)).toEqual([])
+}
+
+beforeEach(() => {
+  sessionStorage.clear()
+  localStorage.clear()
+})
+
+test('a link is made of what a filter gives now, and its address is shown', async () => {
+  const asked = open('/projects/p1/sharing', {
+    'POST /v1/projects/p1/guest-links': answer({ link: link('g2'), url: 'https://x.test/listen/secret' }, 201),
+  })
+  const card = await screen.findByRole('region', { name: 'New guest link' })
+  expect(await within(card).findByText(/^3 cues: shield_hit, shield_down, door\./)).toBeVisible()
+  await userEvent.type(within(card).getByLabelText('Name has'), 'shield')
+  expect(within(card).getByText(/^2 cues: shield_hit, shield_down\. .*come later are not added/)).toBeVisible()
+  await userEvent.type(within(card).getByLabelText('Title for guests'), 'For the publisher')
+  await userEvent.type(within(card).getByLabelText('Password, if wanted'), 'four unrelated words')
+  await userEvent.click(within(card).getByLabelText(/quiet beep/))
+  await userEvent.click(within(card).getByRole('button', { name: 'Make link' }))
+  expect(await screen.findByDisplayValue('https://x.test/listen/secret')).toBeVisible()
+  expect(wrote(asked, 'POST /v1/projects/p1/guest-links')[0]?.body).toMatchObject({
+    kind: 'cues',
+    title: 'For the publisher',
+    cue_ids: ['c1', 'c2'],
+    password: 'four unrelated words',
+    may_comment: true,
+    has_beeps: true,
+    max_openings: null,
+  })
+  expect(JSON.stringify({ ...localStorage, ...sessionStorage })).not.toContain('unrelated')
+  await noViolations()
+})
+
+test('who heard what stands under a link, and a link is revoked', async () => {
+  const played = [{ place: 1, cue_name: 'laser', variation: 1, plays: 3, last_at: AT }]
+  const asked = open('/projects/p1/sharing', {
+    'GET /v1/guest-links/g1/visits': {
+      items: [{ id: 'v1', guest_name: 'Ada', opened_at: AT, played }],
+      next: null,
+    },
+    'POST /v1/guest-links/g1/revoke': link('g1', { state: 'revoked' }),
+    'GET /v1/guest-links/g1/address': { url: 'https://x.test/listen/again' },
+  })
+  const row = await screen.findByRole('button', { name: /For the composer/, expanded: false })
+  expect(screen.getByText(/3 sounds, password, comments, beeps, until .* at most 5 openings/)).toBeVisible()
+  await userEvent.click(row)
+  expect(await screen.findByText(/laser 3 times/)).toBeVisible()
+  await userEvent.click(screen.getByRole('button', { name: 'Show address' }))
+  expect(await screen.findByDisplayValue('https://x.test/listen/again')).toBeVisible()
+  await userEvent.click(screen.getByRole('button', { name: /Revoke/ }))
+  await waitFor(() => expect(wrote(asked, 'POST /v1/guest-links/g1/revoke')).toHaveLength(1))
+})
+
+test('a reviewer sees playlists and makes no links', async () => {
+  open('/projects/p1/sharing', {}, 'reviewer')
+  expect(await screen.findByRole('link', { name: 'Combat' })).toBeVisible()
+  expect(screen.queryByRole('region', { name: 'New guest link' })).toBeNull()
+  expect(screen.queryByRole('region', { name: 'New playlist' })).toBeNull()
+})
+
+test('a playlist opens where one stopped; Alt and arrows, and buttons, put it in order', async () => {
+  const asked = open('/projects/p1/playlists/l1', {
+    'PATCH /v1/playlists/l1': ({ body }: Asked) => {
+      const { take_ids: order } = body as { take_ids: string[] }
+      return answer({
+        ...PLAYLIST,
+        edition: 5,
+        takes: order.map((id) => PLAYLIST.takes.find(({ take_id }) => take_id === id)),
+      })
+    },
+  })
+  const now = await screen.findByRole('region', { name: 'Now' })
+  expect(now).toHaveTextContent('door')
+  const names = () =>
+    within(screen.getByRole('list', { name: '3 sounds in order' }))
+      .getAllByRole('listitem')
+      .map((row) => row.textContent?.match(/laser|door|steps/)?.[0])
+  expect(names()).toEqual(['laser', 'door', 'steps'])
+  screen.getByRole('button', { name: /^steps/ }).focus()
+  await userEvent.keyboard('{Alt>}{ArrowUp}{/Alt}')
+  await waitFor(() => expect(names()).toEqual(['laser', 'steps', 'door']))
+  await userEvent.click(screen.getByRole('button', { name: 'Move laser down' }))
+  await waitFor(() => expect(names()).toEqual(['steps', 'laser', 'door']))
+  await waitFor(() => expect(wrote(asked, 'PATCH /v1/playlists/l1')).toHaveLength(2))
+  expect(wrote(asked, 'PATCH /v1/playlists/l1').map(({ body }) => body)).toEqual([
+    { edition: 4, take_ids: ['t1', 't3', 't2'] },
+    { edition: 5, take_ids: ['t3', 't1', 't2'] },
+  ])
+  await noViolations()
+})
+
+test('a refused order stands as it was, with the reason', async () => {
+  open('/projects/p1/playlists/l1', {
+    'PATCH /v1/playlists/l1': refusal(409, 'playlist-changed', 'another person changed this playlist'),
+  })
+  await userEvent.click(await screen.findByRole('button', { name: 'Move laser down' }))
+  expect(await screen.findByText(/another person changed this playlist/)).toBeVisible()
+  await waitFor(() => {
+    const [first] = within(screen.getByRole('list', { name: '3 sounds in order' })).getAllByRole('listitem')
+    expect(first).toHaveTextContent('laser')
+  })
+})
+
+test('in a session the keys are taken and handed over', async () => {
+  const both = [people.producer, people.composer]
+  const asked = open('/projects/p1/playlists/l1', {
+    'PUT /v1/playlists/l1/live/presence': { ...LIVE, present: both },
+    'PUT /v1/playlists/l1/live/keys': ({ body }: Asked) =>
+      (body as { act: string }).act === 'take'
+        ? answer({ ...LIVE, sequence: 2, holder: people.producer, is_holder: true, present: both })
+        : answer({ ...LIVE, sequence: 3, holder: people.composer, present: both }),
+  })
+  await userEvent.click(await screen.findByRole('button', { name: 'Start session' }))
+  await userEvent.click(await screen.findByRole('button', { name: 'Take the keys' }))
+  expect(await screen.findByText(/You hold the keys/)).toBeVisible()
+  await userEvent.click(screen.getByRole('button', { name: /Hand over the keys to Composer/ }))
+  expect(await screen.findByText('Composer holds the keys.')).toBeVisible()
+  expect(wrote(asked, 'PUT /v1/playlists/l1/live/keys').map(({ body }) => body)).toEqual([
+    { act: 'take' },
+    { act: 'give', person_id: 'x4' },
+  ])
+  expect(screen.getByRole('button', { name: 'Play' })).toBeDisabled()
+})
+
+const ROOM = {
+  title: 'For the composer',
+  guest_name: 'Ada',
+  may_comment: true,
+  has_beeps: false,
+  sounds: [
+    { place: 1, name: 'laser', variation: null, duration_s: 0.8, thumb: null, is_ready: true },
+    { place: 2, name: 'steps', variation: 2, duration_s: 0.4, thumb: null, is_ready: false },
+  ],
+}
+
+function openLink(more: object) {
+  const { asked } = serve({ 'GET /v1/session': refusal(401, 'not-signed-in', 'sign in'), ...more })
+  openApp('/listen/secret')
+  return asked
+}
+
+test('a guest types a name and the password, hears the sounds and comments', async () => {
+  const answers = [
+    refusal(403, 'guest-password-wrong', 'this is not the link’s password'),
+    answer({ visit: 'visit-secret', room: ROOM }, 201),
+  ]
+  const asked = openLink({
+    'GET /v1/guest-doors/secret': { needs_password: true },
+    'POST /v1/guest-doors/secret/visits': () => answers.shift(),
+    'GET /v1/guest-visits/visit-secret': ROOM,
+    'POST /v1/guest-visits/visit-secret/sounds/1/comments': answer(
+      { text: 'Too bright', start_s: null, end_s: null, created_at: AT },
+      201,
+    ),
+  })
+  fireEvent.change(await screen.findByLabelText('Your name'), { target: { value: 'Ada' } })
+  fireEvent.change(screen.getByLabelText('Password of the link'), { target: { value: 'wrong' } })
+  await userEvent.click(screen.getByRole('button', { name: 'Open' }))
+  expect(await screen.findByText(/not the link’s password/)).toBeVisible()
+  expect(screen.getByLabelText('Your name')).toHaveValue('Ada')
+  await userEvent.click(screen.getByRole('button', { name: 'Open' }))
+  expect(await screen.findByRole('heading', { name: 'For the composer' })).toBeVisible()
+  const rows = within(screen.getByRole('list', { name: 'Sounds' })).getAllByRole('listitem')
+  expect(rows.map((row) => row.textContent)).toEqual(['laser0.80 s', 'steps 20.40 s'])
+  await userEvent.type(screen.getByLabelText('Comment on laser'), 'Too bright')
+  await userEvent.click(screen.getByRole('button', { name: 'Send comment' }))
+  expect(await screen.findByText('sent')).toBeVisible()
+  expect(screen.getByLabelText('Comment on laser')).toHaveValue('')
+  expect(wrote(asked, 'POST /v1/guest-doors/secret/visits')[1]?.body).toEqual({ guest_name: 'Ada', password: 'wrong' })
+  expect(wrote(asked, 'POST /v1/guest-visits/visit-secret/sounds/1/comments')[0]?.body).toMatchObject({
+    text: 'Too bright',
+    start_s: null,
+  })
+  await noViolations()
+})
+
+test('a link that opens nothing says so and no more', async () => {
+  openLink({ 'GET /v1/guest-doors/secret': refusal(404, 'guest-link-not-found', GONE, { fix: 'ask for a new one' }) })
+  expect(await screen.findByRole('heading', { name: GONE })).toBeVisible()
+  expect(screen.queryByLabelText('Your name')).toBeNull()
+})
+
+test('a reload goes on with the visit, and a visit that is over says so', async () => {
+  sessionStorage.setItem('soundlist-visit:secret', 'old')
+  const asked = openLink({
+    'GET /v1/guest-visits/old': refusal(404, 'guest-visit-over', GONE),
+    'GET /v1/guest-doors/secret': { needs_password: false },
+  })
+  expect(await screen.findByRole('heading', { name: GONE })).toBeVisible()
+  expect(wrote(asked, 'POST /v1/guest-doors/secret/visits')).toHaveLength(0)
+  await userEvent.click(screen.getByRole('button', { name: 'Open the link again' }))
+  expect(await screen.findByLabelText('Your name')).toBeVisible()
+})
+
+test('filters, orders and days', () => {
+  expect(chosenCues(CUES, { ...NO_FILTER, category: 'doors' }).map(({ id }) => id)).toEqual(['c3', 'c4'])
+  expect(chosenCues(CUES, { ...NO_FILTER, text: ' sw-002 ' }).map(({ id }) => id)).toEqual(['c2'])
+  expect(chosenCues(CUES, { text: 'door', category: 'doors', cueId: 'c1' }).map(({ id }) => id)).toEqual(['c1'])
+  expect(moved(['a', 'b', 'c'], 'a', 1)).toEqual(['b', 'a', 'c'])
+  expect(moved(['a', 'b', 'c'], 'a', -3)).toEqual(['a', 'b', 'c'])
+  expect(moved(['a', 'b', 'c'], 'a', 9)).toEqual(['b', 'c', 'a'])
+  expect(moved(['a'], 'x', 0)).toEqual(['a'])
+  expect(dayAfter(new Date(2026, 11, 25), 14)).toBe('2027-01-08')
+  expect(new Date(endOfDay('2026-12-10')).getDate()).toBe(10)
+})

@@ -1,0 +1,115 @@
+import { useQuery, useQueryClient } from '@tanstack/react-query'
+import { useEffect, useEffectEvent, useRef, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
+import type { Player } from '@/audio'
+
+import { type Live, movePlayhead, passKeys, readLive, reportPresence } from './api'
+import { correction, type Exchange, expectedS, offsetMs } from './live'
+import type { Playthrough } from './usePlaythrough'
+
+const REPORT_MS = 3_000 // presence ends 10 s after the last report
+const FOLLOW_MS = 250
+const KEPT = 8 // exchanges of which the shortest counts
+
+export interface LiveHand {
+  live: Live | undefined
+  isIn: boolean
+  problem: string
+  join: () => void
+  leave: () => void
+  take: () => void
+  drop: () => void
+  give: (personId: string) => void
+  /** What the holder did, for all; nothing for anyone else. */
+  lead: (takeId: string, isPlaying: boolean, positionS: number) => void
+}
+
+/** The session of a playlist: who is in it, who holds the keys, and a page that follows the playhead of all. */
+export function useLive(playlistId: string, player: Player, playthrough: Playthrough): LiveHand {
+  const client = useQueryClient()
+  const queryKey = queryKeys.playlist(playlistId, 'live')
+  const [isIn, setIsIn] = useState(false)
+  const [problem, setProblem] = useState('')
+  const exchanges = useRef<Exchange[]>([])
+
+  const exchange = async (send: () => Promise<Live>): Promise<Live> => {
+    const sentMs = Date.now()
+    const live = await send()
+    exchanges.current = [
+      ...exchanges.current.slice(1 - KEPT),
+      { sentMs, answeredMs: Date.now(), serverMs: live.server_ms },
+    ]
+    return live
+  }
+  const { data: live } = useQuery({
+    queryKey,
+    queryFn: () => exchange(() => readLive(playlistId)),
+    structuralSharing: false, // each answer has its own instant
+  })
+  const send = async (act: () => Promise<Live>) => {
+    try {
+      client.setQueryData(queryKey, await exchange(act))
+      setProblem('')
+    } catch (error) {
+      if (!(error instanceof ApiProblem)) return
+      setProblem([error.detail, error.fix].filter(Boolean).join('; '))
+      void invalidate(client, queryKey)
+    }
+  }
+
+  const report = useEffectEvent(() => void send(() => reportPresence(playlistId, false)))
+  useEffect(() => {
+    if (!isIn) return
+    report()
+    const timer = setInterval(() => report(), REPORT_MS)
+    return () => {
+      clearInterval(timer)
+      void reportPresence(playlistId, true).catch(() => undefined)
+    }
+  }, [isIn, playlistId])
+
+  const follow = useEffectEvent(() => {
+    if (!live || live.is_holder || live.take_id === null) return
+    const wantedS = expectedS(live, offsetMs(exchanges.current), Date.now())
+    if (playthrough.current?.take_id !== live.take_id) {
+      void playthrough.open(live.take_id, { plays: live.is_playing, fromS: wantedS })
+      return
+    }
+    const { status, durationS } = player.getState()
+    if (status === 'loading' || durationS === 0) return
+    if (!live.is_playing && player.isPlaying()) player.pause()
+    const jumpS = correction(wantedS, player.positionS(), durationS)
+    if (live.is_playing && !player.isPlaying() && wantedS < durationS) void player.play(wantedS)
+    else if (jumpS !== null) player.seek(jumpS)
+  })
+  useEffect(() => {
+    if (!isIn) return
+    const timer = setInterval(() => follow(), FOLLOW_MS)
+    return () => clearInterval(timer)
+  }, [isIn])
+
+  return {
+    live,
+    isIn,
+    problem,
+    join: () => setIsIn(true),
+    leave: () => setIsIn(false),
+    take: () => void send(() => passKeys(playlistId, { act: 'take' })),
+    drop: () => void send(() => passKeys(playlistId, { act: 'drop' })),
+    give: (personId) => void send(() => passKeys(playlistId, { act: 'give', person_id: personId })),
+    lead: (takeId, isPlaying, positionS) => {
+      const now = client.getQueryData<Live>(queryKey)
+      if (!isIn || !now?.is_holder) return
+      void send(() =>
+        movePlayhead(playlistId, {
+          sequence: now.sequence,
+          take_id: takeId,
+          is_playing: isPlaying,
+          position_s: positionS,
+        }),
+      )
+    },
+  }
+}
