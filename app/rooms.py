@@ -29,6 +29,7 @@ from app.conformance.endpoints import router as conformance
 from app.dashboards.credit_endpoints import router as credit_lists
 from app.dashboards.endpoints import router as dashboards
 from app.dashboards.event_endpoints import router as events
+from app.dashboards.hours_endpoints import router as project_hours
 from app.deliveries.endpoints import router as deliveries
 from app.deliveries.sources import ensure_stated_to_invoice
 from app.hiring.bid_endpoints import router as bids
@@ -120,6 +121,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     game_files,
     dashboards,
     credit_lists,
+    project_hours,
     events,
     notifications,
     notices,

@@ -158,6 +158,19 @@ def weeks(ranges: Sequence[Busy], today: date, available_from_on: date | None = 
     return states
 
 
+def free_days(ranges: Sequence[Busy], today: date, available_from_on: date | None = None) -> list[float]:
+    """Return how many working days of each of the coming weeks are free, from today on; a half day counts as half."""
+    first = monday_of(today)
+    last = first + WEEKS_SHOWN * WEEK
+    booked, half = set(_days(ranges, BusyKind.BOOKED, today, last)), set(_days(ranges, BusyKind.HALF_DAYS, today, last))
+    free = []
+    for place in range(WEEKS_SHOWN):
+        days = [first + place * WEEK + timedelta(days=offset) for offset in range(WORKING_DAYS)]
+        open_days = [day for day in days if day >= max(today, available_from_on or today) and day not in booked]
+        free.append(sum(0.5 if day in half else 1.0 for day in open_days))
+    return free
+
+
 def _days(ranges: Sequence[Busy], kind: BusyKind, first: date, last: date) -> Iterator[date]:
     for one in ranges:
         if one.kind is kind:

@@ -1,0 +1,18 @@
+"""The endpoint of hours."""
+
+from uuid import UUID
+
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience
+from app.dashboards.hours import project_hours
+from app.dashboards.hours_schemas import ProjectHours
+from app.kit.http import DbSession, Route, Router, problems
+from app.projects.errors import ProducerNeeded, ProjectNotFound, TeamNeeded
+
+router = Router(prefix="/v1", tags=["dashboards"], route_class=Route)
+
+
+@router.get("/projects/{project_id}/hours", responses=problems(ProjectNotFound, TeamNeeded, ProducerNeeded))
+def read_project_hours(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)) -> ProjectHours:
+    """Return hours wanted, done and there, by designer, week and category; cues without an estimate are counted."""
+    return project_hours(session, actor, project_id)
