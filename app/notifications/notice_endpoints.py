@@ -4,7 +4,7 @@ from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.kit.http import BadCursor, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
 from app.notifications import notices
-from app.notifications.schemas import NoticeRead, NoticesMark, UnreadRead
+from app.notifications.schemas import InAppNoticeRead, NoticesMark, UnreadRead
 
 router = Router(prefix="/v1", tags=["notifications"], route_class=Route)
 PAGE = 50
@@ -13,12 +13,12 @@ PAGE = 50
 @router.get("/me/notices", responses=problems(BadCursor))
 def list_my_notices(
     session: DbSession, cursor: str | None = None, actor: Actor = allows(Audience.PERSON)
-) -> Page[NoticeRead]:
+) -> Page[InAppNoticeRead]:
     """Return the caller's notices, newest first; read ones are kept for 90 days."""
     found = notices.page(session, actor, before=uuid_cursor(cursor), limit=PAGE + 1)
     shown = found[:PAGE]
     following = cursor_of(shown[-1].id) if len(found) > PAGE else None
-    return Page(items=[NoticeRead.model_validate(one) for one in shown], next=following)
+    return Page(items=[InAppNoticeRead.model_validate(one) for one in shown], next=following)
 
 
 @router.get("/me/notices/unread")

@@ -58,7 +58,7 @@ class MailChoiceSave(Schema):
     cadence: Cadence
 
 
-class NoticeRead(Schema):
+class InAppNoticeRead(Schema):
     """One piece of news for the caller."""
 
     id: UUID
