@@ -9,9 +9,11 @@ import { countOf, figure, plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { KeysLine } from '@/ui/KeysLine'
 import { ProblemNote } from '@/ui/ProblemNote'
+import { Segmented } from '@/ui/Segmented'
 
 import { type CueToHear, type ListeningPass, useClosePass } from './api'
 import classes from './Listening.module.css'
+import { groupOf, inOrder, keepOrder, keptOrder, type Order, ORDER_WORDS, ORDERS } from './listeningOrder'
 import { SoundToJudge } from './SoundToJudge'
 import { type ShownNote, useNotes } from './useNotes'
 import { SAID_WORDS, SAYINGS, signed, taskOf } from './words'
@@ -28,7 +30,9 @@ function firstOpen(cues: readonly CueToHear[], notes: readonly ShownNote[]): num
 
 /** One sound after the other: what it is like in the game, in one key, and the next. */
 export function ListeningRoom({ listening, projectId }: { listening: ListeningPass; projectId: string }) {
-  const { cues, audit } = listening
+  const { audit } = listening
+  const [order, setOrder] = useState(keptOrder)
+  const cues = useMemo(() => inOrder(listening.cues, order), [listening.cues, order])
   const notes = useNotes(projectId, listening)
   const [at, setAt] = useState(() => firstOpen(cues, notes.notes))
   const cue = cues[Math.min(at, cues.length - 1)]
@@ -41,6 +45,17 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
   }, [cues, notes.notes])
   const last = notes.notes.find(({ isMine }) => isMine)
   const step = (by: number) => setAt(Math.min(cues.length - 1, Math.max(0, at + by)))
+  const group = (next: Order) => {
+    const now = cues[at]?.cue.id
+    keepOrder(next)
+    setOrder(next)
+    setAt(
+      Math.max(
+        0,
+        inOrder(listening.cues, next).findIndex((one) => one.cue.id === now),
+      ),
+    )
+  }
   const undo = () => {
     if (!last) return
     notes.takeBack(last)
@@ -55,6 +70,12 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
   useHotkeys([
     { keys: 'j', label: 'Next sound, without a note', group: GROUP, run: () => step(1), repeats: true },
     { keys: 'k', label: 'Previous sound', group: GROUP, run: () => step(-1), repeats: true },
+    {
+      keys: 'o',
+      label: 'Group by list, category or event',
+      group: GROUP,
+      run: () => group(ORDERS[(ORDERS.indexOf(order) + 1) % ORDERS.length] ?? 'list'),
+    },
     { keys: 'u', label: 'Take the last note back', group: GROUP, run: undo, disabled: !last },
   ])
   if (!cue) return <NoCues projectId={projectId} label={audit.label} />
@@ -62,9 +83,18 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
     <div className={classes.room}>
       <aside className={classes.list} aria-label="Sounds of the build">
         <Head listening={listening} heard={heard.size} notes={notes.notes.length} />
+        <div className={classes.order}>
+          <Segmented
+            label="Group by"
+            value={order}
+            options={ORDERS.map((value) => ({ value, label: ORDER_WORDS[value] }))}
+            onChange={group}
+          />
+        </div>
         <ol className={classes.scroll}>
           {cues.map((one, index) => (
             <li key={one.cue.id}>
+              <Heading group={groupOf(one, order)} before={index > 0 ? groupOf(cues[index - 1] ?? one, order) : ''} />
               <button
                 type="button"
                 className={classes.item}
@@ -82,6 +112,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
             keys={[
               { keys: ['j', 'k'], label: 'next, previous' },
               { keys: ['u'], label: 'take back' },
+              { keys: ['o'], label: 'group' },
               { keys: ['Space'], label: 'play' },
             ]}
           />
@@ -131,6 +162,11 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
       </aside>
     </div>
   )
+}
+
+/** The name of a group, before its first sound. */
+function Heading({ group, before }: { group: string; before: string }) {
+  return group !== before && <h2 className={`small strong ${classes.group}`}>{group}</h2>
 }
 
 function standing({ cue }: CueToHear, notes: readonly ShownNote[], heard: ReadonlySet<string>): string {

@@ -348,3 +348,44 @@ test('a gain is proposed towards the approved level, never away from it', () => 
   expect(proposedDb('too-soft', null)).toBe(3)
   expect(proposedDb('wrong', -6)).toBeNull()
 })
+
+test('the sounds of a pass are grouped by category or event, the choice is kept, and the sound stays', async () => {
+  localStorage.removeItem('soundlist-listening-order')
+  const cues = [
+    cue('c1', 'foot_deck_walk', { category: 'foley', events: ['Play_Step'] }),
+    cue('c2', 'dock_clamp', { category: '', events: [] }),
+    cue('c3', 'radar_ping', { category: 'alarms', events: ['Play_Step'] }),
+  ]
+  const given = pass()
+  serve(
+    listening({
+      'GET /v1/projects/p1/listening-pass': { ...given, listening_pass: { ...given.listening_pass, cues } },
+    }),
+  )
+  const press = userEvent.setup()
+  openApp('/projects/p1/listening')
+  expect(await screen.findByRole('heading', { level: 2, name: 'foot_deck_walk' })).toBeVisible()
+  const list = screen.getByRole('complementary', { name: 'Sounds of the build' })
+  const names = () =>
+    within(within(list).getByRole('list'))
+      .getAllByRole('button')
+      .map((one) => one.textContent)
+  await press.keyboard('o')
+  expect(within(list).getByRole('button', { name: 'Category' })).toHaveAttribute('aria-pressed', 'true')
+  expect(names()).toEqual(['radar_pingnot heard', 'foot_deck_walknot heard', 'dock_clampnot heard'])
+  expect(
+    within(list)
+      .getAllByRole('heading', { level: 2 })
+      .map((one) => one.textContent),
+  ).toEqual(['alarms', 'foley', 'No category'])
+  expect(screen.getByRole('heading', { level: 2, name: 'foot_deck_walk' })).toBeVisible()
+  await press.keyboard('o')
+  expect(
+    within(list)
+      .getAllByRole('heading', { level: 2 })
+      .map((one) => one.textContent),
+  ).toEqual(['Play_Step', 'No event'])
+  expect(localStorage.getItem('soundlist-listening-order')).toBe('event')
+  expect((await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })).violations).toEqual([])
+  localStorage.removeItem('soundlist-listening-order')
+})
