@@ -30,10 +30,10 @@ from app.scenes.schemas import (
     BedRead,
     BedSet,
     BedSource,
-    SoundComparisonAdd,
-    SoundComparisonRead,
     MaskingRead,
     SceneRead,
+    SoundComparisonAdd,
+    SoundComparisonRead,
 )
 
 router = Router(prefix="/v1", tags=["scenes"], route_class=Route)

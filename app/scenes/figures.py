@@ -13,7 +13,7 @@ from app.scenes.errors import LaneUnknown
 from app.scenes.excitations import placed, unpacked
 from app.scenes.models import Bed
 from app.scenes.rules import HIGHEST_DB, LOWEST_DB, CoveredBand, masking_words
-from app.scenes.schemas import BedRead, ClipRead, SceneLaneRead, MaskedBand, MaskingRead, SceneRead
+from app.scenes.schemas import BedRead, ClipRead, MaskedBand, MaskingRead, SceneLaneRead, SceneRead
 from app.scenes.service import SOUND, Lane, Scene, scene_of
 from audio_checks import CENTRES_HZ, Masking, masking
 

@@ -1,7 +1,7 @@
 import type { Clock } from './clock'
 import type { TimeRange } from './draw'
 import { direct, type MakeOutput, type Output } from './output'
-import { type PlayerState, SILENT, type Source } from './playerState'
+import { type Company, type PlayerState, SILENT, type Source } from './playerState'
 import { Previews } from './previews'
 import { SetPlayback } from './setPlayback'
 import { ONE_AFTER_ANOTHER, type SetWay } from './setSchedule'
@@ -58,6 +58,8 @@ export class Player implements Clock {
   #set: { sources: readonly Source[]; playback: SetPlayback } | null = null
   #makeOutput: MakeOutput = direct
   #output: Output | null = null
+  #company: { sounds: Company; bus: GainNode } | null = null
+  #hushed = false
   readonly #createContext: () => AudioContext
   readonly #random: () => number
   readonly #onFrame: (callback: () => void) => () => void
@@ -105,7 +107,8 @@ export class Player implements Clock {
    */
   async select(source: Source, laterS = 0): Promise<void> {
     this.#leaveSet()
-    if (this.#source?.id === source.id && this.#source.url === source.url) {
+    const known = this.#source
+    if (known?.id === source.id && known.url === source.url && known.place === source.place) {
       this.#source = source
       if (this.#sounding) this.#ramp(this.#sounding.gain, this.#gainOf(source))
       return
@@ -185,6 +188,33 @@ export class Player implements Clock {
     if (sounding && this.#source) this.#ramp(sounding.gain, this.#gainOf(this.#source))
   }
 
+  /** Hear others beside the source, on the same clock; null for the source alone. */
+  setCompany(sounds: Company | null): void {
+    if (this.#company?.sounds === (sounds ?? undefined)) return
+    this.#endCompany()
+    this.#company = sounds && { sounds, bus: this.#contextNow().createGain() }
+    const sounding = this.#sounding
+    if (this.#company === null || sounding === null || this.#set !== null) return
+    this.#company.bus.connect(this.#outputNow(this.#contextNow()).input)
+    this.#beginCompany(this.#bufferPositionS(sounding), this.#loopOf(sounding.buffer.duration))
+  }
+
+  /** Silence the source while the others go on, for as long as it is so. */
+  setHushed(hushed: boolean): void {
+    this.#hushed = hushed
+    const sounding = this.#sounding
+    if (sounding && this.#source) this.#ramp(sounding.gain, this.#gainOf(this.#source))
+  }
+
+  /** The context in which all of it sounds. */
+  context = (): BaseAudioContext => this.#contextNow()
+
+  /** Where the listener is: the position, but for what the device is late. */
+  heardS = (): number => {
+    const lateS = this.isPlaying() ? (this.#context?.outputLatency ?? 0) : 0
+    return Math.max(0, this.positionS() - lateS)
+  }
+
   /** Hear everything through other nodes, or directly. What sounds goes on without a gap, at the same position. */
   setOutput(makeOutput: MakeOutput = direct): void {
     if (makeOutput === this.#makeOutput) return
@@ -194,18 +224,19 @@ export class Player implements Clock {
     const context = this.#context
     const after = makeOutput(context)
     this.#output = after
-    const heard = this.#set?.playback.bus ?? this.#sounding?.gain
-    if (!heard) {
+    const main = this.#set?.playback.bus ?? this.#sounding?.gain
+    if (!main) {
       before.remove()
       return
     }
-    heard.connect(after.input)
+    const heard = this.#company ? [main, this.#company.bus] : [main]
+    for (const node of heard) node.connect(after.input)
     after.gain.gain.setValueAtTime(0, context.currentTime)
     after.gain.gain.linearRampToValueAtTime(1, context.currentTime + CROSSFADE_S)
     this.#ramp(before.gain, 0, CROSSFADE_S)
     after.onSounding?.('begins')
     setTimeout(() => {
-      heard.disconnect(before.input)
+      for (const node of heard) node.disconnect(before.input)
       before.remove()
     }, REMOVE_AFTER_MS)
   }
@@ -274,7 +305,8 @@ export class Player implements Clock {
   async #read(source: Source, asked: number, isUrgent = true): Promise<AudioBuffer | null> {
     try {
       const buffer = await (isUrgent ? this.previews.get(source.url) : this.previews.select(source.url))
-      return asked === this.#asked ? buffer : null
+      if (asked !== this.#asked) return null
+      return source.place?.(buffer, this.#contextNow()) ?? buffer
     } catch {
       if (asked !== this.#asked) return null
       this.#silence()
@@ -291,7 +323,7 @@ export class Player implements Clock {
     const loop = this.#loopOf(buffer.duration)
     let fromS = Math.min(buffer.duration, Math.max(0, reversed ? buffer.duration - positionS : positionS))
     if (loop && (fromS < loop.startS || fromS >= loop.endS)) fromS = loop.startS
-    this.#silence()
+    this.#silence({ alone: true })
     if (fromS >= buffer.duration) {
       this.#ended()
       return
@@ -319,22 +351,36 @@ export class Player implements Clock {
       if (this.#sounding === sounding) this.#ended()
     }
     this.#sounding = sounding
+    this.#company?.bus.connect(output.input)
+    this.#beginCompany(fromS, loop)
     this.#notify({ status: 'playing' })
     this.#tick()
+  }
+
+  #beginCompany(fromS: number, loop: TimeRange | null): void {
+    if (this.#company === null) return
+    const context = this.#contextNow()
+    this.#company.sounds.begin({ context, to: this.#company.bus, atS: context.currentTime, fromS, loop })
+  }
+
+  #endCompany(): void {
+    this.#company?.sounds.end((this.#context?.currentTime ?? 0) + FADE_S)
   }
 
   #ended(): void {
     const { durationS, reversed } = this.#state
     this.#sounding = null
+    this.#endCompany()
     this.#output?.onSounding?.('is over')
     this.#notify({ status: 'paused' })
     this.#moved(reversed ? 0 : durationS)
   }
 
   /** Stop what sounds, with a fade that is too short to hear. */
-  #silence(): void {
+  #silence({ alone = false } = {}): void {
     const sounding = this.#sounding
     if (sounding === null) return
+    if (!alone) this.#endCompany()
     this.#positionS = this.positionS()
     this.#sounding = null
     sounding.node.onended = null
@@ -353,6 +399,7 @@ export class Player implements Clock {
   }
 
   #gainOf(source: Source): number {
+    if (this.#hushed) return 0
     return this.#state.matched ? 10 ** ((source.matchGainDb ?? 0) / 20) : 1
   }
 
@@ -402,6 +449,7 @@ export class Player implements Clock {
       sounding.node.loopStart = loop.startS
       sounding.node.loopEnd = loop.endS
     }
+    this.#beginCompany(at, loop)
   }
 
   #leaveSet(): void {

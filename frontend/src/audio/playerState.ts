@@ -6,6 +6,24 @@ export interface Source {
   url: string
   /** What brings it to the level of the others; used while levels are matched. */
   matchGainDb?: number
+  /** Where it plays longer than it is: the sound at its places in a scene. */
+  place?: (sound: AudioBuffer, context: BaseAudioContext) => AudioBuffer
+}
+
+/** From where on the others sound, on the clock of what is heard. */
+export interface CompanyStart {
+  context: BaseAudioContext
+  to: AudioNode
+  atS: number
+  fromS: number
+  loop: TimeRange | null
+}
+
+/** What sounds beside the source, from the same sample on. */
+export interface Company {
+  /** Sound from there; what sounds there already goes on without a gap. */
+  begin: (start: CompanyStart) => void
+  end: (atS: number) => void
 }
 
 export interface PlayerState {

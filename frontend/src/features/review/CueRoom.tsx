@@ -8,10 +8,11 @@ import type { CueReview, ReviewTake } from '@/judging/api'
 import { isWholeSet, pickedOfSet } from '@/judging/choice'
 import { inOrder, matchGains, soundOf, sourceOf, targetsOf } from '@/judging/hearing'
 import { matchedWords } from '@/judging/levels'
-import { useHearing } from '@/judging/useHearing'
+import { type Placing, useHearing } from '@/judging/useHearing'
 import type { Judge } from '@/judging/useJudge'
 import { takeName } from '@/judging/words'
 import type { CueMoney } from '@/money/api'
+import { useLazy } from '@/ui/useLazy'
 
 import { useComment } from './api'
 import { Asked } from './Asked'
@@ -32,12 +33,16 @@ import { useTakesHeard } from './useTakesHeard'
 import { Verdict } from './Verdict'
 import { WaveStage } from './WaveStage'
 
+const loadScene = () => import('./scene/SceneStage').then(({ SceneStage }) => SceneStage)
+
 interface CueRoomProps {
   review: CueReview
   /** What its contract says of the cue; null where there is none, or the reader has no sight of money. */
   money: CueMoney | null
   projectId: string
   mayCut: boolean
+  /** Of the team: other designers' sounds are in the scene. */
+  seesScene: boolean
   player: Player
   playing: PlayerState
   conditions: Conditions
@@ -76,7 +81,12 @@ export function CueRoom(props: CueRoomProps) {
     [heard, before, hand],
   )
   const gains = useMemo(() => matchGains(compared, target), [compared, target])
-  const source = useHearing(player, cue.id, hand, target, gains)
+  const [inScene, setInScene] = useState(false)
+  const [placing, setPlacing] = useState<Placing | null>(null)
+  const SceneStage = useLazy(loadScene, inScene, () => setInScene(false))
+  const source = useHearing(player, cue.id, hand, target, gains, placing)
+  /** Where the version begins in what is heard. */
+  const firstS = placing?.startS ?? 0
   const targets = targetsOf(review.takes)
 
   const { startS } = props
@@ -119,12 +129,12 @@ export function CueRoom(props: CueRoomProps) {
   const openChange = () => {
     player.pause()
     judge.change.reset()
-    flushSync(() => setChanging({ positionS: inside(player.positionS(), hand, target) }))
+    flushSync(() => setChanging({ positionS: inside(player.positionS() - firstS, hand, target) }))
   }
   const write = (text = '') => {
     if (hand === undefined) return
-    const range = playing.range
-    const startS = range?.startS ?? inside(player.positionS(), hand, target)
+    const range = placing ? null : playing.range
+    const startS = range?.startS ?? inside(player.positionS() - firstS, hand, target)
     const kept = text === '' ? keptDraft<Writing>(`comment:${cue.id}`) : null
     flushSync(() => setWriting(kept ? { ...kept, isRestored: true } : { text, startS, endS: range?.endS }))
   }
@@ -142,11 +152,13 @@ export function CueRoom(props: CueRoomProps) {
     if (one.startS !== null) playFrom(one.startS)
   }
   const playFrom = (startAtS: number) => {
-    player.seek(spotOf(startAtS))
-    if (!player.isPlaying()) void player.play(spotOf(startAtS))
+    const atS = firstS + spotOf(startAtS)
+    player.seek(atS)
+    if (!player.isPlaying()) void player.play(atS)
   }
   const toggleBlind = () => {
     player.pause()
+    setInScene(false)
     takes.toggleBlind()
   }
   const setWay = useSetWay()
@@ -205,7 +217,7 @@ export function CueRoom(props: CueRoomProps) {
             onSpot={playFrom}
           />
         )}
-        {hand && (
+        {hand && !(SceneStage && inScene) && (
           <WaveStage
             take={hand}
             name={`${cue.name}, ${nameOf(hand)}`}
@@ -227,7 +239,7 @@ export function CueRoom(props: CueRoomProps) {
           <Transport
             player={player}
             playing={playing}
-            durationS={soundOf(hand, target).durationS}
+            durationS={placing ? playing.durationS : soundOf(hand, target).durationS}
             silent={source === null ? whySilent(hand, target) : null}
             onNext={heard.length > 1 ? () => stepTake(1) : before ? flip : undefined}
             nextWords={before && current ? `${before.number} ⇄ ${current.number}` : nextWords(heard, hand, nameOf)}
@@ -239,7 +251,17 @@ export function CueRoom(props: CueRoomProps) {
             conditions={props.conditions}
             blind={canBlind ? { on: blind !== null, toggle: toggleBlind } : undefined}
             asGame={isSet && heard.length > 1 ? { play: asGame, way: <SetWayButton {...setWay} /> } : undefined}
+            scene={props.seesScene && blind === null ? { on: inScene, toggle: () => setInScene(!inScene) } : undefined}
             takeId={hand.id}
+          />
+        )}
+        {hand && SceneStage && inScene && (
+          <SceneStage
+            takeId={hand.id}
+            projectId={projectId}
+            player={player}
+            looping={playing.looping}
+            onPlacing={setPlacing}
           />
         )}
         {isSet && heard.length > 1 && (
@@ -255,7 +277,7 @@ export function CueRoom(props: CueRoomProps) {
             whole={whole}
             waiting={waiting}
             judge={judge}
-            range={playing.range}
+            range={placing ? null : playing.range}
             changing={changing}
             isPlaying={playing.status === 'playing'}
             onPlay={source === null ? null : () => void player.toggle()}
@@ -298,7 +320,7 @@ export function CueRoom(props: CueRoomProps) {
 /** A place in the sound; its very start and end mean the whole of it. */
 function inside(positionS: number, take: ReviewTake | undefined, target: string): number {
   if (take === undefined) return 0
-  return positionS < soundOf(take, target).durationS ? positionS : 0
+  return positionS > 0 && positionS < soundOf(take, target).durationS ? positionS : 0
 }
 
 function whySilent(take: ReviewTake, target: string): string {

@@ -110,6 +110,7 @@ export function ReviewPage(): ReactNode {
           money={money ?? null}
           projectId={projectId}
           mayCut={project?.is_producer ?? false}
+          seesScene={project !== undefined && project.part !== 'designer'}
           player={player}
           playing={playing}
           conditions={conditions}

@@ -25,6 +25,8 @@ interface TransportProps {
   blind?: { on: boolean; toggle: () => void }
   /** What plays the set, and the button that opens how. */
   asGame?: { play: () => void; way: ReactNode }
+  /** Hear it among the other sounds of its scene. */
+  scene?: { on: boolean; toggle: () => void }
   takeId: string
 }
 
@@ -63,6 +65,7 @@ export function Transport({
   conditions,
   blind,
   asGame,
+  scene,
   takeId,
 }: TransportProps) {
   const isPlaying = playing.status === 'playing'
@@ -143,6 +146,17 @@ export function Transport({
       {blind && (
         <HotkeyButton keys="d" keyLabel="Compare blind" keyGroup="Review" pressed={blind.on} onPress={blind.toggle}>
           Blind
+        </HotkeyButton>
+      )}
+      {scene && (
+        <HotkeyButton
+          keys="o"
+          keyLabel="Alone, or in its scene"
+          keyGroup="Review"
+          pressed={scene.on}
+          onPress={scene.toggle}
+        >
+          In the scene
         </HotkeyButton>
       )}
       {asGame && (

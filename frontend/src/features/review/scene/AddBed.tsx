@@ -1,0 +1,85 @@
+import { useQuery } from '@tanstack/react-query'
+import { useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { Button } from '@/ui/Button'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { Select } from '@/ui/Select'
+
+import { type BedRole, type BedSource, bedSourcesQuery, useBeds } from './api'
+import classes from './Scene.module.css'
+
+interface AddBedProps {
+  projectId: string
+  category: string
+  onDone: () => void
+}
+
+/** Put an approved sound, or one of the references, under the sounds of the project or of this category. */
+export function AddBed({ projectId, category, onDone }: AddBedProps) {
+  const sources = useQuery(bedSourcesQuery(projectId))
+  const { set } = useBeds(projectId)
+  const [role, setRole] = useState<BedRole>('ambience')
+  const [chosen, setChosen] = useState('')
+  const [isWide, setWide] = useState(true)
+  const found = sources.data ?? []
+  const source = found.find((one) => idOf(one) === chosen) ?? found[0]
+  const problem = set.error ?? sources.error
+  if (sources.data?.length === 0) {
+    return (
+      <p className="small mid">
+        No sound is approved yet, and no sound stands on the references board. Add one there, then choose it here.
+      </p>
+    )
+  }
+  return (
+    <form
+      className={classes.addBed}
+      aria-label="Add a bed"
+      onSubmit={(event) => {
+        event.preventDefault()
+        if (source === undefined || set.isPending) return
+        const { take_id, reference_id } = source
+        const bed = { role, category: isWide ? '' : category, take_id, reference_id, level_db: -12, is_on: true }
+        set.mutate(bed, { onSuccess: onDone })
+      }}
+    >
+      <Select label="Plays as" value={role} onChange={(event) => setRole(event.currentTarget.value as BedRole)}>
+        <option value="music">Music</option>
+        <option value="ambience">Ambience</option>
+        <option value="voice">Voice</option>
+      </Select>
+      <Select
+        label="Sound"
+        value={source ? idOf(source) : ''}
+        onChange={(event) => setChosen(event.currentTarget.value)}
+      >
+        {found.map((one) => (
+          <option key={idOf(one)} value={idOf(one)}>
+            {one.name}
+            {one.reference_id ? ' (reference)' : one.loops ? ' (loop)' : ''}
+          </option>
+        ))}
+      </Select>
+      {category && (
+        <Select
+          label="Under the sounds of"
+          value={isWide ? 'project' : 'category'}
+          onChange={(event) => setWide(event.currentTarget.value === 'project')}
+        >
+          <option value="project">the whole project</option>
+          <option value="category">{category}</option>
+        </Select>
+      )}
+      <Button type="submit" variant="primary" disabled={source === undefined || set.isPending}>
+        Add
+      </Button>
+      <Button variant="quiet" onClick={onDone}>
+        Cancel
+      </Button>
+      {problem instanceof ApiProblem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+    </form>
+  )
+}
+
+const idOf = ({ take_id, reference_id }: BedSource): string => take_id ?? reference_id ?? ''

@@ -1,0 +1,104 @@
+import { useEffect, useMemo, useState } from 'react'
+
+import type { Player } from '@/audio'
+import type { Placing } from '@/judging/useHearing'
+
+import { recordOpening, type Scene, type SceneLane } from './api'
+import { type HeardLane, placed, placingOf, SceneLanes } from './lanes'
+
+/** The lane of the version itself. */
+export const SOUND = 'sound'
+
+export interface LaneLevel {
+  levelDb: number
+  isOn: boolean
+}
+
+/** What was moved on this page, by lane; all else is as the server says. */
+export type Moved = ReadonlyMap<string, LaneLevel>
+
+export const levelOf = (lane: SceneLane, moved: Moved): LaneLevel =>
+  moved.get(lane.id) ?? { levelDb: lane.level_db, isOn: lane.is_on }
+
+/** Fetch, decode and place the sounds beside a version; which of them could not be fetched is said. */
+function useBuffers(player: Player, scene: Scene | undefined): [ReadonlyMap<string, AudioBuffer>, string | null] {
+  const [buffers, setBuffers] = useState<ReadonlyMap<string, AudioBuffer>>(new Map())
+  const [trouble, setTrouble] = useState<string | null>(null)
+  const beside = scene?.lanes.filter(({ id }) => id !== SOUND) ?? []
+  const wanted = JSON.stringify(
+    beside.map(({ id, name, preview_url, reference_version_id, starts_s, loops }) => ({
+      ...{ id, name, url: preview_url, versionId: reference_version_id },
+      places: { startsS: starts_s, loops, lengthS: scene?.length_s ?? 0 },
+    })),
+  )
+  useEffect(() => {
+    let isWanted = true
+    const lanes = JSON.parse(wanted) as {
+      id: string
+      name: string
+      url: string | null
+      versionId: string | null
+      places: Parameters<typeof placed>[2]
+    }[]
+    const read = async ({ id, name, url, versionId, places }: (typeof lanes)[number]) => {
+      if (url === null) return
+      try {
+        if (versionId !== null) await recordOpening(versionId)
+        const sound = await player.previews.get(url)
+        if (isWanted) setBuffers((now) => new Map(now).set(id, placed(sound, player.context(), places)))
+      } catch {
+        if (isWanted) setTrouble(`${name} could not be loaded.`)
+      }
+    }
+    void (async () => {
+      for (const lane of lanes) if (isWanted) await read(lane)
+    })()
+    return () => {
+      isWanted = false
+    }
+  }, [player, wanted])
+  return [buffers, trouble]
+}
+
+/** Let a version be heard among the other sounds of its scene, for as long as the scene is open. */
+export function useLanes(
+  player: Player,
+  scene: Scene | undefined,
+  moved: Moved,
+  onPlacing: (to: Placing | null) => void,
+) {
+  const [lanes] = useState(() => new SceneLanes())
+  const [buffers, trouble] = useBuffers(player, scene)
+  const heard = useMemo(
+    () =>
+      (scene?.lanes ?? []).flatMap((lane): HeardLane[] => {
+        const buffer = buffers.get(lane.id)
+        return buffer ? [{ id: lane.id, buffer, ...levelOf(lane, moved) }] : []
+      }),
+    [scene, buffers, moved],
+  )
+  useEffect(() => lanes.set(heard), [lanes, heard])
+  useEffect(() => {
+    player.setCompany(lanes)
+    return () => player.setCompany(null)
+  }, [player, lanes])
+
+  const own = scene?.lanes.find(({ id }) => id === SOUND)
+  const level = own && levelOf(own, moved)
+  const hushed = level?.isOn === false
+  useEffect(() => {
+    player.setHushed(hushed)
+    return () => player.setHushed(false)
+  }, [player, hushed])
+  const places =
+    scene &&
+    own &&
+    JSON.stringify({ startsS: own.starts_s, loops: own.loops, lengthS: scene.length_s, db: level?.levelDb })
+  useEffect(() => {
+    if (places === undefined) return
+    const { db, ...where } = JSON.parse(places) as Parameters<typeof placingOf>[0] & { db: number }
+    onPlacing(placingOf(where, db))
+  }, [places, onPlacing])
+  useEffect(() => () => onPlacing(null), [onPlacing])
+  return trouble
+}
