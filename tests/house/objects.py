@@ -61,6 +61,7 @@ from tests.house.roster_objects import add_roster_entry
 from tests.house.scene_objects import add_scene
 from tests.house.share_objects import add_shares
 from tests.house.voice_objects import add_voice_line
+from tests.house.webhook_objects import add_webhook
 from tests.support.server import RunningServer, World
 
 TOMORROW = timedelta(days=1)
@@ -243,16 +244,9 @@ class House(World):
             session, of, take_id=take.id, sha256=self.sha256, file_bytes=len(FILE), changed_by=self.producer_id
         )
         audit = add_audit(session, of, cue_id=cue.id, producer_id=self.producer_id, designer_id=self.designer_id)
+        webhook = add_webhook(session, studio_id=self.studio_id, created_by=self.producer_id)
         self._add_links(session)
-        shares = add_shares(
-            session,
-            of,
-            take_id=take.id,
-            made_by=self.producer_id,
-            viewed_by=self.designer_id,
-            links=self.links,
-            server_key=self.server.runtime.settings.secret_key.get_secret_value(),
-        )
+        shares = add_shares(session, of, take.id, self)
         money = self._add_money(session, cue)
         template = self._add_text(session, money["contract_id"])
         token = self._token(session, self.project_id, list(Scope))
@@ -302,6 +296,7 @@ class House(World):
             **voice,
             **shares,
             **roster,
+            **webhook,
         }
         queue_of(session).enqueue(
             session,

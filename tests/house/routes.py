@@ -192,6 +192,7 @@ ADJUSTED: dict[str, dict[str, Any]] = {
     "move_playhead": {"take_id": Named("take_id"), "sequence": 1},
     "set_bed": {"reference_id": Named("reference_id")},
     "add_comparison": {"target": "game"},
+    "add_webhook": {"url": "https://hooks.example.com/in", "events": ["pack.made"]},
     "add_take": {"file_name": "shield_hit.wav"},
     "check_spec_draft": {"tables": {"format": 1}},
     "import_voice_lines": {"format": "paste", "text": "character\ttext\nCaptain\tGo.", "dry_run": True},

@@ -22643,7 +22643,7 @@ export interface components {
          * @description The page whose filter a saved view is.
          * @enum {string}
          */
-        ViewedPage: "review" | "sound_list";
+        ViewedPage: "sound_list";
         /**
          * VoiceLineChange
          * @description What changes of a line; fields that are left out stay.

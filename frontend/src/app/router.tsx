@@ -25,6 +25,7 @@ import { soundListRoutes } from '@/features/sound-list/routes'
 import { takeRoutes } from '@/features/take/routes'
 import { todayRoutes } from '@/features/today/routes'
 import { voiceLineRoutes } from '@/features/voice-lines/routes'
+import { webhookRoutes } from '@/features/webhooks/routes'
 import { partsRoute } from '@/parts/routes'
 
 import { ErrorPage } from './ErrorPage'
@@ -62,6 +63,7 @@ const pages = [
     ...accountRoutes,
     ...operationRoutes,
     ...noticeRoutes,
+    ...webhookRoutes,
     nowhereRoute,
   ]),
 ] as const

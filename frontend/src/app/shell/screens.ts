@@ -109,6 +109,7 @@ export function placesOf({ side, project, isParty }: ShellData): Place[] {
   return [
     { label: 'Invite a designer or an approver', path: `${at}/people`, also: ['people', 'team', 'hire', 'members'] },
     ...(isParty ? [{ label: 'Postings and bids', path: `${at}/postings`, also: ['hire', 'bid', 'award', 'job'] }] : []),
+    ...(isParty ? [{ label: 'Webhooks', path: '/webhooks', also: ['slack', 'discord', 'teams', 'chat', 'api'] }] : []),
     { label: 'Roster of designers', path: '/roster', also: ['people', 'hire', 'on file', 'reel'] },
     { label: 'Import or paste cues', path: `${at}/sound-list/import`, also: ['sheet', 'csv', 'excel', 'add'] },
     { label: 'Brief', path: `${at}/brief`, also: ['questions', 'platforms', 'scenes', 'kickoff'] },

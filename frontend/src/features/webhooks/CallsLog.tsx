@@ -1,0 +1,73 @@
+import { useInfiniteQuery } from '@tanstack/react-query'
+
+import { ApiProblem } from '@/api'
+import { Button } from '@/ui/Button'
+import { ago, clock, day, plural } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { type Call, callsQuery, useReplay, type Webhook } from './api'
+import classes from './Webhooks.module.css'
+import { eventWords, STATE_WORDS } from './words'
+
+/** What was sent to an address, and what was answered. */
+export function CallsLog({ webhook }: { webhook: Webhook }) {
+  const { data, error, hasNextPage, fetchNextPage, isFetchingNextPage } = useInfiniteQuery(callsQuery(webhook.id))
+  const replay = useReplay()
+  return (
+    <section aria-label={`Log of ${new URL(webhook.url).host}`}>
+      {[error, replay.error].map(
+        (one) => one instanceof ApiProblem && <ProblemNote key={one.code} detail={one.detail} fix={one.fix} />,
+      )}
+      {data?.length === 0 && <p className="small mid">Nothing was sent yet.</p>}
+      <ul className={classes.calls}>
+        {data?.map((call) => (
+          <li key={call.id}>
+            <OneCall call={call} mayReplay={webhook.disabled_at === null} onReplay={() => replay.mutate(call)} />
+          </li>
+        ))}
+      </ul>
+      {hasNextPage && (
+        <Button disabled={isFetchingNextPage} onClick={() => void fetchNextPage()}>
+          Show earlier messages
+        </Button>
+      )}
+    </section>
+  )
+}
+
+function OneCall({ call, mayReplay, onReplay }: { call: Call; mayReplay: boolean; onReplay: () => void }) {
+  const { event, state, created_at: at, tries, status, problem, took_ms: tookMs, next_at: nextAt } = call
+  const isTried = tries > 0
+  return (
+    <details>
+      <summary className="small">
+        <span className={state === 'failed' ? 'strong' : ''}>{STATE_WORDS[state]}</span>{' '}
+        <span>{eventWords(event)}</span>{' '}
+        <time className="dim" dateTime={at} title={`${day(at)}, ${clock(at)}`}>
+          {ago(at)}
+        </time>{' '}
+        {problem && <span className="mid">{problem}</span>}
+      </summary>
+      <div className={classes.call}>
+        <p className="small mid">
+          {isTried ? `${plural(tries, 'attempt')}, the last took ${tookMs ?? 0} ms` : 'Not sent yet'}
+          {status !== null && `, answered ${status}`}
+          {isTried && nextAt && `. Next attempt ${day(nextAt)}, ${clock(nextAt)}`}.
+        </p>
+        {call.answer && (
+          <>
+            <p className="small strong">Answer</p>
+            <pre className="mono small">{call.answer}</pre>
+          </>
+        )}
+        <p className="small strong">Message</p>
+        <pre className="mono small">{call.body}</pre>
+        {mayReplay && (
+          <Button icon="turn" onClick={onReplay}>
+            Send again<span className="visually-hidden">: {eventWords(event)}</span>
+          </Button>
+        )}
+      </div>
+    </details>
+  )
+}
