@@ -86,6 +86,7 @@ async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: s
         { name: 'columns', path: `${project}/sound-list/columns`, shows: 'Add a column' },
         { name: 'references', path: `${project}/references`, shows: 'References' },
         { name: 'postings', path: `${project}/postings`, shows: 'Postings' },
+        { name: 'hours', path: `${project}/hours`, shows: 'Hours' },
         { name: 'roster', path: '/roster', shows: 'Add a person' },
         { name: 'roster-import', path: '/roster/import', shows: 'Import into the roster' },
         { name: 'voice-lines', path: `${project}/voice-lines`, shows: 'By the light of a thousand suns.' },

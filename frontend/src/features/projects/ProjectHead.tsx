@@ -102,6 +102,11 @@ export function ProjectHead({ project, members = 0 }: ProjectHeadProps) {
             Postings
           </Link>
         )}
+        {mine.is_producer && (
+          <Link className="link" to="/projects/$projectId/hours" params={{ projectId }}>
+            Hours
+          </Link>
+        )}
         {(!mine.is_team || speaks(project)) && (
           <Link className="link" to={`/projects/${projectId}/money` as LinkProps['to']}>
             Money

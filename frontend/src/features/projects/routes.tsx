@@ -43,6 +43,11 @@ export const projectRoutes = [
   }),
   createRoute({
     getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/hours',
+    component: lazyRouteComponent(() => import('./HoursPage'), 'HoursPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
     path: '/projects/$projectId/builds',
     component: lazyRouteComponent(() => import('./BuildsPage'), 'BuildsPage'),
   }),
