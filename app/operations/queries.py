@@ -19,6 +19,7 @@ from app.operations.schemas import KeptFiles, KeptKind, StorageRead
 from app.references.models import ReferenceVersion
 from app.renders.models import MasterExport, Picture, Reel, Render
 from app.scenes.models import Comparison, SceneSound
+from app.shares.models import GuestCopy
 from app.voice_lines.models import Release
 
 Sums = Select[UUID, str, int, int | None]
@@ -46,6 +47,7 @@ KEPT = (
     Source(KeptKind.REFERENCES, SceneSound.studio_id, SceneSound.preview_sha256, SceneSound.preview_bytes),
     Source(KeptKind.REELS, Comparison.studio_id, Comparison.sha256, Comparison.file_bytes),
     Source(KeptKind.ROSTER_REELS, ReelSound.studio_id, ReelSound.sha256, ReelSound.file_bytes),
+    Source(KeptKind.GUEST_COPIES, GuestCopy.studio_id, GuestCopy.sha256, GuestCopy.file_bytes),
     Source(KeptKind.DOCUMENTS, Release.studio_id, Release.sha256, Release.file_bytes),
     *(
         Source(KeptKind.REFERENCES, ReferenceVersion.studio_id, sha256, size_bytes)

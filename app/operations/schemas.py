@@ -77,6 +77,7 @@ class KeptKind(StrEnum):
     EXPORTS = "exports"  # masters with what is known of them, made to be handed out
     PLACEHOLDER_FILES = "placeholder_files"
     REFERENCES = "references"  # every version, and the previews of pictures
+    GUEST_COPIES = "guest_copies"  # previews as guests get them
     ROSTER_REELS = "roster_reels"  # sounds that designers on file sent
     DOCUMENTS = "documents"  # contracts, and the keys that go with packs
 

@@ -41,7 +41,7 @@ from app.shares.schemas import (
     GuestVisitMade,
 )
 
-router = Router(prefix="/v1", tags=["guests"], route_class=Route)
+router = Router(prefix="/v1", tags=["guest-visits"], route_class=Route)
 _unsaved_router = APIRouter(route_class=UnsavedResponseRoute)
 ANYONE: Actor = allows(Audience.ANYONE)
 Place = Annotated[int, Path(ge=1, le=MAX_SOUNDS, description="Of the sound in the link, from 1.")]

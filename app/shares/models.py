@@ -173,7 +173,7 @@ class LiveListener(Base):
 
 
 class SavedView(Base):
-    """A filter of the queue or the list under a name that a person gave it; each person has their own."""
+    """A filter of the list under a name that a person gave it; each person has their own."""
 
     __tablename__ = "shares_saved_views"
     __table_args__ = (UniqueConstraint("project_id", "person_id", "page", "name"),)

@@ -39,7 +39,6 @@ class LinkState(StrEnum):
 class ViewedPage(StrEnum):
     """The page whose filter a saved view is."""
 
-    REVIEW = "review"
     SOUND_LIST = "sound_list"
 
 

@@ -1,4 +1,4 @@
-"""Saved views: filters of the queue and of the list that each person keeps under names of their own."""
+"""Saved views: filters of the list that each person keeps under names of their own."""
 
 from collections.abc import Sequence
 from uuid import UUID

@@ -1,5 +1,6 @@
 """A guest link with a visit, a playlist with a session, and a view, as part of one of everything."""
 
+from typing import TYPE_CHECKING
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -20,18 +21,14 @@ from app.shares.models import (
 )
 from app.shares.rules import SharedKind, ViewedPage, link_secret
 
+if TYPE_CHECKING:
+    from tests.house.objects import House
 
-def add_shares(
-    session: Session,
-    of: dict[str, UUID],
-    *,
-    take_id: UUID,
-    made_by: UUID,
-    viewed_by: UUID,
-    links: dict[str, str],
-    server_key: str,
-) -> dict[str, UUID | int]:
-    """Add what is shared of a take; note the secrets in `links`, and return ids by path names."""
+
+def add_shares(session: Session, of: dict[str, UUID], take_id: UUID, house: "House") -> dict[str, UUID | int]:
+    """Add what is shared of a take; note the secrets in the house's links, and return ids by path names."""
+    made_by, links = house.producer_id, house.links
+    server_key = house.server.runtime.settings.secret_key.get_secret_value()
     link = GuestLink(
         **of, kind=SharedKind.CUES, title="Shield", secret_sha256="", may_comment=True, has_beeps=False, openings=1,
         made_by=made_by,
@@ -42,7 +39,7 @@ def add_shares(
     links["guest-doors"], links["guest-visits"] = link_secret(server_key, link.id), new_secret()
     link.secret_sha256 = sha256_of(links["guest-doors"])
     visit = GuestVisit(**of, link_id=link.id, secret_sha256=sha256_of(links["guest-visits"]), guest_name="the composer")
-    view = SavedView(**of, person_id=viewed_by, page=ViewedPage.SOUND_LIST, name="Must", query="need=must")
+    view = SavedView(**of, person_id=house.designer_id, page=ViewedPage.SOUND_LIST, name="Must", query="need=must")
     session.add_all([visit, view])
     session.flush()
     of_list = {**of, "playlist_id": playlist.id}

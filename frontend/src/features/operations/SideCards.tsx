@@ -20,6 +20,7 @@ const NAMES: Record<Storage['kept'][number]['kind'], string> = {
   exports: 'exported master',
   placeholder_files: 'placeholder',
   references: 'reference file',
+  guest_copies: 'copy for guests',
   roster_reels: 'reel sound',
   documents: 'document',
 }

@@ -78,7 +78,7 @@ export function CueHead(props: CueHeadProps) {
             <LazyMenu
               button={<Button icon="sliders" square aria-label={`More for ${cue.name}`} />}
               load={loadMore}
-              given={{ onCut: () => setCutting(true) }}
+              given={{ projectId: props.projectId, cueId: cue.id, onCut: () => setCutting(true) }}
             />
           )}
         </div>

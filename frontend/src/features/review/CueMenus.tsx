@@ -1,4 +1,5 @@
 import { Menu } from '@mantine/core'
+import { useNavigate } from '@tanstack/react-router'
 
 import type { ReviewTake } from '@/judging/api'
 import { shortDay } from '@/ui/format'
@@ -8,9 +9,19 @@ import { State } from '@/ui/State'
 
 import { STATE_OF_TAKE } from './stateOfTake'
 
-export function MoreMenu({ button, onCut }: MenuProps & { onCut: () => void }) {
+interface MoreMenuProps extends MenuProps {
+  projectId: string
+  cueId: string
+  onCut: () => void
+}
+
+export function MoreMenu({ button, projectId, cueId, onCut }: MoreMenuProps) {
+  const navigate = useNavigate()
+  const share = () =>
+    void navigate({ to: '/projects/$projectId/sharing', params: { projectId }, search: { cue: cueId } })
   return (
     <OpenedMenu button={button} position="bottom-end">
+      <Menu.Item onClick={share}>Share with guests</Menu.Item>
       <Menu.Item onClick={onCut}>Cut this cue</Menu.Item>
     </OpenedMenu>
   )

@@ -1,5 +1,6 @@
 import { type RefObject } from 'react'
 
+import { Views } from '@/shares'
 import { FilterChip } from '@/ui/FilterChip'
 import { Icon } from '@/ui/Icon'
 import { Key } from '@/ui/Key'
@@ -12,6 +13,7 @@ import classes from './SoundList.module.css'
 import { NEEDS, STATUS_ORDER, STATUS_WORDS } from '../words'
 
 interface ListToolsProps {
+  projectId: string
   rows: readonly CueRow[]
   categories: readonly string[]
   people: readonly CuePerson[]
@@ -21,10 +23,13 @@ interface ListToolsProps {
   filter: RefObject<HTMLInputElement | null>
   onSearch: (change: ListSearch) => void
   onWords: (words: string) => void
+  /** Show the list by a filter that was kept, and by nothing else. */
+  onView: (search: ListSearch) => void
 }
 
 /** What the list shows: by state, by category, by words, and under which headings. */
 export function ListTools({
+  projectId,
   rows,
   categories,
   people,
@@ -34,6 +39,7 @@ export function ListTools({
   filter,
   onSearch,
   onWords,
+  onView,
 }: ListToolsProps) {
   const counts = new Map<CueStatus, number>()
   for (const { status } of rows) counts.set(status, (counts.get(status) ?? 0) + 1)
@@ -82,6 +88,7 @@ export function ListTools({
         )}
       </div>
       <div className={classes.ends}>
+        <Views projectId={projectId} search={search} onOpen={(view) => onView(view)} />
         <span className={classes.select}>
           <select
             aria-label="Group by"

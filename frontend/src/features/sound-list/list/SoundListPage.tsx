@@ -221,6 +221,7 @@ export function SoundListPage(): ReactNode {
       ) : (
         cues.length > 0 && (
           <ListTools
+            projectId={projectId}
             rows={rows}
             categories={categories}
             people={people}
@@ -230,6 +231,9 @@ export function SoundListPage(): ReactNode {
             filter={filter}
             onSearch={onSearch}
             onWords={(typed) => onSearch({ q: typed || undefined })}
+            onView={(view) =>
+              void navigate({ to: '/projects/$projectId/sound-list', params: { projectId }, search: view })
+            }
           />
         )
       )}

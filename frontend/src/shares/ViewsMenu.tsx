@@ -1,0 +1,90 @@
+import { Menu } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+import { defaultParseSearch, defaultStringifySearch } from '@tanstack/react-router'
+
+import { ApiProblem } from '@/api'
+import { useDraft } from '@/app/drafts'
+import { sentence } from '@/app/Form'
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import type { MenuProps } from '@/ui/LazyMenu'
+import { OpenedMenu } from '@/ui/OpenedMenu'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { useDeleteView, useSaveView, viewsQuery } from './api'
+import classes from './ViewsMenu.module.css'
+
+interface ViewsMenuProps extends MenuProps {
+  projectId: string
+  /** The filter as the address has it now. */
+  search: object
+  onOpen: (search: Record<string, unknown>) => void
+}
+
+/** The filters that a person kept: opened, kept under a name, deleted. */
+export function ViewsMenu({ button, projectId, search, onOpen }: ViewsMenuProps) {
+  const { data: views } = useQuery(viewsQuery(projectId))
+  const [name, setName, draft] = useDraft(`view:${projectId}`, '')
+  const save = useSaveView(projectId)
+  const remove = useDeleteView(projectId)
+  const problem = save.error instanceof ApiProblem ? save.error : null
+  const keep = () => {
+    const typed = name.trim()
+    if (typed === '' || save.isPending) return
+    save.mutate(
+      { name: typed, query: defaultStringifySearch(search as Record<string, unknown>).replace(/^\?/, '') },
+      {
+        onSuccess: () => {
+          draft.discard()
+          showToast(`View ${typed} saved.`)
+        },
+      },
+    )
+  }
+  return (
+    <OpenedMenu button={button} position="bottom-end" width={260}>
+      <Menu.Label>Your views</Menu.Label>
+      {views?.length === 0 && <Menu.Label>No views yet</Menu.Label>}
+      {views?.map((view) => (
+        <Menu.Item key={view.id} onClick={() => onOpen(defaultParseSearch(`?${view.query}`))}>
+          {view.name}
+        </Menu.Item>
+      ))}
+      <Menu.Divider />
+      <form
+        className={classes.form}
+        onSubmit={(event) => {
+          event.preventDefault()
+          keep()
+        }}
+      >
+        <input
+          className={classes.name}
+          aria-label="Name of the view"
+          placeholder="Name of this filter"
+          maxLength={80}
+          value={name}
+          onChange={(event) => setName(event.currentTarget.value)}
+          onKeyDown={(event) => {
+            if (event.key !== 'Escape' && event.key !== 'Tab') event.stopPropagation() // the menu reads letters as a choice
+          }}
+        />
+        <Button type="submit" aria-busy={save.isPending}>
+          Save view
+        </Button>
+      </form>
+      {problem && <ProblemNote detail={sentence(problem.detail)} fix={problem.fix ?? undefined} />}
+      {views !== undefined && views.length > 0 && (
+        <>
+          <Menu.Divider />
+          <Menu.Label>Delete a view</Menu.Label>
+          {views.map((view) => (
+            <Menu.Item key={view.id} closeMenuOnClick={false} onClick={() => remove.mutate(view.id)}>
+              Delete {view.name}
+            </Menu.Item>
+          ))}
+        </>
+      )}
+    </OpenedMenu>
+  )
+}
