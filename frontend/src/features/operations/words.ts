@@ -37,6 +37,7 @@ const JOBS: Partial<Record<string, string>> = {
   'notifications.notify_question': 'Notify about a question',
   'notifications.notify_overdue_checks': 'Send pending notifications',
   'projects.name_invited_approver': 'Name an invited approver',
+  'hiring.check_sample': 'Check a sample of a bid',
   'renders.draw_fix': 'Draw the waveform of a fixed copy',
   'renders.draw_take': 'Draw a waveform',
   'renders.measure_palette': 'Queue sound comparisons',
