@@ -13,7 +13,7 @@ from app.agreements.models import ContractVersion, Seal
 from app.builds.models import PackedFile, PlaceholderFile
 from app.conformance.models import Fix
 from app.deliveries.models import Archive, DryStem, Take
-from app.hiring.models import ReelSound
+from app.hiring.models import ReelSound, Sample
 from app.kit.db import Base
 from app.operations.schemas import KeptFiles, KeptKind, StorageRead
 from app.references.models import ReferenceVersion
@@ -47,6 +47,7 @@ KEPT = (
     Source(KeptKind.REFERENCES, SceneSound.studio_id, SceneSound.preview_sha256, SceneSound.preview_bytes),
     Source(KeptKind.REELS, Comparison.studio_id, Comparison.sha256, Comparison.file_bytes),
     Source(KeptKind.ROSTER_REELS, ReelSound.studio_id, ReelSound.sha256, ReelSound.file_bytes),
+    Source(KeptKind.ROSTER_REELS, Sample.studio_id, Sample.sha256, Sample.file_bytes),
     Source(KeptKind.GUEST_COPIES, GuestCopy.studio_id, GuestCopy.sha256, GuestCopy.file_bytes),
     Source(KeptKind.DOCUMENTS, Release.studio_id, Release.sha256, Release.file_bytes),
     *(

@@ -78,7 +78,7 @@ class KeptKind(StrEnum):
     PLACEHOLDER_FILES = "placeholder_files"
     REFERENCES = "references"  # every version, and the previews of pictures
     GUEST_COPIES = "guest_copies"  # previews as guests get them
-    ROSTER_REELS = "roster_reels"  # sounds that designers on file sent
+    ROSTER_REELS = "roster_reels"  # sounds of reels on the roster, and samples that came with bids
     DOCUMENTS = "documents"  # contracts, and the keys that go with packs
 
 

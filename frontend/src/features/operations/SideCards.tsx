@@ -21,7 +21,7 @@ const NAMES: Record<Storage['kept'][number]['kind'], string> = {
   placeholder_files: 'placeholder',
   references: 'reference file',
   guest_copies: 'copy for guests',
-  roster_reels: 'reel sound',
+  roster_reels: 'reel or bid sound',
   documents: 'document',
 }
 const keptWords = ({ kept }: Storage) =>
