@@ -143,7 +143,7 @@ export function ChooseFolder({ projectId }: { projectId: string }): ReactNode {
             <span className="mid">
               {stage.at === 'choose'
                 ? 'You see what becomes of each file before anything is sent.'
-                : 'A project of Wwise, FMOD Studio, Unity or Godot says which sounds are sets, loop, and at which level they play. Drop what export_sounds.py wrote for Unreal.'}
+                : 'With a project of Wwise, FMOD Studio, Unity or Godot, the plan has its sets, loops, events and levels. For Unreal, drop the JSON of export_sounds.py.'}
             </span>
             <input
               ref={projectField}

@@ -47,7 +47,7 @@ export function PlanCard({
         )}
         {plan.project && (
           <p>
-            {plan.project.name} plays {plan.project.played} of these files. The level it plays each at counts as
+            {plan.project.name} plays {plan.project.played} of these files. The level at which it plays each counts as
             approved.
           </p>
         )}

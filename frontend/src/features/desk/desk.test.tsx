@@ -589,6 +589,14 @@ describe('long lists come in pages', () => {
     const card = await screen.findByRole('region', { name: /^To do/ })
     expect(card).toHaveTextContent('51')
     expect(within(card).getAllByRole('listitem')).toHaveLength(14)
+    expect(within(card).getByRole('link', { name: 'REAPER project of what is owed' })).toHaveAttribute(
+      'href',
+      '/v1/projects/p1/desk/sounds.rpp',
+    )
+    expect(within(card).getByRole('link', { name: 'Delivery spec as a PDF' })).toHaveAttribute(
+      'href',
+      '/v1/projects/p1/spec.pdf',
+    )
     await userEvent.click(within(card).getByRole('button', { name: 'Show more' }))
     expect(within(card).getAllByRole('listitem')).toHaveLength(50)
     await userEvent.click(within(card).getByRole('button', { name: 'Show more' }))
