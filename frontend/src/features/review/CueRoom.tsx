@@ -34,6 +34,7 @@ import { Verdict } from './Verdict'
 import { WaveStage } from './WaveStage'
 
 const loadScene = () => import('./scene/SceneStage').then(({ SceneStage }) => SceneStage)
+const loadAgainst = () => import('./scene/AgainstPanel').then(({ AgainstPanel }) => AgainstPanel)
 
 interface CueRoomProps {
   review: CueReview
@@ -83,6 +84,8 @@ export function CueRoom(props: CueRoomProps) {
   const gains = useMemo(() => matchGains(compared, target), [compared, target])
   const [inScene, setInScene] = useState(false)
   const [placing, setPlacing] = useState<Placing | null>(null)
+  const [comparing, setComparing] = useState(false)
+  const AgainstPanel = useLazy(loadAgainst, comparing, () => setComparing(false))
   const SceneStage = useLazy(loadScene, inScene, () => setInScene(false))
   const source = useHearing(player, cue.id, hand, target, gains, placing)
   /** Where the version begins in what is heard. */
@@ -251,8 +254,29 @@ export function CueRoom(props: CueRoomProps) {
             conditions={props.conditions}
             blind={canBlind ? { on: blind !== null, toggle: toggleBlind } : undefined}
             asGame={isSet && heard.length > 1 ? { play: asGame, way: <SetWayButton {...setWay} /> } : undefined}
-            scene={props.seesScene && blind === null ? { on: inScene, toggle: () => setInScene(!inScene) } : undefined}
+            scene={
+              props.seesScene && blind === null
+                ? {
+                    on: inScene,
+                    toggle: () => setInScene(!inScene),
+                    compares: comparing,
+                    compare: () => setComparing(!comparing),
+                  }
+                : undefined
+            }
             takeId={hand.id}
+          />
+        )}
+        {hand && AgainstPanel && comparing && blind === null && (
+          <AgainstPanel
+            key={hand.id}
+            review={review}
+            projectId={projectId}
+            hand={hand}
+            nameOf={nameOf}
+            source={source}
+            player={player}
+            playing={playing}
           />
         )}
         {hand && SceneStage && inScene && (

@@ -26,7 +26,7 @@ interface TransportProps {
   /** What plays the set, and the button that opens how. */
   asGame?: { play: () => void; way: ReactNode }
   /** Hear it among the other sounds of its scene. */
-  scene?: { on: boolean; toggle: () => void }
+  scene?: { on: boolean; toggle: () => void; compares: boolean; compare: () => void }
   takeId: string
 }
 
@@ -149,15 +149,20 @@ export function Transport({
         </HotkeyButton>
       )}
       {scene && (
-        <HotkeyButton
-          keys="o"
-          keyLabel="Alone, or in its scene"
-          keyGroup="Review"
-          pressed={scene.on}
-          onPress={scene.toggle}
-        >
-          In the scene
-        </HotkeyButton>
+        <>
+          <HotkeyButton
+            keys="o"
+            keyLabel="Alone, or in its scene"
+            keyGroup="Review"
+            pressed={scene.on}
+            onPress={scene.toggle}
+          >
+            In the scene
+          </HotkeyButton>
+          <Button pressed={scene.compares} onClick={scene.compare}>
+            Against
+          </Button>
+        </>
       )}
       {asGame && (
         <>

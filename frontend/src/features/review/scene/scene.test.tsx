@@ -254,6 +254,57 @@ test('a designer is offered no scene', async () => {
   expect(screen.queryByRole('button', { name: /^In the scene/ })).toBeNull()
 })
 
+describe('against another sound', () => {
+  const made = {
+    id: 'c1',
+    is_made: true,
+    lag_s: 0.0125,
+    gain_db: 6,
+    residue_db: -23,
+    spectra: { hz: [100, 1_000], sound_dbfs: [-30, -40], against_dbfs: [-36, -46], difference_dbfs: [null, -53] },
+    file_url: '/v1/comparisons/c1/file',
+    refusal: null,
+  }
+  const opened = async () => {
+    openApp(`/projects/${PROJECT}/review/shield`)
+    await screen.findByRole('region', { name: 'Verdict' })
+    await userEvent.click(screen.getByRole('button', { name: 'Against' }))
+    return within(await screen.findByRole('region', { name: 'Against' }))
+  }
+
+  beforeEach(() => {
+    const shown = { preview_url: '/v1/sounds/b/preview', state: 'drawn' }
+    server
+      .on(`GET /v1/projects/${PROJECT}/bed-sources`, [])
+      .on('GET /v1/takes/b/sounds', { take_id: 'b', master: shown, fix: null, renders: [], closed: null })
+      .on('POST /v1/takes/a/comparisons', made)
+      .on('GET /v1/comparisons/c1/file', aPreview)
+  })
+
+  test('the figures say how both were aligned and what is left, and b plays the other', async () => {
+    const panel = await opened()
+    expect(
+      await panel.findByText(/Moved by 12.50 ms, levelled by \+6.0 dB. What is left lies at −23.0 dB/),
+    ).toBeVisible()
+    expect(server.of('POST /v1/takes/a/comparisons')[0]?.body).toEqual({ against_take_id: 'b' })
+    const flip = panel.getByRole('button', { name: /⇄/ })
+    await waitFor(() => expect(flip).toBeEnabled())
+    await userEvent.keyboard('b')
+    await waitFor(() => expect(flip).toHaveAttribute('aria-pressed', 'true'))
+    await userEvent.keyboard('b')
+    await waitFor(() => expect(flip).toHaveAttribute('aria-pressed', 'false'))
+    await userEvent.click(panel.getByRole('button', { name: /^Difference/ }))
+    await waitFor(() => expect(server.of('GET /v1/comparisons/c1/file')).toHaveLength(1))
+  })
+
+  test('what cannot be compared says why', async () => {
+    server.on('POST /v1/takes/a/comparisons', refusal(409, 'nothing-to-compare', 'both are the same file'))
+    const panel = await opened()
+    expect(await panel.findByText(/both are the same file/)).toBeVisible()
+    expect(panel.getByRole('button', { name: /^Difference/ })).toBeDisabled()
+  })
+})
+
 test('axe finds nothing', async () => {
   const { scene } = await openScene()
   await scene.findByRole('img', { name: aMasking.in_words })
