@@ -216,7 +216,7 @@ function Room({ playlist }: { playlist: Playlist }) {
                   if (dragged !== null) move(dragged, at)
                 }}
               >
-                <span className="small dim num">{at + 1}</span>
+                <span className={`small dim num ${classes.place}`}>{at + 1}</span>
                 <button type="button" className={classes.sound} onClick={() => open(take.take_id)} disabled={follows}>
                   <span className="strong cut-text">{titleOf(take)}</span>
                   <span className="small dim nowrap">version {take.number}</span>

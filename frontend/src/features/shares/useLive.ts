@@ -13,6 +13,14 @@ const REPORT_MS = 3_000 // presence ends 10 s after the last report
 const FOLLOW_MS = 250
 const KEPT = 8 // exchanges of which the shortest counts
 
+interface Move {
+  takeId: string
+  isPlaying: boolean
+  positionS: number
+  /** When it was done, by our clock. */
+  atMs: number
+}
+
 export interface LiveHand {
   live: Live | undefined
   isIn: boolean
@@ -59,6 +67,27 @@ export function useLive(playlistId: string, player: Player, playthrough: Playthr
     }
   }
 
+  // One after the other, each with the sequence of the one before; of those that wait only the last one counts.
+  const waiting = useRef<Move | null>(null)
+  const isSending = useRef(false)
+  const sendMoves = async () => {
+    if (isSending.current) return
+    isSending.current = true
+    while (waiting.current !== null) {
+      const { takeId, isPlaying, positionS, atMs } = waiting.current
+      waiting.current = null
+      await send(() =>
+        movePlayhead(playlistId, {
+          sequence: client.getQueryData<Live>(queryKey)?.sequence ?? 0,
+          take_id: takeId,
+          is_playing: isPlaying,
+          position_s: isPlaying ? positionS + (Date.now() - atMs) / 1000 : positionS,
+        }),
+      )
+    }
+    isSending.current = false
+  }
+
   const report = useEffectEvent(() => void send(() => reportPresence(playlistId, false)))
   useEffect(() => {
     if (!isIn) return
@@ -100,16 +129,9 @@ export function useLive(playlistId: string, player: Player, playthrough: Playthr
     drop: () => void send(() => passKeys(playlistId, { act: 'drop' })),
     give: (personId) => void send(() => passKeys(playlistId, { act: 'give', person_id: personId })),
     lead: (takeId, isPlaying, positionS) => {
-      const now = client.getQueryData<Live>(queryKey)
-      if (!isIn || !now?.is_holder) return
-      void send(() =>
-        movePlayhead(playlistId, {
-          sequence: now.sequence,
-          take_id: takeId,
-          is_playing: isPlaying,
-          position_s: positionS,
-        }),
-      )
+      if (!isIn || !client.getQueryData<Live>(queryKey)?.is_holder) return
+      waiting.current = { takeId, isPlaying, positionS, atMs: Date.now() }
+      void sendMoves()
     },
   }
 }
