@@ -67,7 +67,7 @@ def ensure_address(url: str, *, may_be_localhost: bool = False) -> None:
 
 
 def is_public(address: str) -> bool:
-    """Whether an IP address is reachable from anywhere, and is no IPv6 address that stands for one of IPv4."""
+    """Whether an IP address is reachable from anywhere, and does not embed an IPv4 address."""
     ip = ipaddress.ip_address(address)
     if isinstance(ip, ipaddress.IPv6Address) and (
         ip.scope_id or ip.ipv4_mapped or any(ip in network for network in CARRIERS)

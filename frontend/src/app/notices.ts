@@ -3,7 +3,7 @@ import { queryOptions } from '@tanstack/react-query'
 import { answered, api } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 
-/** The largest number that is counted; one more stands for any number above. */
+/** The largest number that is counted; above it one more is answered. */
 const COUNTED = 99
 /** Bidders see no project, so no change reaches their pages. */
 const ASKED_EVERY_MS = 120_000
