@@ -93,7 +93,7 @@ def write_news(
         topic=topic,
         recipient=recipient,
         subject=subject,
-        text="\n\n".join(lines),
+        text="\n".join(lines),
         path=path,
     )
     link = f"{base_url}{path}"
