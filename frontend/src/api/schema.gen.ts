@@ -14684,7 +14684,7 @@ export interface components {
          * @description The kind of a stored file.
          * @enum {string}
          */
-        KeptKind: "masters" | "dry_stems" | "archives" | "game_files" | "drawings" | "fixes" | "reels" | "exports" | "placeholder_files" | "references" | "roster_reels" | "documents";
+        KeptKind: "masters" | "dry_stems" | "archives" | "game_files" | "drawings" | "fixes" | "reels" | "exports" | "placeholder_files" | "references" | "guest_copies" | "roster_reels" | "documents";
         /**
          * KitRead
          * @description A kind of game to start a list from.
