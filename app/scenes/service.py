@@ -240,7 +240,7 @@ def set_bed(session: Session, actor: Actor, project_id: UUID, facts: Mapping[str
 
 
 def change_bed(session: Session, actor: Actor, bed_id: UUID, changes: Mapping[str, Any]) -> Bed:
-    """Change the level of a bed, or turn it on or off, for everybody."""
+    """Change the level of a bed, or turn it on or off, for the whole team."""
     bed = _bed_to_change(session, actor, bed_id)
     for name, value in changes.items():
         if value is not None:
