@@ -52,19 +52,18 @@ function Room({ playlist }: { playlist: Playlist }) {
   const remove = useRemovePlaylist(projectId, id)
   const [dragged, setDragged] = useState<string | null>(null)
   const start = { takeId: position?.take_id, atS: position?.at_s ?? 0 }
-  const playthrough = usePlaythrough(player, takes, start, (next) => {
-    if (next) hand.lead(next.take_id, true, 0)
-  })
+  const playthrough = usePlaythrough(player, takes, start, ({ take_id: takeId }) =>
+    hand.lead(takeId, player.isPlaying(), player.positionS()),
+  )
   const { current, step } = playthrough
   const hand = useLive(id, player, playthrough)
   const follows = hand.isIn && hand.live?.is_holder === false
   const isPlaying = playing.status === 'playing'
 
-  const open = (takeId: string) => {
+  const open = async (takeId: string) => {
     if (follows) return
-    const plays = player.isPlaying()
-    void playthrough.open(takeId, { plays })
-    hand.lead(takeId, plays, 0)
+    await playthrough.open(takeId)
+    hand.lead(takeId, player.isPlaying(), player.positionS())
   }
   const toggle = async () => {
     if (follows || !current) return
@@ -78,7 +77,7 @@ function Room({ playlist }: { playlist: Playlist }) {
   }
   const goBy = (by: 1 | -1) => {
     const take = step(by)
-    if (take) open(take.take_id)
+    if (take) void open(take.take_id)
   }
   const order = takes.map(({ take_id }) => take_id)
   const move = (takeId: string, to: number) => {
@@ -217,7 +216,12 @@ function Room({ playlist }: { playlist: Playlist }) {
                 }}
               >
                 <span className={`small dim num ${classes.place}`}>{at + 1}</span>
-                <button type="button" className={classes.sound} onClick={() => open(take.take_id)} disabled={follows}>
+                <button
+                  type="button"
+                  className={classes.sound}
+                  onClick={() => void open(take.take_id)}
+                  disabled={follows}
+                >
                   <span className="strong cut-text">{titleOf(take)}</span>
                   <span className="small dim nowrap">version {take.number}</span>
                 </button>

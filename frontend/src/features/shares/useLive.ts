@@ -11,6 +11,8 @@ import type { Playthrough } from './usePlaythrough'
 
 const REPORT_MS = 3_000 // presence ends 10 s after the last report
 const FOLLOW_MS = 250
+/** So far the sound of the holder may be away from what all were sent, before it is sent again. */
+const LATE_S = 0.05
 const KEPT = 8 // exchanges of which the shortest counts
 
 interface Move {
@@ -88,6 +90,12 @@ export function useLive(playlistId: string, player: Player, playthrough: Playthr
     isSending.current = false
   }
 
+  const lead: LiveHand['lead'] = (takeId, isPlaying, positionS) => {
+    if (!isIn || !client.getQueryData<Live>(queryKey)?.is_holder) return
+    waiting.current = { takeId, isPlaying, positionS, atMs: Date.now() }
+    void sendMoves()
+  }
+
   const report = useEffectEvent(() => void send(() => reportPresence(playlistId, false)))
   useEffect(() => {
     if (!isIn) return
@@ -100,8 +108,17 @@ export function useLive(playlistId: string, player: Player, playthrough: Playthr
   }, [isIn, playlistId])
 
   const follow = useEffectEvent(() => {
-    if (!live || live.is_holder || live.take_id === null) return
+    if (!live || live.take_id === null) return
     const wantedS = expectedS(live, offsetMs(exchanges.current), Date.now())
+    if (live.is_holder) {
+      // What the holder hears is what counts: a sound that began late is set right for all.
+      const isHeard = player.isPlaying() && playthrough.current?.take_id === live.take_id && live.is_playing
+      const isAway = Math.abs(wantedS - player.positionS()) > LATE_S
+      if (isHeard && isAway && waiting.current === null && !isSending.current) {
+        lead(live.take_id, true, player.positionS())
+      }
+      return
+    }
     if (playthrough.current?.take_id !== live.take_id) {
       void playthrough.open(live.take_id, { plays: live.is_playing, fromS: wantedS })
       return
@@ -128,10 +145,6 @@ export function useLive(playlistId: string, player: Player, playthrough: Playthr
     take: () => void send(() => passKeys(playlistId, { act: 'take' })),
     drop: () => void send(() => passKeys(playlistId, { act: 'drop' })),
     give: (personId) => void send(() => passKeys(playlistId, { act: 'give', person_id: personId })),
-    lead: (takeId, isPlaying, positionS) => {
-      if (!isIn || !client.getQueryData<Live>(queryKey)?.is_holder) return
-      waiting.current = { takeId, isPlaying, positionS, atMs: Date.now() }
-      void sendMoves()
-    },
+    lead,
   }
 }

@@ -16,12 +16,12 @@ export interface Playthrough {
 
 const sourceOf = ({ take_id, preview_url }: PlaylistTake) => ({ id: take_id, url: preview_url ?? '' })
 
-/** Plays takes one after another. `onEnd` hears of each that came to its end, before the next begins. */
+/** Plays takes one after another. `onBegin` hears of each that begins because the one before it came to its end. */
 export function usePlaythrough(
   player: Player,
   takes: readonly PlaylistTake[],
   start: { takeId: string | undefined; atS: number },
-  onEnd: (next: PlaylistTake | undefined) => void,
+  onBegin: (take: PlaylistTake) => void,
 ): Playthrough {
   const [currentId, setCurrentId] = useState(start.takeId ?? takes[0]?.take_id)
   const at = Math.max(
@@ -52,8 +52,7 @@ export function usePlaythrough(
 
   const ended = useEffectEvent(() => {
     const next = takes[at + 1]
-    onEnd(next)
-    if (next) void open(next.take_id, { plays: true })
+    if (next) void open(next.take_id, { plays: true }).then(() => onBegin(next))
   })
   useEffect(() => {
     let sounded = false
