@@ -79,7 +79,9 @@ function Shown({ data, projectId }: { data: Hours; projectId: string }) {
       ))}
       <Card aria-labelledby="categories">
         <CardHead id="categories" title="By category" note={sumWords(data.total)} />
-        <div className={classes.scroll}>
+        {/* Wide tables scroll by themselves; the focus lets the arrow keys do it. */}
+        {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
+        <section className={classes.scroll} aria-label="Hours by category" tabIndex={0}>
           <table className={classes.table}>
             <thead>
               <tr>
@@ -110,7 +112,7 @@ function Shown({ data, projectId }: { data: Hours; projectId: string }) {
               ))}
             </tbody>
           </table>
-        </div>
+        </section>
         {data.uncontracted > 0 && (
           <p className={`${classes.note} small mid`}>
             {`${plural(data.uncontracted, 'cue')} of the list ${data.uncontracted === 1 ? 'is' : 'are'} under no agreed contract: hours not known.`}
@@ -147,7 +149,9 @@ function DesignerCard({ designer }: { designer: Designer }) {
           <p className="small mid">{`${plural(undated, 'cue')} without a day ${undated === 1 ? 'is' : 'are'} in no week.`}</p>
         )}
       </div>
-      <div className={classes.scroll}>
+      {/* Wide tables scroll by themselves; the focus lets the arrow keys do it. */}
+      {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
+      <section className={classes.scroll} aria-label={`Weeks of ${person.name}`} tabIndex={0}>
         <table className={classes.table}>
           <thead>
             <tr>
@@ -180,7 +184,7 @@ function DesignerCard({ designer }: { designer: Designer }) {
             ))}
           </tbody>
         </table>
-      </div>
+      </section>
     </Card>
   )
 }
