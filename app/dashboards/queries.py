@@ -5,7 +5,7 @@ from datetime import datetime
 from uuid import UUID
 
 from sqlalchemy import Row, and_, exists, func, or_, select
-from sqlalchemy.orm import Session, aliased, joinedload
+from sqlalchemy.orm import Session, aliased, joinedload, selectinload
 
 from app.accounts.models import Membership, Person, Studio
 from app.builds.models import Build
@@ -18,7 +18,7 @@ from app.kit.in_array import in_array
 from app.notifications.models import Mail
 from app.projects.models import Engagement, Liaison, Project
 from app.projects.rules import ApprovalScope
-from app.reviews.models import ChangeRequest, Comment, Feedback, Round, Verdict
+from app.reviews.models import Acknowledgement, ChangeRequest, Comment, Feedback, Round, Verdict
 from app.reviews.rules import VerdictKind
 from app.sound_lists.models import Cue, Question
 from app.sound_lists.rules import CueState
@@ -133,7 +133,7 @@ def comments_of_takes(session: Session, take_ids: Collection[UUID]) -> Sequence[
     return session.scalars(
         select(Comment)
         .where(in_array(Comment.take_id, take_ids))
-        .options(joinedload(Comment.author))
+        .options(joinedload(Comment.author), selectinload(Comment.acknowledgements).joinedload(Acknowledgement.person))
         .order_by(Comment.id)
     ).all()
 

@@ -29,6 +29,7 @@ ONE_DESIGNERS = {
     *CONTRACTS,
 }
 TEAMS = {Audience.PRODUCER, Audience.TEAM, Audience.APPROVER}
+WEBHOOKS = frozenset({"webhook_id", "webhook_call_id"})
 # Things of the studio, which a designer does not see at all.
 STUDIOS = {
     "studio_id",
@@ -39,6 +40,7 @@ STUDIOS = {
     "reel_sound_id",
     "credit_line_id",
     *("guest_link_id", "playlist_id"),
+    *WEBHOOKS,
 }
 IN_BODY = {"create_project": {"studio_id"}}
 IN_QUERY = {
@@ -175,7 +177,7 @@ def test_a_designer_does_not_see_another_designers_work(house: House, operation:
 
 @each(lambda operation: operation.policy.audience in (Audience.PRODUCER, Audience.APPROVER, Audience.DESIGNER))
 def test_a_reviewer_neither_runs_nor_decides_nor_delivers(house: House, operation: Operation) -> None:
-    is_unseen = names_in(operation) & {"mail_id", *CONTRACTS}  # a mail may hold a link for its recipient alone
+    is_unseen = names_in(operation) & {"mail_id", *WEBHOOKS, *CONTRACTS}  # mails and webhooks may hold secret addresses
     assert ask(house.reviewer, house, operation).status_code == (404 if is_unseen else 403)
 
 

@@ -213,7 +213,7 @@ def test_the_link_of_a_contracts_mail_makes_it_daily_and_does_not_stop_it(world:
 def test_the_link_of_a_days_news_is_about_all_that_may_be_turned_off(world: World):
     secret = world.server.runtime.settings.secret_key.get_secret_value()
     path = f"/v1/mail-choices/{preferences.link_token(secret, world.designer_id, None)}"
-    assert world.nobody.get(path).json()["news"] == ["sounds", "talk", "list", "hiring"]
+    assert world.nobody.get(path).json()["news"] == ["sounds", "talk", "mentions", "list", "hiring"]
     assert world.nobody.post(f"{path}/stop").status_code == 204
     cadences = world.designer.get("/v1/me/mail-preferences").json()["cadences"]
     assert cadences == {**NEVER, "contracts": "at_once"}
