@@ -43,9 +43,12 @@ def upgrade() -> None:
 def downgrade() -> None:
     """Take it back; verdicts of cues that an undone adoption removed go with it."""
     op.drop_table(LEVELS)
-    gone = f"select id from {VERDICTS} where cue_id not in (select id from {CUES})"
-    op.execute(f"delete from {VERDICTS} where withdraws_id in ({gone})")
-    op.execute(f"delete from {VERDICTS} where cue_id not in (select id from {CUES})")
+    verdicts = sa.table(VERDICTS, sa.column("id"), sa.column("cue_id"), sa.column("withdraws_id"))
+    cues = sa.select(sa.table(CUES, sa.column("id")).c.id)
+    others = verdicts.alias()
+    gone = sa.select(others.c.id).where(others.c.cue_id.not_in(cues))
+    op.execute(sa.delete(verdicts).where(verdicts.c.withdraws_id.in_(gone)))
+    op.execute(sa.delete(verdicts).where(verdicts.c.cue_id.not_in(cues)))
     with op.batch_alter_table(VERDICTS) as table:
         table.create_foreign_key(op.f(f"fk_{VERDICTS}_cue_id"), CUES, ["cue_id"], ["id"])
     with op.batch_alter_table(ADOPTIONS) as table:
