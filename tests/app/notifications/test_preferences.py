@@ -17,7 +17,7 @@ from tests.support.server import World
 from tests.support.smtp import MailServer, mail_server
 
 MINUTE = timedelta(minutes=1)
-NEVER = {"sounds": "never", "talk": "never", "list": "never", "hiring": "never"}
+NEVER = {"sounds": "never", "talk": "never", "mentions": "never", "list": "never", "hiring": "never"}
 
 
 @pytest.fixture
