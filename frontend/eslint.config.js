@@ -54,6 +54,20 @@ export default tseslint.config(
     },
   },
   {
+    files: ['src/**/*.{ts,tsx}'],
+    ignores: ['src/api/useMutation.ts'],
+    rules: {
+      'no-restricted-imports': [
+        'error',
+        {
+          name: '@tanstack/react-query',
+          importNames: ['useMutation'],
+          message: 'Take it from @/api: that one calls its handlers even where the part that asked has gone.',
+        },
+      ],
+    },
+  },
+  {
     files: ['*.js', '*.cjs', 'scripts/**', 'public/**'],
     languageOptions: { globals: { ...globals.node, ...globals.browser } },
   },

@@ -35,8 +35,6 @@ from app.conformance.models import CheckRun
 from app.deliveries.cue_sums import update_cue_sums
 from app.deliveries.models import Adoption, Delivery, DryStem, Take, TrayAction
 from app.deliveries.rules import TakeState, TrayActionKind
-from app.hiring.models import Bid, Candidate, Posting, PostingQuestion, Sample
-from app.hiring.rules import AskedScope, BidState, PostingPhase, PostingState, SampleState
 from app.kit import clock
 from app.kit.db import new_id
 from app.kit.queue import queue_of
@@ -55,6 +53,7 @@ from app.renders.rules import RenderState
 from app.reviews.models import ChangeRequest, Comment
 from app.sound_lists.models import Cue, Question, Stem
 from tests.house.audit_objects import add_audit
+from tests.house.posting_objects import add_posting
 from tests.house.reference_objects import add_reference
 from tests.house.reports import report, report_file
 from tests.house.roster_objects import add_roster_entry
@@ -228,7 +227,15 @@ class House(World):
         session.add_all([follow_up, answered, version])
         session.add_all([picture, render, draft, comment, note, build, batch, pack, reel, export, mail, run, sets])
         self._posting_secret = new_secret()
-        hiring = self._add_posting(session)
+        hiring = add_posting(
+            session,
+            studio_id=self.studio_id,
+            project_id=self.project_id,
+            secret=self._posting_secret,
+            made_by=self.producer_id,
+            designer_id=self.designer_id,
+            sample=self.finished_upload,
+        )
         references = add_reference(
             session, {"studio_id": self.studio_id, "project_id": self.project_id}, cue_id=cue.id, sha256=self.sha256,
             file_bytes=len(FILE), added_by=self.producer_id, opened_by=self.designer_id,
@@ -306,64 +313,6 @@ class House(World):
             studio_id=self.studio_id,
             delay_s=TOMORROW.total_seconds(),
         )
-
-    def _add_posting(self, session: Session) -> dict[str, UUID]:
-        """Add an open posting that the designer was asked for, with a bid that was sent and a question."""
-        of = {"studio_id": self.studio_id, "project_id": self.project_id}
-        posting = Posting(
-            **of,
-            title="Effects",
-            phase=PostingPhase.PRODUCTION,
-            state=PostingState.OPEN,
-            currency="USD",
-            scope=AskedScope.ALL,
-            categories=[],
-            cue_ids=[],
-            lines=[{"key": "", "label": "Other sounds", "cues": 1, "files": 1}],
-            headings=["Quality of work"],
-            secret_sha256=sha256_of(self._posting_secret),
-            created_by=self.producer_id,
-        )
-        session.add(posting)
-        session.flush()
-        of_it = {**of, "posting_id": posting.id}
-        candidate = Candidate(
-            **of_it, email="asked@example.test", person_id=self.designer_id, expires_at=clock.now() + TOMORROW
-        )
-        line = {
-            "key": "",
-            "kind": "asked",
-            "unit": "per_cue",
-            "quantity_hundredths": 100,
-            "price_minor": 18_000,
-            "note": "",
-        }
-        content = {"lines": [line], "hours_hundredths": None, "from_on": None, "to_on": None, "note": ""}
-        bid = Bid(**of_it, designer_id=self.designer_id, content=content, sent=content, state=BidState.SENT)
-        bid.sent_at, bid.revision = clock.now(), 1
-        question = PostingQuestion(**of_it, text="Is there a build?", asked_by=self.designer_id)
-        session.add_all([candidate, bid, question])
-        session.flush()
-        sample = Sample(
-            **of,
-            bid_id=bid.id,
-            designer_id=self.designer_id,
-            line_key="",
-            file_name="shield_hit.wav",
-            media_type="audio/wav",
-            sha256=self.finished_upload.sha256,
-            file_bytes=self.finished_upload.length,
-            state=SampleState.CONFORMING,
-        )
-        session.add(sample)
-        session.flush()
-        return {
-            "posting_id": posting.id,
-            "candidate_id": candidate.id,
-            "bid_id": bid.id,
-            "bid_sample_id": sample.id,
-            "posting_question_id": question.id,
-        }
 
     def _add_money(self, session: Session, cue: Cue) -> dict[str, UUID | int]:
         """Add a contract that both agreed to, with an invoice that was paid in part."""

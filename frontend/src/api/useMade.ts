@@ -1,6 +1,7 @@
-import { useMutation, useQuery } from '@tanstack/react-query'
+import { useQuery } from '@tanstack/react-query'
 
 import { queryKeys } from './queryKeys'
+import { useMutation } from './useMutation'
 
 const LOOK_MS = 500
 

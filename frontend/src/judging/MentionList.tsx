@@ -5,8 +5,7 @@ import { flushSync } from 'react-dom'
 import { Face } from '@/ui/Face'
 
 import classes from './MentionList.module.css'
-import { type Mentionable, mentionableQuery, offered, typedName } from './mentions'
-import type { MentionsProps } from './Mentions'
+import { type Mentionable, mentionableQuery, type MentionsProps, offered, typedName } from './mentionNames'
 
 /** The people whose name begins as typed: arrows move, Enter and Tab choose, Escape closes. */
 export function MentionList({ takeId, field, text, onText }: MentionsProps) {

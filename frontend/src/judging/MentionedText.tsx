@@ -1,4 +1,4 @@
-import type { Mention } from './mentions'
+import type { Mention } from './mentionNames'
 
 /** A text in which the names of those whom it mentions stand out. */
 export function MentionedText({ text, mentions }: { text: string; mentions: readonly Mention[] }) {

@@ -1,13 +1,13 @@
-import { type InfiniteData, type QueryClient, useMutation, useQueryClient } from '@tanstack/react-query'
+import { type InfiniteData, type QueryClient, useQueryClient } from '@tanstack/react-query'
 import { useState } from 'react'
 
-import { answered, api, ApiProblem, lineLost } from '@/api'
+import { answered, api, ApiProblem, lineLost, useMutation } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import { dismissToast, showToast } from '@/app/toast'
 
 import { withoutVerdict } from './afterVerdict'
 import { type QueueCount, type QueuePage, refresh, type ReviewCue, type ReviewTake } from './api'
-import { mentionsOf } from './mentions'
+import { mentionsOf } from './mentionNames'
 
 /** What was refused, and why: said where it happened. */
 export interface Refusal {

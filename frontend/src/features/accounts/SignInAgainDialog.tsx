@@ -1,6 +1,4 @@
-import { useMutation } from '@tanstack/react-query'
-
-import { answered, api } from '@/api'
+import { answered, api, useMutation } from '@/api'
 import type { Me } from '@/api/me'
 import { Dialog } from '@/app/Dialog'
 import type { OpenedProps } from '@/app/LazyDialog'

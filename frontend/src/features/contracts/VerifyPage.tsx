@@ -1,4 +1,4 @@
-import { useMutation } from '@tanstack/react-query'
+import { useMutation } from '@/api'
 import { useId, useState } from 'react'
 
 import { useTitle } from '@/app/title'

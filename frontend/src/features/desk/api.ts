@@ -1,17 +1,10 @@
-import {
-  keepPreviousData,
-  type QueryClient,
-  queryOptions,
-  useMutation,
-  useQuery,
-  useQueryClient,
-} from '@tanstack/react-query'
+import { keepPreviousData, type QueryClient, queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, everyPage } from '@/api'
+import { answered, api, everyPage, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { deskQuery } from '@/app/desk'
-import { mentionsOf } from '@/judging/mentions'
+import { mentionsOf } from '@/judging/mentionNames'
 import type { Accepts } from '@/uploads'
 
 import { acceptedFiles } from './accepted'

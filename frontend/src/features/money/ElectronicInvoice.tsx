@@ -1,6 +1,4 @@
-import { useMutation } from '@tanstack/react-query'
-
-import { ApiProblem } from '@/api'
+import { ApiProblem, useMutation } from '@/api'
 import { electronicInvoice, type Invoice } from '@/money/api'
 import { Button } from '@/ui/Button'
 import { ProblemNote } from '@/ui/ProblemNote'

@@ -1,8 +1,7 @@
 import { TextInput } from '@mantine/core'
-import { useMutation } from '@tanstack/react-query'
 import { type FormEvent, useState } from 'react'
 
-import { ApiProblem } from '@/api'
+import { ApiProblem, useMutation } from '@/api'
 import { type PlanProposal, proposedPlan } from '@/money/api'
 import { minorOf } from '@/money/words'
 import { Button } from '@/ui/Button'

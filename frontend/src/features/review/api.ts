@@ -1,10 +1,10 @@
-import { queryOptions, useMutation, useQueryClient } from '@tanstack/react-query'
+import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api } from '@/api'
+import { answered, api, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { type CarriedNote, type CueReview, refresh } from '@/judging/api'
-import { mentionsOf } from '@/judging/mentions'
+import { mentionsOf } from '@/judging/mentionNames'
 
 type Schemas = components['schemas']
 export type Comment = Schemas['CommentRead']

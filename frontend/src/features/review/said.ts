@@ -1,6 +1,6 @@
 import type { CommentMark } from '@/audio'
 import type { CueReview, ReviewTake } from '@/judging/api'
-import type { Mention } from '@/judging/mentions'
+import type { Mention } from '@/judging/mentionNames'
 
 import type { Comment } from './api'
 

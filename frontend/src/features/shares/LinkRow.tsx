@@ -1,8 +1,8 @@
 import { TextInput } from '@mantine/core'
-import { useInfiniteQuery, useMutation } from '@tanstack/react-query'
+import { useInfiniteQuery } from '@tanstack/react-query'
 import { useId, useState } from 'react'
 
-import { ApiProblem } from '@/api'
+import { ApiProblem, useMutation } from '@/api'
 import { sentence } from '@/app/Form'
 import { Button } from '@/ui/Button'
 import { ago, day, plural } from '@/ui/format'

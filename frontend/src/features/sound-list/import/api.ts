@@ -1,6 +1,6 @@
-import { useMutation, useQueryClient } from '@tanstack/react-query'
+import { useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, ApiProblem } from '@/api'
+import { answered, api, ApiProblem, useMutation } from '@/api'
 import type { components } from '@/api/schema.gen'
 
 import { type Cue, refreshList } from '../api'

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 
-import { mentionedIn, offered, typedName } from './mentions'
+import { mentionedIn, offered, typedName } from './mentionNames'
 
 const ANN = { id: 'ann', name: 'Ann' }
 const ANNA = { id: 'anna', name: 'Anna Mills' }

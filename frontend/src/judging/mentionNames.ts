@@ -1,4 +1,5 @@
 import { type QueryClient, queryOptions } from '@tanstack/react-query'
+import type { RefObject } from 'react'
 
 import { answered, api } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
@@ -6,6 +7,14 @@ import type { components } from '@/api/schema.gen'
 
 export type Mentionable = components['schemas']['PersonBrief']
 export type Mention = components['schemas']['MentionRead']
+
+/** A field in which people are mentioned in words on a version. */
+export interface MentionsProps {
+  takeId: string
+  field: RefObject<HTMLInputElement | HTMLTextAreaElement | null>
+  text: string
+  onText: (text: string) => void
+}
 
 /** The people who may see a version: those who can be mentioned there. */
 export const mentionableQuery = (takeId: string) =>
