@@ -273,6 +273,7 @@ describe('what came back', () => {
       expect(wrote(asked, 'POST /v1/takes/t19/comments')[0]?.body).toEqual({
         text: 'Before the flash, or with it?',
         change_request_id: 'change-1',
+        mentions: [],
       }),
     )
   })
