@@ -12,11 +12,7 @@ interface PartProps {
   onError: () => void
 }
 
-function Part({
-  answer,
-  onSuccess,
-  onError,
-}: Record<'onSuccess' | 'onError', () => void> & { answer: Promise<string> }) {
+function Part({ answer, onSuccess, onError }: PartProps) {
   const send = useMutation({ mutationFn: () => answer })
   return (
     <button type="button" onClick={() => send.mutate(undefined, { onSuccess, onError })}>
