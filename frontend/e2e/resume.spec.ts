@@ -90,7 +90,7 @@ test('an upload goes on where it was after the line dropped and the web process 
   behindLine: { line, server },
   page,
 }, testInfo) => {
-  test.setTimeout(120_000)
+  test.setTimeout(240_000)
   const file = ambience(12)
   const projectId = await atDesk(page, server.url, 12)
   line.bytesPerS = LINE_BYTES_PER_S
@@ -121,7 +121,7 @@ test('a large file goes to the bucket in parts, and goes on with the part that w
   withBucket: { bucket, server },
   page,
 }, testInfo) => {
-  test.setTimeout(120_000)
+  test.setTimeout(240_000)
   const file = ambience(100)
   expect(file.length).toBeGreaterThan(1.5 * PART_BYTES)
   const projectId = await atDesk(page, server.url, 100)
