@@ -7,6 +7,8 @@ import { Face } from '@/ui/Face'
 import classes from './MentionList.module.css'
 import { type Mentionable, mentionableQuery, type MentionsProps, offered, typedName } from './mentionNames'
 
+const keepInSight = (list: HTMLElement | null) => list?.scrollIntoView({ block: 'nearest' })
+
 /** The people whose name begins as typed: arrows move, Enter and Tab choose, Escape closes. */
 export function MentionList({ takeId, field, text, onText }: MentionsProps) {
   const { data: people } = useQuery(mentionableQuery(takeId))
@@ -72,7 +74,7 @@ export function MentionList({ takeId, field, text, onText }: MentionsProps) {
 
   if (!isOpen) return null
   return (
-    <div id={listId} role="listbox" aria-label="People to mention" className={classes.list}>
+    <div ref={keepInSight} id={listId} role="listbox" aria-label="People to mention" className={classes.list}>
       {options.map((person, index) => (
         <div
           key={person.id}
