@@ -35,7 +35,7 @@ def save_view(project_id: UUID, body: SavedViewAdd, session: DbSession, actor: A
     return views.save_view(session, actor, project_id, body)
 
 
-@router.delete("/saved-views/{saved_view_id}", status_code=204, responses=problems(SavedViewNotFound))
+@router.delete("/saved-views/{saved_view_id}", status_code=204, responses=problems(SavedViewNotFound, ProjectNotFound))
 def delete_saved_view(saved_view_id: UUID, session: DbSession, actor: Actor = allows(Audience.PERSON)) -> None:
     """Delete a view of the caller's own."""
     views.delete_view(session, actor, saved_view_id)

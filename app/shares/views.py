@@ -51,5 +51,6 @@ def delete_view(session: Session, actor: Actor, view_id: UUID) -> None:
     view = queries.view_by_id(session, view_id)
     if view is None or view.person_id != actor.person:
         raise SavedViewNotFound(f"no view {view_id}")
+    project_access(session, actor, view.project_id)
     session.delete(view)
     session.flush()

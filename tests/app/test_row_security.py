@@ -45,6 +45,7 @@ TENANT = sorted(set(GUARDED) - PERSONAL)
 CONFIDENTIAL = {
     "accounts_invoice_details",
     "hiring_bids",
+    "hiring_samples",
     "references_openings",
     *TEAMS_OWN,
 }  # an engagement alone does not show them

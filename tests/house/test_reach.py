@@ -8,6 +8,7 @@ NO_REQUEST = (
     "app/*/*jobs.py",
     "app/agreements/seals.py",
     "app/conformance/checking.py",
+    "app/webhooks/sending.py",
     "app/worker.py",
     "app/cli/*.py",
     "app/demo/*.py",
@@ -19,6 +20,7 @@ BEFORE_ANYBODY_IS_KNOWN = {
     "app/accounts/policies.py": "notes after the answer that a token was used",
     "app/agreements/verify_endpoints.py": "looks for the seal of a file, which is shown to anyone who has that file",
     "app/accounts/request_limits.py": "counts tries, also those of requests that are refused",
+    "app/shares/guests.py": "looks for a guest link by its secret, before its password is checked",
 }
 SERVERS_OWN_TABLES = {
     "app/kit/idempotency.py": "answers kept for an Idempotency-Key",

@@ -41122,7 +41122,7 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description `saved-view-not-found` */
+            /** @description `saved-view-not-found`, `project-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;
