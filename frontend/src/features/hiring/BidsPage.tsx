@@ -19,7 +19,8 @@ import { type ComparedBid, type Comparison, comparisonQuery, useAward, useScore,
 import classes from './Hiring.module.css'
 import { Refusal } from './Refusal'
 import { SampleLine } from './SampleLine'
-import { sameOfNext, useSamplePlayer } from './samples'
+import { type FilePlayer, useSamplePlayer } from './player'
+import { sameOfNext } from './samples'
 import { busyInWords } from './roster/words'
 import { EXTRA_WORDS, period, UNIT_WORDS } from './words'
 
@@ -147,7 +148,7 @@ function Compared({ comparison, projectId }: { comparison: Comparison; projectId
 interface BidsTableProps {
   comparison: Comparison
   chosenId: string
-  player: ReturnType<typeof useSamplePlayer>
+  player: FilePlayer
   onMark: (bid: ComparedBid) => void
   onAward: (bid: ComparedBid) => void
 }

@@ -10,7 +10,8 @@ import { type Posting, useAddSample, useRemoveSample } from './api'
 import classes from './Hiring.module.css'
 import { Refusal } from './Refusal'
 import { SampleLine } from './SampleLine'
-import { base64Of, MAX_SAMPLE_BYTES, useSamplePlayer } from './samples'
+import { useSamplePlayer } from './player'
+import { base64Of, MAX_SAMPLE_BYTES } from './samples'
 
 /** The sounds that a designer sends with a bid, each with what the check found. */
 export function SamplesCard({ posting }: { posting: Posting }) {

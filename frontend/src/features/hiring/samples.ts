@@ -1,5 +1,3 @@
-import { useEffect, useState } from 'react'
-
 import type { components } from '@/api/schema.gen'
 
 import type { ComparedBid } from './api'
@@ -54,37 +52,4 @@ export function base64Of(file: File): Promise<string> {
     reader.onerror = () => reject(reader.error ?? new Error('the file could not be read'))
     reader.readAsDataURL(file)
   })
-}
-
-/** Plays samples of bids, one at a time; another one goes on at the second where the last one was. */
-export function useSamplePlayer() {
-  const [audio] = useState(() => new Audio())
-  const [playingId, setPlaying] = useState<string | null>(null)
-  const [failedId, setFailed] = useState<string | null>(null)
-  useEffect(() => {
-    const ended = () => setPlaying(null)
-    audio.addEventListener('ended', ended)
-    return () => {
-      audio.removeEventListener('ended', ended)
-      audio.pause()
-      audio.removeAttribute('src')
-    }
-  }, [audio])
-  const play = (id: string, fromS = 0) => {
-    audio.src = `/v1/bid-samples/${id}/file`
-    if (fromS > 0) audio.currentTime = fromS
-    setFailed(null)
-    setPlaying(id)
-    audio.play().catch(() => {
-      setPlaying((now) => (now === id ? null : now))
-      setFailed(id)
-    })
-  }
-  const toggle = (id: string) => {
-    if (playingId !== id) return play(id)
-    audio.pause()
-    setPlaying(null)
-  }
-  const compare = (id: string) => play(id, playingId === null ? 0 : audio.currentTime)
-  return { playingId, failedId, toggle, compare }
 }

@@ -10,7 +10,7 @@ import { Row, Rows } from '@/ui/Rows'
 import forms from '../Hiring.module.css'
 import { Refusal } from '../Refusal'
 import { type Entry, useRemoveSound } from './api'
-import { useReelPlayer } from './player'
+import { useReelPlayer } from '../player'
 import { reelUploads } from './reelUploads'
 
 /** The sounds of a reel, played here, and the links to what is elsewhere. */
@@ -33,7 +33,7 @@ export function ReelCard({ entry }: { entry: Entry }) {
                 square
                 icon={isPlaying ? 'pause' : 'play'}
                 aria-label={`${isPlaying ? 'Pause' : 'Play'} ${sound.title}`}
-                onClick={() => player.toggle(sound)}
+                onClick={() => player.toggle(sound.id)}
               />
               <span className="grow cut-text">
                 {sound.title}

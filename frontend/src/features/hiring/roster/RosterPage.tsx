@@ -19,7 +19,7 @@ import { Select } from '@/ui/Select'
 import forms from '../Hiring.module.css'
 import { Refusal } from '../Refusal'
 import { type Roster, type RosterRow, rosterQuery, useAddEntry, useRosterStudios } from './api'
-import { useReelPlayer } from './player'
+import { type FilePlayer, useReelPlayer } from '../player'
 import classes from './Roster.module.css'
 import { Weeks } from './Weeks'
 import { busyInWords, type RosterSearch, type Service, SERVICE_WORDS, SERVICES } from './words'
@@ -267,7 +267,7 @@ function People({ people, roster, search }: PeopleProps) {
       label: 'Play the reel',
       group: GROUP,
       disabled: !selected?.reel[0],
-      run: () => selected?.reel[0] && player.toggle(selected.reel[0]),
+      run: () => selected?.reel[0] && player.toggle(selected.reel[0].id),
     },
   ])
   if (people.length === 0) {
@@ -306,7 +306,7 @@ function People({ people, roster, search }: PeopleProps) {
   )
 }
 
-function PlayKey({ person, player }: { person: RosterRow; player: ReturnType<typeof useReelPlayer> }) {
+function PlayKey({ person, player }: { person: RosterRow; player: FilePlayer }) {
   const sound = person.reel[0]
   if (sound === undefined) return <span />
   const isPlaying = player.playingId === sound.id
@@ -316,7 +316,7 @@ function PlayKey({ person, player }: { person: RosterRow; player: ReturnType<typ
       variant="quiet"
       icon={isPlaying ? 'pause' : 'play'}
       aria-label={`${isPlaying ? 'Pause' : 'Play'} ${sound.title} by ${person.name}`}
-      onClick={() => player.toggle(sound)}
+      onClick={() => player.toggle(sound.id)}
     />
   )
 }
