@@ -53,16 +53,21 @@ MOST_CHARS = 400
 
 def spec_pdf(spec: audio_checks.DeliverySpec, *, title: str, version: int) -> bytes:
     """Return a spec as a PDF, the same bytes for the same spec; see `typeset` for what is raised."""
+    content = spec_content(spec, title=title, version=version)
+    return typeset(LOOK, {"spec": json.dumps(content, ensure_ascii=False)})
+
+
+def spec_content(spec: audio_checks.DeliverySpec, *, title: str, version: int) -> dict[str, Any]:
+    """Return what the page says, as names and values."""
     rules = list(_rules(spec.tables))
     categories = [(name, _differing(spec, name, rules)) for name in spec.categories]
-    content = {
+    return {
         "title": title[:MOST_CHARS],
         "version": version,
         "rules": rules,
         "categories": [one for one in categories if one[1]],
         "targets": [(name, _target(target)) for name, target in spec.tables.get("targets", {}).items()],
     }
-    return typeset(LOOK, {"spec": json.dumps(content, ensure_ascii=False)})
 
 
 def _rules(tables: Mapping[str, Any]) -> Iterator[tuple[str, str]]:

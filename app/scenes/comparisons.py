@@ -85,7 +85,12 @@ def keep(session: Session, comparison_id: UUID, blob: StoredBlob, made: Compared
     comparison.sha256, comparison.file_bytes = blob.sha256, blob.size_bytes
     comparison.lag_s, comparison.gain_db = made["lag_s"], made["gain_db"]
     comparison.residue_db = made["residue_db"]
-    comparison.spectra = {name: made[name] for name in SpectraRead.model_fields}  # type: ignore[literal-required]
+    comparison.spectra = {
+        "hz": made["hz"],
+        "sound_dbfs": made["sound_dbfs"],
+        "against_dbfs": made["against_dbfs"],
+        "difference_dbfs": made["difference_dbfs"],
+    }
 
 
 def refuse(session: Session, comparison_id: UUID, reason: str) -> None:

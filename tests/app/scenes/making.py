@@ -19,7 +19,7 @@ Samples = NDArray[np.float64]
 THUMB = {"points": 1, "min": [-9], "max": [9], "rms": [3]}
 
 
-def drawn_take(stage: Stage, cue_id: UUID, samples: Samples, *, rate: int = 48_000, **facts: Any) -> UUID:
+def drawn_take(stage: Stage, cue_id: UUID | None, samples: Samples, *, rate: int = 48_000, **facts: Any) -> UUID:
     """Deliver a version that waits, with a preview of these samples."""
     world = stage.world
     content = wav_bytes(samples, rate=rate, bits=16)

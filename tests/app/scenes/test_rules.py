@@ -1,6 +1,7 @@
 """Neighbours, times and words of a scene, stated without a database."""
 
 import math
+from typing import Any
 from uuid import UUID
 
 import pytest
@@ -20,11 +21,11 @@ from app.scenes.rules import (
 )
 
 
-def candidate(number: int, **facts: object) -> Candidate:
-    known = {
+def candidate(number: int, **facts: Any) -> Candidate:
+    known: dict[str, Any] = {
         "scene": "", "category": "", "loops": False, "variations": 1, "level_lufs": -20.0, "position": number,
     } | facts  # fmt: skip
-    return Candidate(UUID(int=number), **known)  # type: ignore[arg-type]
+    return Candidate(UUID(int=number), **known)
 
 
 def chosen(of: Candidate, *others: Candidate) -> list[int]:

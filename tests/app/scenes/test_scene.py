@@ -139,7 +139,7 @@ def test_the_team_alone_opens_a_scene(world: World, stage: Stage):
 
 
 def test_a_version_for_no_cue_has_no_scene(world: World, stage: Stage):
-    take_id = drawn_take(stage, None, noise(seconds=0.1), state=TakeState.RECEIVED)  # type: ignore[arg-type]
+    take_id = drawn_take(stage, None, noise(seconds=0.1), state=TakeState.RECEIVED)
     assert world.reviewer.post(f"/v1/takes/{take_id}/scene").status_code == 404
 
 

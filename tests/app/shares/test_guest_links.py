@@ -8,6 +8,7 @@ from uuid import UUID
 
 import numpy as np
 import pytest
+from sqlalchemy.orm import Session
 
 from app.deliveries.models import Take
 from app.kit import clock
@@ -23,11 +24,11 @@ GONE = "This link does not open anything any more."
 
 
 def master_of(world: World, take_id: str) -> bytes:
-    def read(session: object) -> bytes:
-        take = session.get_one(Take, UUID(take_id))  # type: ignore[attr-defined]
+    def read(session: Session) -> bytes:
+        take = session.get_one(Take, UUID(take_id))
         return b"".join(world.server.runtime.store.stream(take.studio_id, take.master_sha256))
 
-    return world.server.in_database(read)  # type: ignore[no-any-return]
+    return bytes(world.server.in_database(read))
 
 
 def frames_of(content: bytes) -> np.ndarray:
@@ -61,9 +62,9 @@ def test_a_guest_hears_the_preview_and_the_producer_sees_who_heard_what_how_ofte
 def test_what_plays_itself_is_copied_for_guests_without_its_metadata(world: World) -> None:
     cue_id, take_id = sound(world, bits=16)
 
-    def plays_itself(session: object) -> bool:
-        take = session.get_one(Take, UUID(take_id))  # type: ignore[attr-defined]
-        picture = session.query(Picture).filter_by(sound_sha256=take.master_sha256).one()  # type: ignore[attr-defined]
+    def plays_itself(session: Session) -> bool:
+        take = session.get_one(Take, UUID(take_id))
+        picture = session.query(Picture).filter_by(sound_sha256=take.master_sha256).one()
         return bool(picture.preview_sha256 == take.master_sha256)
 
     assert world.server.in_database(plays_itself)
@@ -108,8 +109,8 @@ def test_unknown_expired_full_and_revoked_links_are_answered_alike(world: World)
     _, old = made(world, cue_ids=[cue_id], expires_at=(clock.now() + timedelta(days=1)).isoformat())
     old_visit, _ = opened(world, old)
 
-    def expire(session: object) -> None:
-        for one in session.query(GuestLink).filter(GuestLink.expires_at.is_not(None)):  # type: ignore[attr-defined]
+    def expire(session: Session) -> None:
+        for one in session.query(GuestLink).filter(GuestLink.expires_at.is_not(None)):
             one.expires_at = clock.now() - timedelta(seconds=1)
 
     world.server.in_database(expire)
@@ -140,8 +141,8 @@ def test_the_password_opens_it_and_guesses_are_limited_by_network(world: World) 
     opened(world, secret, password="four unrelated words")
     assert links(world)[0]["openings"] == 1
 
-    def stored(session: object) -> str:
-        return str(session.get_one(GuestLink, UUID(link["id"])).password_hash)  # type: ignore[attr-defined]
+    def stored(session: Session) -> str:
+        return str(session.get_one(GuestLink, UUID(link["id"])).password_hash)
 
     assert world.server.in_database(stored).startswith("$argon2id$")
 
@@ -153,8 +154,8 @@ def test_the_address_is_shown_again_to_its_maker_alone(world: World) -> None:
     assert world.producer.get(url).json()["url"].endswith(f"/listen/{secret}")
     assert world.approver.get(url).status_code == 404
 
-    def in_the_database(session: object) -> bool:
-        row = session.get_one(GuestLink, UUID(link["id"]))  # type: ignore[attr-defined]
+    def in_the_database(session: Session) -> bool:
+        row = session.get_one(GuestLink, UUID(link["id"]))
         return secret in str(vars(row))
 
     assert not world.server.in_database(in_the_database)

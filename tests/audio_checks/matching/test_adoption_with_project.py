@@ -1,22 +1,24 @@
 """What a folder becomes where the game's project says how its files are played."""
 
+from typing import Any
+
 from hypothesis import given
 from hypothesis import strategies as st
 
 from audio_checks import AdoptionPlan, PlayedSound, Project, ShippedFile, plan_adoption, stems_of
 
 
-def planned(engine: str, sounds: list[PlayedSound], *paths: str) -> AdoptionPlan:
+def planned(engine: Any, sounds: list[PlayedSound], *paths: str) -> AdoptionPlan:
     files = [ShippedFile(path, f"{place:064x}") for place, path in enumerate(paths)]
-    return plan_adoption(files, project=Project(engine, "", "", tuple(sounds)))  # type: ignore[arg-type]
+    return plan_adoption(files, project=Project(engine, "", "", tuple(sounds)))
 
 
-def wwise(file: str, place: str, **more: object) -> PlayedSound:
-    return PlayedSound(f"Originals/SFX/{file}", f"\\Containers\\Default Work Unit\\{place}", **more)  # type: ignore[arg-type]
+def wwise(file: str, place: str, **more: Any) -> PlayedSound:
+    return PlayedSound(f"Originals/SFX/{file}", f"\\Containers\\Default Work Unit\\{place}", **more)
 
 
 def test_a_random_container_is_a_set_in_the_order_of_its_numbers() -> None:
-    held = {"random_set": "\\Containers\\Default Work Unit\\Steps\\Grass", "events": ("Play_Step",)}
+    held: dict[str, Any] = {"random_set": "\\Containers\\Default Work Unit\\Steps\\Grass", "events": ("Play_Step",)}
     sounds = [wwise(f"grass_{number}.wav", f"Steps\\Grass\\g{number}", **held) for number in (2, 4, 10)]
     plan = planned("wwise", [*sounds, wwise("click.wav", "UI\\click", is_looped=True)], "grass_10.wav", "grass_2.wav",
                    "grass_4.wav", "click.wav")  # fmt: skip
@@ -32,10 +34,10 @@ def test_a_random_container_is_a_set_in_the_order_of_its_numbers() -> None:
 
 
 def test_files_of_other_names_take_the_name_of_their_container() -> None:
-    held = {"random_set": "event:/World/Sneeze", "events": ("event:/World/Sneeze",)}
+    held: dict[str, Any] = {"random_set": "event:/World/Sneeze", "events": ("event:/World/Sneeze",)}
     sounds = [
         PlayedSound(f"Assets/{name}.wav", f"event:/World/Sneeze/{name}", **held) for name in ("hatschu", "a choo")
-    ]  # type: ignore[arg-type]
+    ]
     other = PlayedSound("Assets/boom.wav", "event:/Weapons/Boom/boom", events=("event:/Weapons/Boom",))
     plan = planned("fmod", [*sounds, other], "hatschu.wav", "a choo.wav", "boom.wav")
     assert [(cue.file_name, cue.category, cue.paths) for cue in plan.cues] == [
