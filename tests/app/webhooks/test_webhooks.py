@@ -15,7 +15,7 @@ from app.kit import clock
 from app.webhooks import jobs, queries, sending
 from app.webhooks.bodies import Message, body_of
 from app.webhooks.models import WebhookCall
-from app.webhooks.rules import PAUSES, WebhookEvent, WebhookForm, pause_after, signature
+from app.webhooks.rules import PAUSES, WebhookEvent, WebhookForm, is_delivered, pause_after, signature
 from tests.app.reviews.making import Stage
 from tests.support.deliver import add_cues
 from tests.support.receiver import Receiver, receiver
@@ -58,6 +58,11 @@ def attempt_again(world: World, call_id: str) -> None:
         call = session.get_one(WebhookCall, UUID(call_id))
     assert call.next_attempt is not None
     sending.send(world.server.runtime, call.id, call.next_attempt)
+
+
+@pytest.mark.parametrize(("status", "wanted"), [(199, False), (200, True), (299, True), (300, False), (500, False)])
+def test_an_answer_says_whether_the_message_was_taken(status: int, wanted: bool):
+    assert is_delivered(status) is wanted
 
 
 def test_signature_of_the_standards_own_example():
