@@ -24,7 +24,7 @@ TESTED_BY = {
     "app/agreements/plan_check.py": "tests/app/agreements/test_plan_check.py",
     "app/amendments/offer_rules.py": "tests/app/amendments/test_offers.py",
     "app/amendments/rules.py": "tests/app/amendments/test_ending.py",
-    "app/briefs/rules.py": "tests/app/briefs/test_briefs.py",
+    "app/briefs/rules.py": "tests/app/briefs",
     "app/briefs/spec_proposal.py": "tests/app/briefs/test_spec_proposal.py",
     "app/builds/zip_stream.py": "tests/app/builds/test_zip_stream.py",
     "app/client/lock.py": "tests/app/client/test_lock.py",

@@ -47,6 +47,7 @@ TOKENS = [{"name": "what", "case": "lower", "repeats": True}, {"name": "variatio
         ({"surround": ["stereo", "5.1"]}, {"accept.channels": [1, 2, 6]}),
         ({"surround": ["stereo"]}, {}),
         ({"categories": ["ui", "weapon"]}, {}),  # the preset has them
+        ({"categories": ["ui", "robot"]}, {"categories.robot": {}}),
         (
             {"naming": {"tokens": TOKENS, "separator": "_", "extension": ".wav"}},
             {"naming.pattern": None, "naming.tokens": TOKENS, "naming.separator": "_"},

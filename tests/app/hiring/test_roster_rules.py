@@ -16,6 +16,7 @@ from app.hiring.roster_rules import (
     WeekState,
     clashes,
     counted,
+    free_days,
     free_from,
     merged,
     monday_of,
@@ -62,6 +63,18 @@ def test_a_week_is_booked_when_its_working_days_are() -> None:
     )
     assert len(states) == 12
     assert states[:4] == [WeekState.BOOKED, WeekState.PARTLY, WeekState.HALF_DAYS, WeekState.FREE]
+
+
+def test_free_days_are_working_days_from_today_on_that_are_not_booked() -> None:
+    wednesday = MONDAY + 2 * DAY
+    ranges = [
+        Busy(MONDAY, wednesday),
+        Busy(MONDAY + 7 * DAY, MONDAY + 8 * DAY, BusyKind.HALF_DAYS),
+        Busy(MONDAY + 14 * DAY, MONDAY + 20 * DAY),
+    ]
+    assert free_days(ranges, wednesday)[:4] == [2.0, 4.0, 0.0, 5.0]
+    assert free_days(ranges, wednesday, available_from_on=MONDAY + 8 * DAY)[:4] == [0.0, 3.5, 0.0, 5.0]
+    assert free_days(ranges, wednesday, available_from_on=MONDAY)[0] == 2.0  # a day that is over
 
 
 def test_days_that_are_over_do_not_count_and_days_before_the_first_are_booked() -> None:
