@@ -12,6 +12,7 @@ from app.voice_lines.rules import (
     TextFrom,
     Validity,
     is_covered,
+    is_known_language,
     is_length_off,
     is_stale,
     key_for,
@@ -123,3 +124,19 @@ def test_a_release_counts_on_its_first_and_last_day() -> None:
 )
 def test_the_order_after_an_import(present: str, script: str, order: str) -> None:
     assert "".join(merged_order(present, script)) == order
+
+
+@pytest.mark.parametrize(
+    ("text", "known"),
+    [
+        ("de", True),
+        ("de-AT", True),
+        ("zh-Hans", True),
+        ("German", True),
+        ("xx-DE", False),
+        ("Deck", False),
+        ("", False),
+    ],
+)
+def test_a_language_is_known_by_its_own_code(text: str, known: bool) -> None:
+    assert is_known_language(text) is known
