@@ -40,7 +40,7 @@ export function AgainstPanel({ review, projectId, hand, nameOf, source, player, 
     const own = review.takes.filter(({ id, preview_url }) => id !== hand.id && preview_url !== null)
     const known = new Set(review.takes.map(({ id }) => id))
     return [
-      ...own.map((take) => ofTake(take.id, `${wordsOf(take)} ${nameOf(take)}`)),
+      ...own.map((take) => ofTake(take.id, `${nameOf(take)}${stateOf(take)}`)),
       ...hand.renders
         .filter(({ preview_url }) => preview_url !== null)
         .map(({ target }) => ({ key: `target ${target}`, words: `its file for ${target}`, against: { target } })),
@@ -114,17 +114,17 @@ export function AgainstPanel({ review, projectId, hand, nameOf, source, player, 
 
 const ofTake = (id: string, words: string): Choice => ({ key: id, words, against: { against_take_id: id } })
 
-const wordsOf = ({ state }: ReviewTake): string =>
-  state === 'approved' ? 'approved' : state === 'change_requested' ? 'a change was asked of' : 'also'
+const stateOf = ({ state }: ReviewTake): string =>
+  state === 'approved' ? ', approved' : state === 'change_requested' ? ', change requested' : ''
 
 /** How far two sounds differ: nothing of it is a verdict. */
 function inWords({ is_made, refusal, residue_db, lag_s, gain_db }: Comparison): string {
   if (refusal !== null) return `They could not be compared: ${refusal}.`
   if (!is_made) return 'The difference is being made.'
   const moved =
-    Math.abs(lag_s ?? 0) < 0.000_01 ? 'Both begin together' : `Moved by ${figure((lag_s ?? 0) * 1000, 2)} ms`
-  const levelled = Math.abs(gain_db ?? 0) < 0.05 ? 'at the same level' : `levelled by ${gain(gain_db ?? 0)}`
+    Math.abs(lag_s ?? 0) < 0.000_01 ? 'Both begin together' : `Aligned by ${figure((lag_s ?? 0) * 1000, 2)} ms`
+  const levelled = Math.abs(gain_db ?? 0) < 0.05 ? 'at the same level' : `level matched by ${gain(gain_db ?? 0)}`
   if (residue_db === null) return 'The version is silent.'
-  if (residue_db < -60) return `${moved}, ${levelled}. Nothing else differs: ${level(residue_db)}.`
-  return `${moved}, ${levelled}. What is left lies at ${level(residue_db)} against the version.`
+  if (residue_db < -60) return `${moved}, ${levelled}. Nothing else differs (${level(residue_db)}).`
+  return `${moved}, ${levelled}. The difference is ${level(residue_db)} relative to the version.`
 }

@@ -284,7 +284,7 @@ describe('against another sound', () => {
   test('the figures say how both were aligned and what is left, and b plays the other', async () => {
     const panel = await opened()
     expect(
-      await panel.findByText(/Moved by 12.50 ms, levelled by \+6.0 dB. What is left lies at −23.0 dB/),
+      await panel.findByText(/Aligned by 12.50 ms, level matched by \+6.0 dB. The difference is −23.0 dB relative/),
     ).toBeVisible()
     expect(server.of('POST /v1/takes/a/comparisons')[0]?.body).toEqual({ against_take_id: 'b' })
     const flip = panel.getByRole('button', { name: /⇄/ })
