@@ -48,6 +48,7 @@ from app.projects.approval_endpoints import router as approval
 from app.projects.endpoints import router as projects
 from app.projects.spec_endpoints import router as specs
 from app.references.endpoints import router as references
+from app.references.spotting_endpoints import router as spotting
 from app.renders.endpoints import router as renders
 from app.reviews.adoption_endpoints import router as adoptions
 from app.reviews.endpoints import router as reviews
@@ -56,6 +57,7 @@ from app.shares.guest_endpoints import router as guests
 from app.shares.guest_link_endpoints import router as guest_links
 from app.shares.playlist_endpoints import router as playlists
 from app.shares.view_endpoints import router as saved_views
+from app.sound_lists.category_endpoints import router as category_guess
 from app.sound_lists.coverage_endpoints import router as coverage
 from app.sound_lists.endpoints import router as sound_lists
 from app.sound_lists.kit_endpoints import router as kits
@@ -80,12 +82,14 @@ ROUTERS: tuple[APIRouter, ...] = (
     specs,
     briefs,
     sound_lists,
+    category_guess,
     coverage,
     kits,
     matrices,
     own_columns,
     cue_people,
     references,
+    spotting,
     hiring,
     bid_samples,
     bids,

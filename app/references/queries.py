@@ -75,6 +75,16 @@ def has_category(session: Session, project_id: UUID, category: str) -> bool:
     return session.scalar(of_it.limit(1)) is not None
 
 
+def references_of_file(
+    session: Session, project_id: UUID, sha256: str | None, cue_ids: Collection[UUID]
+) -> Sequence[UUID]:
+    """Return the references on the board that are pinned to cues and whose only version is a file."""
+    of_file = select(Reference.id).join(ReferenceVersion, ReferenceVersion.reference_id == Reference.id)
+    of_file = of_file.where(Reference.project_id == project_id, Reference.cue_id.in_(cue_ids))
+    only = (Reference.newest_number == 1, Reference.removed_at.is_(None), ReferenceVersion.sha256 == sha256)
+    return session.scalars(of_file.where(*only)).all()
+
+
 def last_opened_at(session: Session, version_id: UUID, person_id: UUID) -> datetime | None:
     """Return when a person last opened a version."""
     return session.scalar(

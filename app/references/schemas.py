@@ -12,6 +12,7 @@ from app.references.rules import MAX_RANGE_S, MAX_URL_CHARS, PreviewState, Refer
 
 MAX_CAPTION_CHARS = 500
 MAX_TERMS_CHARS = 1_000
+MAX_MARKS = 500  # of a clip, which become cues at once
 Caption = Annotated[str, Field(max_length=MAX_CAPTION_CHARS, pattern="^[^\\x00]*$")]
 Terms = Annotated[str, Field(max_length=MAX_TERMS_CHARS, pattern="^[^\\x00]*$")]
 Address = Annotated[str, Field(max_length=MAX_URL_CHARS, pattern="^[^\\x00]*$")]
@@ -46,6 +47,23 @@ class ReferenceChange(Schema):
     terms: Terms = ""
     start_s: Seconds | None = None
     end_s: Seconds | None = None
+
+
+class SpottedMark(Schema):
+    """A place in a clip where a sound is needed, which becomes a cue."""
+
+    name: str = Field(min_length=1, max_length=200, pattern="^[^\\x00]*$")
+    category: str = Field("", max_length=60, pattern="^[^\\x00]*$")
+    start_s: Seconds
+    duration_s: Annotated[float, Field(gt=0, le=MAX_RANGE_S, allow_inf_nan=False)] | None = Field(
+        None, description="How long the sound is; null where only its beginning was marked."
+    )
+
+
+class SpottedMarks(Schema):
+    """The marks of a clip, in the order in which their cues join the list."""
+
+    marks: list[SpottedMark] = Field(min_length=1, max_length=MAX_MARKS)
 
 
 class PinnedCue(Schema):

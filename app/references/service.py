@@ -192,6 +192,12 @@ def access_to(session: Session, actor: Actor, version: ReferenceVersion) -> Proj
     return project_access(session, actor, version.project_id)
 
 
+def reference_to_change(session: Session, actor: Actor, reference_id: UUID) -> tuple[ProjectAccess, ReferenceVersion]:
+    """Return the newest version of a reference that the caller may change, and their access to its project."""
+    version = _ensure_may_change(session, actor, reference_id)
+    return access_to(session, actor, version), version
+
+
 def _seen_by_id(session: Session, reference_id: UUID) -> ReferenceVersion:
     version = queries.newest_version(session, reference_id)
     if version is None:

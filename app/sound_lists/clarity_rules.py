@@ -172,6 +172,18 @@ def questions(name: str, category: str, description: str, loop: bool, has_length
     return tuple(one for one in needs if one.fact not in found and one.only_if != needless)[:MAX_QUESTIONS]
 
 
+def categories_spoken_of(text: str) -> frozenset[str]:
+    """Return the categories of the kind of sound that a text speaks of; none where it speaks of no kind."""
+    place = _place_of_kind(_words(text), (), "")
+    return frozenset() if place is None else lexicon().kinds[place].categories
+
+
+@lru_cache(CACHED)
+def words_in(text: str) -> frozenset[str]:
+    """Return the words of a text in lower case, without numbers."""
+    return frozenset(_found_words(text))
+
+
 def _open_in_voice_line(description: str, said: Collection[Word]) -> tuple[Question, ...]:
     """Return what the request for a spoken line leaves open; the script says all of a line that stands in it."""
     if SCRIPTED.search(description):

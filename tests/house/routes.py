@@ -178,6 +178,7 @@ QUERIES: dict[str, dict[str, str]] = {
     "compare_revisions": {"from": "0", "to": "0"},
     "find": {"q": "shield"},
     "watch_changes": {"seconds": "0"},
+    "guess_category": {"name": "door slam"},
     "read_cue_matrix": {"line": "deck, sand × walk, run × 2"},
     "compare_contract_versions": {"from_version": "1", "to_version": "1"},
 }

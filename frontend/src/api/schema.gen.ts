@@ -1601,6 +1601,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/category-guess": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Guess Category
+         * @description Return the category of the cues whose names share words with a new name, else that of its kind of sound.
+         */
+        get: operations["guess_category"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/sound-list/coverage": {
         parameters: {
             query?: never;
@@ -1911,6 +1931,46 @@ export interface paths {
         get: operations["get_reference_thumb"];
         put?: never;
         post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/references/{reference_id}/cues": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Add Spotted Cues
+         * @description Make a cue of each mark of a clip, with its part of the clip as a reference: all of them, or none.
+         */
+        post: operations["add_spotted_cues"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/references/{reference_id}/cues/undo": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Undo Spotted Cues
+         * @description Remove the cues that were made of marks, while no work on them has begun.
+         */
+        post: operations["undo_spotted_cues"];
         delete?: never;
         options?: never;
         head?: never;
@@ -10375,6 +10435,17 @@ export interface components {
             files: number;
             /** Left */
             left: number;
+        };
+        /**
+         * CategoryGuess
+         * @description The category that a name is likely to be of.
+         */
+        CategoryGuess: {
+            /**
+             * Category
+             * @description Empty where no word of it says one.
+             */
+            category: string;
         };
         /**
          * CategoryHours
@@ -21375,6 +21446,34 @@ export interface components {
             after: components["schemas"]["ShapeRead"];
         };
         /**
+         * SpottedMark
+         * @description A place in a clip where a sound is needed, which becomes a cue.
+         */
+        SpottedMark: {
+            /** Name */
+            name: string;
+            /**
+             * Category
+             * @default
+             */
+            category: string;
+            /** Start S */
+            start_s: number;
+            /**
+             * Duration S
+             * @description How long the sound is; null where only its beginning was marked.
+             */
+            duration_s?: number | null;
+        };
+        /**
+         * SpottedMarks
+         * @description The marks of a clip, in the order in which their cues join the list.
+         */
+        SpottedMarks: {
+            /** Marks */
+            marks: components["schemas"]["SpottedMark"][];
+        };
+        /**
          * Stands
          * @description The position of a figure among others.
          * @enum {string}
@@ -27940,6 +28039,48 @@ export interface operations {
             };
         };
     };
+    guess_category: {
+        parameters: {
+            query: {
+                name: string;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CategoryGuess"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
     read_coverage: {
         parameters: {
             query?: never;
@@ -28866,6 +29007,119 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    add_spotted_cues: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                reference_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["SpottedMarks"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CueRead"][];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `reference-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `reference-invalid`, `rows-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    undo_spotted_cues: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                reference_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["AdditionUndo"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `reference-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `addition-in-use` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
                 };
             };
         };
