@@ -46,7 +46,8 @@ export class KeyRegistry {
   #pressedAt = 0
   #held = new Map<string, () => void>()
   #listeners = new Set<() => void>()
-  #snapshot: Hotkey[] = []
+  /** null where keys came or went since it was last asked for. */
+  #snapshot: Hotkey[] | null = null
   #on = true
 
   /** Single keys can be switched off; Escape and those with Ctrl or Cmd stay. */
@@ -85,7 +86,8 @@ export class KeyRegistry {
   }
 
   /** Every hotkey of the page, for the sheet; dialogs' own are left out. */
-  listed = (): Hotkey[] => this.#snapshot
+  listed = (): Hotkey[] =>
+    (this.#snapshot ??= this.#entries.filter((entry) => entry.scope === 0).map((entry) => entry.read()))
 
   subscribe = (listener: () => void): (() => void) => {
     this.#listeners.add(listener)
@@ -109,7 +111,7 @@ export class KeyRegistry {
   }
 
   #changed(): void {
-    this.#snapshot = this.#entries.filter((entry) => entry.scope === 0).map((entry) => entry.read())
+    this.#snapshot = null
     for (const listener of this.#listeners) listener()
   }
 

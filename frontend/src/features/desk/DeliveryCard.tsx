@@ -1,6 +1,6 @@
 import { TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
-import { type ReactNode, useEffect, useState } from 'react'
+import { type ReactNode, useEffect, useMemo, useState } from 'react'
 
 import { ApiProblem } from '@/api'
 import { keepDraft, useDraft } from '@/app/drafts'
@@ -10,7 +10,7 @@ import { ended } from '@/judging/findings'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { bytesOf, plural, remaining } from '@/ui/format'
-import { useUploads } from '@/uploads'
+import { useLeaveWarning, useUploads } from '@/uploads'
 
 import { type Delivery, openDeliveryQuery, useCloseDelivery, useDelivery, useRecheck, useSaveNote } from './api'
 import classes from './Delivery.module.css'
@@ -18,7 +18,7 @@ import { DeliveryLines } from './DeliveryLines'
 import { DeliverySources } from './DeliverySources'
 import type { DeliveryUploads } from './deliveryUploads'
 import { Refusal } from './Refusal'
-import { type DeliveryRows, isGoing, type LabelOf, rowsOf } from './rows'
+import { type DeliveryRows, isGoing, type LabelOf, receivedRows, rowsOf } from './rows'
 
 interface DeliveryCardProps {
   projectId: string
@@ -47,7 +47,9 @@ export function DeliveryCard({
   const { data: delivery } = useQuery(openDeliveryQuery(projectId))
   const { data: detail } = useDelivery(delivery?.id)
   const recheck = useRecheck(projectId)
-  const rows = rowsOf(sending.uploads, detail, uploads.takeOf, labelOf)
+  useLeaveWarning(sending.uploads)
+  const received = useMemo(() => (detail ? receivedRows(detail) : []), [detail])
+  const rows = rowsOf(sending.uploads, received, uploads.takeOf, labelOf)
   const going = sending.uploads.some(isGoing)
   const empty = rows.open.length + rows.done.length === 0
   const refused = problem ?? recheck.error

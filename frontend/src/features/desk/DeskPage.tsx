@@ -13,7 +13,7 @@ import { moneyQuery } from '@/money/api'
 import { OwedCards } from '@/money/OwedCard'
 import { EmptyState } from '@/ui/EmptyState'
 import { KeysLine } from '@/ui/KeysLine'
-import { filesOfField, type Picked, useLeaveWarning, usePageDrop, useUploads } from '@/uploads'
+import { filesOfField, type Picked, usePageDrop } from '@/uploads'
 
 import { type Desk, deliveryQuery, openDeliveryQuery, unmatchedQuery, useCues, useDesk, useUnmatched } from './api'
 import { CameBackCard } from './CameBackCard'
@@ -108,9 +108,7 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
   const { data: unmatched = [] } = useUnmatched(projectId, desk.unmatched)
   const { data: cues } = useCues(projectId)
   const { data: next } = useQuery(nextStepsQuery(projectId))
-  const { uploads: sending } = useUploads(uploads.queue)
   const [problem, setProblem] = useState<unknown>(null)
-  useLeaveWarning(sending)
 
   const add = useCallback(
     async (picked: readonly Picked[], cueId: string | null = null) => {

@@ -5,7 +5,7 @@ import type { Upload } from '@/uploads'
 
 import { acceptedFiles } from './accepted'
 import type { Desk, DeliveryDetail, Finding, Take } from './api'
-import { labelsOf, rowsOf } from './rows'
+import { labelsOf, receivedRows, rowsOf } from './rows'
 import { deskLine } from './words'
 
 const file = (name: string, size: number) => ({ name, size }) as File
@@ -62,7 +62,7 @@ const detail = (more: Partial<DeliveryDetail>): DeliveryDetail => ({
 const rows = (uploads: Upload[], here?: DeliveryDetail, known: Record<string, Take> = {}) =>
   rowsOf(
     uploads,
-    here,
+    here ? receivedRows(here) : [],
     (id) => known[id],
     () => '',
   )

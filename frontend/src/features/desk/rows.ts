@@ -183,22 +183,22 @@ export interface DeliveryRows {
   done: DeliveryRow[]
 }
 
-/** Everything of a delivery in one list: what the browser sends, then what the server has, the newest first. */
+/** What the server has of a delivery, the newest first. */
+export function receivedRows({ archives, dry_stems, takes }: DeliveryDetail): DeliveryRow[] {
+  const newest = takes.toSorted((a, b) => Date.parse(b.received_at) - Date.parse(a.received_at))
+  const all = [...archives.flatMap(ofArchive), ...dry_stems.map(ofDryStem), ...newest.map(ofTake)]
+  return all.filter(({ state }) => state !== 'unmatched')
+}
+
+/** Everything of a delivery in one list: what the browser sends, then what the server has. */
 export function rowsOf(
   uploads: readonly Upload[],
-  detail: DeliveryDetail | undefined,
+  received: readonly DeliveryRow[],
   takeOf: (uploadId: string) => TakeAdded | undefined,
   labelOf: LabelOf,
 ): DeliveryRows {
   const sent = uploads.flatMap((upload) => ofUpload(upload, labelOf, takeOf(upload.id)) ?? [])
-  const here = detail
-    ? [
-        ...detail.archives.flatMap(ofArchive),
-        ...detail.dry_stems.map(ofDryStem),
-        ...detail.takes.toSorted((a, b) => b.received_at.localeCompare(a.received_at)).map(ofTake),
-      ]
-    : []
-  const all = [...sent, ...here.filter(({ state }) => state !== 'unmatched')]
+  const all = [...sent, ...received]
   return {
     open: all.filter(({ state }) => !DONE.includes(state)),
     done: all.filter(({ state }) => DONE.includes(state)),
