@@ -53,7 +53,7 @@ export const queryKeys = {
 
   // sound lists
   soundList: family<[projectId: string, part?: SoundListPart, ...of: unknown[]]>('sound-list'),
-  categories: family<[projectId: string]>('categories'),
+  categories: family<[projectId: string, nameOfNew?: string]>('categories'),
   comparedRevisions: family<[projectId: string, from: number, to: number]>('revisions'),
   cue: family<[cueId: string]>('cue'),
   kits: family('kits'),
@@ -62,7 +62,9 @@ export const queryKeys = {
 
   // references
   references:
-    family<[projectId: string, part?: 'board' | 'cue' | 'text' | 'versions' | 'openings', of?: string]>('references'),
+    family<[projectId: string, part?: 'board' | 'clip' | 'cue' | 'text' | 'versions' | 'openings', of?: string]>(
+      'references',
+    ),
 
   // hiring
   postings: family<[projectId: string]>('postings'),
@@ -100,6 +102,7 @@ export const queryKeys = {
   batch: family<[batchId: string, ...progress: unknown[]]>('batch'),
   loss: family<[renderId: string]>('loss'),
   peaks: family<[url: string]>('peaks'),
+  otherSounds: family<[projectId: string]>('other-sounds'),
   bands: family<[url: string | null]>('bands'),
   made: family<[kind: string, id: string | undefined, askedAt: number]>('made'),
 

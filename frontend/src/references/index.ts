@@ -1,4 +1,4 @@
-export { boardQuery, type Reference, type ReferenceVersion } from './api'
+export { boardQuery, partOf, type Reference, type ReferenceVersion, useOpenVersion } from './api'
 export { ReferenceDialog } from './ReferenceDialog'
 export { ReferenceStrip } from './ReferenceStrip'
 export { ReferenceTile } from './ReferenceTile'

@@ -1,12 +1,12 @@
 import { useInfiniteQuery, useQuery, useQueryClient } from '@tanstack/react-query'
-import { useParams, useSearch } from '@tanstack/react-router'
+import { Link, useParams, useSearch } from '@tanstack/react-router'
 import { type ReactNode, useCallback, useEffect, useEffectEvent, useMemo, useRef, useState } from 'react'
 
 import { ApiProblem } from '@/api'
 import { meQuery, useMyProject } from '@/api/me'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
-import { boardQuery, type Reference, ReferenceDialog, ReferenceTile } from '@/references'
+import { boardQuery, type Reference, ReferenceDialog, ReferenceTile, titleOf } from '@/references'
 import { Button } from '@/ui/Button'
 import { Count } from '@/ui/Count'
 import { EmptyState } from '@/ui/EmptyState'
@@ -71,6 +71,15 @@ export function ReferencesPage(): ReactNode {
                 <p className={`small dim ${classes.by}`}>
                   {reference.version.number > 1 && `version ${reference.version.number}, `}
                   from {reference.version.added_by.name}
+                  {reference.may_change && reference.version.kind === 'video' && (
+                    <Link
+                      className="link small"
+                      to="/projects/$projectId/references/$referenceId/spotting"
+                      params={{ projectId, referenceId: reference.id }}
+                    >
+                      Spot <span className="visually-hidden">{titleOf(reference)}</span>
+                    </Link>
+                  )}
                   {reference.may_change && (
                     <button type="button" className="link small" onClick={() => setEdited(reference)}>
                       Edit <span className="visually-hidden">{reference.caption || reference.version.file_name}</span>

@@ -11,4 +11,9 @@ export const referenceRoutes = [
     }),
     component: lazyRouteComponent(() => import('./ReferencesPage'), 'ReferencesPage'),
   }),
-]
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/references/$referenceId/spotting',
+    component: lazyRouteComponent(() => import('./spotting/SpottingPage'), 'SpottingPage'),
+  }),
+] as const
