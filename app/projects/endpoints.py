@@ -69,6 +69,7 @@ def project_read(view: overviews.ProjectOverview) -> schemas.ProjectRead:
         created_at=project.created_at,
         archived_at=project.archived_at,
         nda_needed=project.nda_needed,
+        designers_hear=project.designers_hear,
         studio=StudioBrief.model_validate(project.studio),
         approver=PersonBrief.model_validate(view.approver),
         category_approvers=[
@@ -146,6 +147,7 @@ def change_project(
         cue_prefix=body.cue_prefix,
         archived=body.archived,
         nda_needed=body.nda_needed,
+        designers_hear=body.designers_hear,
     )
     return project_read(overviews.overview(session, actor, project_id))
 

@@ -9,7 +9,7 @@ from sqlalchemy.orm import Mapped, mapped_column, relationship
 from app.accounts.models import MailedLink, Person, Studio
 from app.kit import clock
 from app.kit.db import Base, new_id
-from app.projects.rules import EngagementKind
+from app.projects.rules import DesignersHear, EngagementKind
 
 
 class Project(Base):
@@ -26,6 +26,7 @@ class Project(Base):
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     archived_at: Mapped[datetime | None]
     nda_needed: Mapped[bool] = mapped_column(default=False)  # designers see brief, list and spec once they accepted it
+    designers_hear: Mapped[DesignersHear] = mapped_column(default=DesignersHear.APPROVED)  # of other designers' sounds
     studio: Mapped[Studio] = relationship(lazy="raise")
 
     @property

@@ -19,6 +19,19 @@ class EngagementKind(StrEnum):
     IN_HOUSE = "in-house"
 
 
+class DesignersHear(StrEnum):
+    """Which sounds of others the designers of a project may hear."""
+
+    OWN = "own"
+    APPROVED = "approved"
+    WAITING = "waiting"
+
+
+# The choices that open a sound, by whether it is approved or waits for approval.
+OPENS_APPROVED = frozenset({DesignersHear.APPROVED, DesignersHear.WAITING})
+OPENS_WAITING = frozenset({DesignersHear.WAITING})
+
+
 @dataclass(frozen=True)
 class ApprovalScope:
     """The cues of a project that one person approves, by their category."""

@@ -9,7 +9,7 @@ from pydantic import ConfigDict, Field, StringConstraints, model_validator
 from app.accounts.rules import Scope
 from app.accounts.schemas import Email, Line, MaybeLine, PersonBrief, PersonRead, Prose, StudioBrief
 from app.kit.http import LARGEST_NUMBER, Schema
-from app.projects.rules import EngagementKind
+from app.projects.rules import DesignersHear, EngagementKind
 
 CuePrefix = Annotated[str, StringConstraints(strip_whitespace=True, pattern="^[A-Z][A-Z0-9]{0,7}$")]
 Reason = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=500, pattern="^[^\\x00]*$")]
@@ -37,6 +37,7 @@ class ProjectChange(Schema):
     cue_prefix: CuePrefix | None = None
     archived: bool | None = None
     nda_needed: bool | None = None
+    designers_hear: DesignersHear | None = None
 
 
 class EngagementRead(Schema):
@@ -78,6 +79,10 @@ class ProjectRead(Schema):
     created_at: datetime
     archived_at: datetime | None
     nda_needed: bool = Field(description="Designers see brief, list and spec once they accepted an NDA.")
+    designers_hear: DesignersHear = Field(
+        description="Which sounds of other designers a designer may hear: none, approved ones with the palette, "
+        "or also those that wait for approval."
+    )
     studio: StudioBrief
     approver: PersonBrief
     category_approvers: list[CategoryApproverRead] = Field(description="All other categories are the approver's.")

@@ -30,7 +30,7 @@ from app.projects.errors import (
     TeamNeeded,
 )
 from app.projects.models import ApproverChange, Engagement, Liaison, Project, ProjectInvitation, Spec
-from app.projects.rules import ensure_can_approve
+from app.projects.rules import DesignersHear, ensure_can_approve
 from app.projects.specs import add_version, read_spec
 from app.projects.visibility import nda_is_pending
 
@@ -167,6 +167,7 @@ def change_project(
     cue_prefix: str | None = None,
     archived: bool | None = None,
     nda_needed: bool | None = None,
+    designers_hear: DesignersHear | None = None,
 ) -> None:
     """Change a project's name and settings, or archive it; None leaves a value as it is."""
     access = project_access(session, actor, project_id)
@@ -176,6 +177,7 @@ def change_project(
     project.description = project.description if description is None else description
     project.cue_prefix = project.cue_prefix if cue_prefix is None else cue_prefix
     project.nda_needed = project.nda_needed if nda_needed is None else nda_needed
+    project.designers_hear = project.designers_hear if designers_hear is None else designers_hear
     if archived is not None and archived != (project.archived_at is not None):
         project.archived_at = clock.now() if archived else None
     session.flush()

@@ -1,5 +1,6 @@
 """Whether a designer sees a project's work: engaged now, and past its NDA. Every other room asks here."""
 
+from collections.abc import Collection
 from typing import Any
 from uuid import UUID
 
@@ -8,7 +9,7 @@ from sqlalchemy.orm import InstrumentedAttribute
 
 from app.accounts.rules import Actor
 from app.projects.models import Engagement, Project
-from app.projects.rules import EngagementKind
+from app.projects.rules import DesignersHear, EngagementKind
 
 Column = InstrumentedAttribute[UUID] | ColumnElement[Any]
 
@@ -30,8 +31,30 @@ def engaged_with_nda_accepted() -> ColumnElement[bool]:
 
 def visible_work(actor: Actor, *, studio_id: Column, project_id: Column, designer_id: Column) -> ColumnElement[bool]:
     """Admit work of the caller's studios, and the caller's own in projects that show it to them."""
-    shown = exists().where(
+    own = and_(designer_id == actor.person_id, _shows_list(actor, project_id))
+    return or_(_of_studios(actor, studio_id), own)
+
+
+def visible_list(actor: Actor, *, studio_id: Column, project_id: Column) -> ColumnElement[bool]:
+    """Admit what everybody in a project sees, such as its cues, in all projects that show it to the caller."""
+    return or_(_of_studios(actor, studio_id), _shows_list(actor, project_id))
+
+
+def _of_studios(actor: Actor, studio_id: Column) -> ColumnElement[bool]:
+    return studio_id.in_([studio for studio, roles in actor.roles.items() if roles])
+
+
+def _shows_list(actor: Actor, project_id: Column) -> ColumnElement[bool]:
+    return exists().where(
         Engagement.project_id == project_id, Engagement.designer_id == actor.person_id, engaged_with_nda_accepted()
     )
-    studios = [studio for studio, roles in actor.roles.items() if roles]
-    return or_(studio_id.in_(studios), and_(designer_id == actor.person_id, shown))
+
+
+def project_opens(actor: Actor, project_id: Column, choices: Collection[DesignersHear]) -> ColumnElement[bool]:
+    """Admit projects on which the caller is engaged, past the NDA, and whose designers hear one of these choices."""
+    return exists().where(
+        Engagement.project_id == project_id,
+        Engagement.designer_id == actor.person_id,
+        engaged_with_nda_accepted(),
+        Project.designers_hear.in_(choices),
+    )

@@ -11,8 +11,8 @@ from app.kit.blob_response import blob_response
 from app.kit.http import CurrentRuntime, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
 from app.kit.storage import BlobMissing
 from app.money.errors import DownloadUnpaid
-from app.projects.errors import ProjectNotFound, TeamNeeded
-from app.renders import batches, master_exports, reels, service
+from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
+from app.renders import batches, master_exports, other_sounds, reels, service
 from app.renders.errors import (
     BatchEnded,
     BatchNotFound,
@@ -38,6 +38,7 @@ from app.renders.schemas import (
     BatchSummary,
     LossRead,
     MasterExportRead,
+    OtherSound,
     PeaksRead,
     ReelAdd,
     ReelRead,
@@ -47,6 +48,7 @@ from app.sound_lists.errors import CueNotFound
 
 router = Router(prefix="/v1", tags=["renders"], route_class=Route)
 MAY_SEE: Actor = allows(Audience.PROJECT)
+DESIGNER: Actor = allows(Audience.DESIGNER)
 TEAM: Actor = allows(Audience.TEAM)
 PAGE = 50
 
@@ -55,6 +57,21 @@ PAGE = 50
 def get_take_sounds(take_id: UUID, session: DbSession, actor: Actor = MAY_SEE) -> TakeSoundsRead:
     """Return a take's master and its game files at the current spec, with what is needed to show and play them."""
     return service.take_sounds(session, actor, take_id)
+
+
+@router.get(
+    "/projects/{project_id}/other-sounds",
+    response_model=Page[OtherSound],
+    responses=problems(ProjectNotFound, DesignerNeeded),
+)
+def list_other_sounds(
+    project_id: UUID, session: DbSession, palette: bool = False, cursor: str | None = None, actor: Actor = DESIGNER
+) -> Page[OtherSound]:
+    """Return the sounds of other designers that the project lets its designers hear, the newest first."""
+    found = other_sounds.sounds_of_others(
+        session, actor, project_id, palette=palette, before=uuid_cursor(cursor), limit=PAGE + 1
+    )
+    return Page(items=found[:PAGE], next=cursor_of(found[PAGE - 1].id) if len(found) > PAGE else None)
 
 
 @router.get(

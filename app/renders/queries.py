@@ -17,6 +17,7 @@ from app.kit.in_array import in_array
 from app.projects.models import Spec
 from app.projects.visibility import visible_work
 from app.renders.models import Batch, BatchItem, MasterExport, Picture, Reel, Render, Timbre
+from app.renders.other_sound_queries import opened_takes
 from app.renders.rules import OPEN_BATCHES, RENDERED_STATES, BatchState, ItemState, Recipe, RenderState, recipes
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
@@ -152,7 +153,7 @@ def _in_reach(actor: Actor) -> ColumnElement[bool]:
 
 
 def visible_picture(session: Session, actor: Actor, picture_id: UUID) -> Picture | None:
-    """Return a picture when it shows the master, a render or a fix of a take that the caller sees."""
+    """Return a picture that shows a take that the caller sees (master, render, fix), or a master that they may hear."""
     of_master = exists().where(
         Take.studio_id == Picture.studio_id, Take.master_sha256 == Picture.sound_sha256, _in_reach(actor)
     )
@@ -168,7 +169,11 @@ def visible_picture(session: Session, actor: Actor, picture_id: UUID) -> Picture
         Fix.take_id == Take.id,
         _in_reach(actor),
     )
-    return session.scalar(select(Picture).where(Picture.id == picture_id, or_(of_master, of_render, of_fix)))
+    of_another = exists().where(
+        Take.studio_id == Picture.studio_id, Take.master_sha256 == Picture.sound_sha256, opened_takes(actor)
+    )
+    seen = or_(of_master, of_render, of_fix, of_another)
+    return session.scalar(select(Picture).where(Picture.id == picture_id, seen))
 
 
 def visible_render(session: Session, actor: Actor, render_id: UUID) -> tuple[Render, Take] | None:

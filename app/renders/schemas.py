@@ -6,6 +6,7 @@ from uuid import UUID
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from app.deliveries.schemas import CueBrief
 from app.kit.http import Schema
 from app.renders.rules import BatchState, RenderState
 
@@ -57,6 +58,18 @@ class MasterSoundRead(SoundBrief):
     state: Literal["drawn", "drawing", "undrawable"]
     facts: dict[str, Any]
     file_bytes: int
+
+
+class OtherSound(SoundBrief):
+    """A sound of another designer that the project lets its designers hear."""
+
+    id: UUID
+    cue: CueBrief
+    category: str
+    variation: int
+    variations: int
+    is_palette: bool
+    is_approved: bool = Field(description="False while it waits for approval.")
 
 
 class RenderSoundRead(SoundBrief):

@@ -86,6 +86,7 @@ export const queryKeys = {
 
   // deliveries
   deliveries: family<[projectId: string]>('deliveries'),
+  deliveryList: family<[projectId: string]>('delivery-list'),
   delivery: family<[deliveryId: string]>('delivery'),
   deliveryFit: family<[deliveryId: string]>('delivery-fit'),
   unmatched: family<[projectId: string, count?: number]>('unmatched'),

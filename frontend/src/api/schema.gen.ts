@@ -4811,6 +4811,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/other-sounds": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Other Sounds
+         * @description Return the sounds of other designers that the project lets its designers hear, the newest first.
+         */
+        get: operations["list_other_sounds"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/sounds/{picture_id}/preview": {
         parameters: {
             query?: never;
@@ -12681,6 +12701,12 @@ export interface components {
             weeks: components["schemas"]["WeekHours"][];
         };
         /**
+         * DesignersHear
+         * @description Which sounds of others the designers of a project may hear.
+         * @enum {string}
+         */
+        DesignersHear: "own" | "approved" | "waiting";
+        /**
          * Desk
          * @description A designer's work in one project; of its lists the first page each, and the cursor of the following one.
          */
@@ -16672,6 +16698,42 @@ export interface components {
             due_on: string | null;
         };
         /**
+         * OtherSound
+         * @description A sound of another designer that the project lets its designers hear.
+         */
+        OtherSound: {
+            /** Picture Id */
+            picture_id: string | null;
+            /** Duration S */
+            duration_s: number | null;
+            thumb: components["schemas"]["ThumbRead"] | null;
+            /** Preview Url */
+            preview_url: string | null;
+            /** Peaks Url */
+            peaks_url: string | null;
+            /** Spectrum Url */
+            spectrum_url: string | null;
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            cue: components["schemas"]["CueBrief"];
+            /** Category */
+            category: string;
+            /** Variation */
+            variation: number;
+            /** Variations */
+            variations: number;
+            /** Is Palette */
+            is_palette: boolean;
+            /**
+             * Is Approved
+             * @description False while it waits for approval.
+             */
+            is_approved: boolean;
+        };
+        /**
          * OutboxRead
          * @description The studio's mails, and whether a server takes them.
          */
@@ -16976,6 +17038,13 @@ export interface components {
         Page_JobRead_: {
             /** Items */
             items: components["schemas"]["JobRead"][];
+            /** Next */
+            next?: string | null;
+        };
+        /** Page[OtherSound] */
+        Page_OtherSound_: {
+            /** Items */
+            items: components["schemas"]["OtherSound"][];
             /** Next */
             next?: string | null;
         };
@@ -18403,6 +18472,7 @@ export interface components {
             archived?: boolean | null;
             /** Nda Needed */
             nda_needed?: boolean | null;
+            designers_hear?: components["schemas"]["DesignersHear"] | null;
         };
         /**
          * ProjectCreditsRead
@@ -18481,6 +18551,8 @@ export interface components {
              * @description Designers see brief, list and spec once they accepted an NDA.
              */
             nda_needed: boolean;
+            /** @description Which sounds of other designers a designer may hear: none, approved ones with the palette, or also those that wait for approval. */
+            designers_hear: components["schemas"]["DesignersHear"];
             studio: components["schemas"]["StudioBrief"];
             approver: components["schemas"]["PersonBrief"];
             /**
@@ -38257,6 +38329,58 @@ export interface operations {
                 };
             };
             /** @description `take-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_other_sounds: {
+        parameters: {
+            query?: {
+                palette?: boolean;
+                cursor?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_OtherSound_"];
+                };
+            };
+            /** @description `designer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;

@@ -141,6 +141,7 @@ export const aProject = (part: Part = 'producer', more: Record<string, unknown> 
   cue_prefix: 'SW',
   created_at: '2026-11-01T10:00:00Z',
   archived_at: null,
+  designers_hear: 'approved',
   studio: { id: 's1', name: 'Shield Wing studio' },
   approver: WHO.approver,
   category_approvers: [],

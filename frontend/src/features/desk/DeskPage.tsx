@@ -20,6 +20,7 @@ import { CameBackCard } from './CameBackCard'
 import { DeliveryCard } from './DeliveryCard'
 import { type DeliveryUploads, uploadsOf } from './deliveryUploads'
 import classes from './Desk.module.css'
+import { OtherSoundsCard } from './OtherSoundsCard'
 import { useCameBack, useToMake } from './pages'
 import { Refusal } from './Refusal'
 import { labelsOf } from './rows'
@@ -185,6 +186,7 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
           />
           <WithApproverCard projectId={projectId} desk={desk} />
           <FixesCard projectId={projectId} />
+          <OtherSoundsCard projectId={projectId} player={[player, playing]} />
           <AwaitedCard awaited={next?.awaited ?? []} projectId={projectId} />
           <AskedCard
             projectId={projectId}

@@ -773,3 +773,42 @@ test('whom no project engaged is told how it begins', async () => {
     await screen.findByRole('heading', { name: 'You are not a sound designer in any project yet.' }),
   ).toBeInTheDocument()
 })
+
+describe('sounds by other designers', () => {
+  const SOUND = {
+    id: 't77',
+    cue: STING,
+    category: 'music',
+    variation: 2,
+    variations: 3,
+    is_palette: true,
+    is_approved: true,
+    picture_id: 's77',
+    duration_s: 3.02,
+    thumb: null,
+    preview_url: '/v1/sounds/s77/preview',
+    peaks_url: null,
+    spectrum_url: null,
+  }
+  const ASK = 'GET /v1/projects/p1/other-sounds'
+
+  test('are read once asked for, and named by their cue', async () => {
+    const { asked } = serve(answers({ [ASK]: { items: [SOUND], next: null } }))
+    openApp('/desk')
+    const card = await screen.findByRole('region', { name: 'Sounds by other designers' })
+    expect(asked.some(({ path }) => path.endsWith('/other-sounds'))).toBe(false)
+    await userEvent.click(within(card).getByRole('button', { name: 'Show' }))
+    const list = await within(card).findByRole('list', { name: 'Sounds by other designers' })
+    expect(within(list).getByRole('button', { name: 'Play victory_sting, variation 2' })).toBeEnabled()
+    expect(within(list).getByText('music, palette')).toBeVisible()
+    expect(within(list).getByText('Approved')).toBeVisible()
+  })
+
+  test('none: who decides is said', async () => {
+    serve(answers({ [ASK]: { items: [], next: null } }))
+    openApp('/desk')
+    const card = await screen.findByRole('region', { name: 'Sounds by other designers' })
+    await userEvent.click(within(card).getByRole('button', { name: 'Show' }))
+    expect(await within(card).findByText(/The studio decides which sounds/)).toBeVisible()
+  })
+})

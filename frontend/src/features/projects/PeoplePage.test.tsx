@@ -215,3 +215,34 @@ describe('people', () => {
     expect(alert).toHaveTextContent('This audio lead is the project’s approver. Name another approver first.')
   })
 })
+
+describe('what designers hear of each other', () => {
+  const LABEL = 'Approved sounds and those in review'
+
+  test('a producer chooses, and takes it back by Undo', async () => {
+    const { asked } = serve({
+      ...inProject(),
+      'PATCH /v1/projects/p1': ({ body }) => aProject('producer', body as object),
+    })
+    openApp('/projects/p1/people')
+    const group = await screen.findByRole('radiogroup', { name: 'Designers can play' })
+    expect(within(group).getByRole('radio', { name: 'Approved sounds and the palette' })).toBeChecked()
+    await userEvent.click(within(group).getByRole('radio', { name: LABEL }))
+    await waitFor(() => expect(within(group).getByRole('radio', { name: LABEL })).toBeChecked())
+    await userEvent.click(await screen.findByRole('button', { name: /Undo/ }))
+    await waitFor(() =>
+      expect(wrote(asked, 'PATCH /v1/projects/p1').map(({ body }) => body)).toEqual([
+        { designers_hear: 'waiting' },
+        { designers_hear: 'approved' },
+      ]),
+    )
+  })
+
+  test('others of the team read it', async () => {
+    serve({ ...inProject('reviewer') })
+    openApp('/projects/p1/people')
+    const card = await screen.findByRole('region', { name: 'What designers hear of each other' })
+    expect(within(card).getByText('Approved sounds and the palette')).toBeVisible()
+    expect(within(card).queryByRole('radio')).toBeNull()
+  })
+})

@@ -9,6 +9,7 @@ import { ApproverCard } from './people/ApproverCard'
 import { CategoriesCard } from './people/CategoriesCard'
 import { DeputiesCard } from './people/DeputiesCard'
 import { DesignersCard } from './people/DesignersCard'
+import { HearingCard } from './people/HearingCard'
 import { TeamCard } from './people/TeamCard'
 import classes from './Project.module.css'
 import { Refusal } from './Refusal'
@@ -50,6 +51,7 @@ export function PeoplePage() {
           <div className="stack">
             <ApproverCard project={project} members={members} />
             <DeputiesCard project={project} members={members} />
+            <HearingCard project={project} />
           </div>
         </div>
       )}

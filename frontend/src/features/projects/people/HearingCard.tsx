@@ -1,0 +1,66 @@
+import { Radio, Stack } from '@mantine/core'
+
+import { showToast } from '@/app/toast'
+import { Card, CardHead } from '@/ui/Card'
+
+import { type Project, useChangeProject } from '../api'
+import { Refusal } from '../Refusal'
+import classes from './People.module.css'
+
+type Choice = Project['designers_hear']
+
+const CHOICES: readonly { value: Choice; label: string; says: string }[] = [
+  { value: 'own', label: 'Only their own sounds', says: 'Designers hear nothing of each other.' },
+  {
+    value: 'approved',
+    label: 'Approved sounds and the palette',
+    says: 'Designers can play the approved sounds of the project, to match them.',
+  },
+  {
+    value: 'waiting',
+    label: 'Approved sounds and those in review',
+    says: 'Designers can also play what waits for approval.',
+  },
+]
+
+/** What one designer may hear of another's sounds. */
+export function HearingCard({ project }: { project: Project }) {
+  const change = useChangeProject(project.id)
+  const before = project.designers_hear
+  const choose = (choice: Choice) =>
+    change.mutate(
+      { designers_hear: choice },
+      {
+        onSuccess: () =>
+          showToast(`Designers hear: ${labelOf(choice)}.`, () => change.mutate({ designers_hear: before })),
+      },
+    )
+  return (
+    <Card aria-labelledby="hearing">
+      <CardHead id="hearing" title="What designers hear of each other" />
+      <p className={`small mid ${classes.says}`}>
+        They only play these sounds, and do not see who made them. Masters, game files, findings, comments and sounds
+        that came back stay between the studio and their designer.
+      </p>
+      <Refusal error={change.error} />
+      {project.mine.is_producer ? (
+        <Radio.Group
+          className={classes.acts}
+          label="Designers can play"
+          value={before}
+          onChange={(value) => choose(value)}
+        >
+          <Stack gap="sm">
+            {CHOICES.map(({ value, label, says }) => (
+              <Radio key={value} value={value} label={label} description={says} disabled={change.isPending} />
+            ))}
+          </Stack>
+        </Radio.Group>
+      ) : (
+        <p className={classes.acts}>{labelOf(before)}</p>
+      )}
+    </Card>
+  )
+}
+
+const labelOf = (choice: Choice): string => CHOICES.find(({ value }) => value === choice)?.label ?? choice

@@ -1,0 +1,67 @@
+"""What one designer hears of another's: the pictures of what the project opens, by every route, and nothing else."""
+
+import pytest
+
+from app.deliveries.models import Take
+from app.deliveries.rules import TakeState
+from app.projects.models import Project
+from app.projects.rules import DesignersHear
+from tests.house.objects import House
+from tests.house.routes import Operation, ask, operations
+from tests.house.test_policies import ONE_DESIGNERS
+from tests.support.server import RunningServer
+
+HEARD = ("get_preview", "get_peaks", "get_spectrum")
+OF_ANOTHER = [one for one in operations() if set(one.parameters) & ONE_DESIGNERS and one.method == "GET"]
+
+
+@pytest.fixture(scope="module")
+def house(server: RunningServer) -> House:
+    return House(server)
+
+
+def stand(house: House, choice: DesignersHear, state: TakeState) -> None:
+    """Set what designers hear, and where the takes of the house stand."""
+
+    def write(session) -> None:
+        session.get_one(Project, house.project_id).designers_hear = choice
+        session.get_one(Take, house.ids["take_id"]).state = state
+
+    house.server.in_database(write)
+
+
+def test_the_routes_that_serve_sound_are_among_those_asked() -> None:
+    asked = {one.name for one in OF_ANOTHER}
+    sound = {"get_render_file", "get_reel", "get_reel_file", "download_master", "download_dry_stem", "get_master_export_file"}
+    assert asked >= {*HEARD, *sound, "get_take_sounds", "see_take", "see_delivery"}
+
+
+@pytest.mark.both_databases
+@pytest.mark.parametrize("choice", DesignersHear)
+@pytest.mark.parametrize("operation", [pytest.param(one, id=one.name) for one in OF_ANOTHER])
+def test_a_route_shows_an_approved_sound_of_another_only_as_what_is_heard(
+    house: House, operation: Operation, choice: DesignersHear
+) -> None:
+    stand(house, choice, TakeState.APPROVED)
+    opened = operation.name in HEARD and choice is not DesignersHear.OWN
+    assert ask(house.rival, house, operation).status_code == (200 if opened else 404)
+    assert ask(house.other_designer, house, operation).status_code == 404  # engaged on nothing here
+    assert ask(house.stranger, house, operation).status_code == 404
+
+
+@pytest.mark.both_databases
+@pytest.mark.parametrize("choice", DesignersHear)
+@pytest.mark.parametrize("state", TakeState)
+def test_which_states_are_heard(house: House, state: TakeState, choice: DesignersHear) -> None:
+    stand(house, choice, state)
+    opened = {
+        DesignersHear.OWN: set(),
+        DesignersHear.APPROVED: {TakeState.APPROVED},
+        DesignersHear.WAITING: {TakeState.APPROVED, TakeState.CONFORMING},
+    }[choice]
+    status = 200 if state in opened else 404
+    for name in HEARD:
+        (operation,) = (one for one in operations() if one.name == name)
+        assert ask(house.rival, house, operation).status_code == status
+    listed = house.rival.get(f"/v1/projects/{house.project_id}/other-sounds").json()["items"]
+    assert [one["id"] for one in listed] == ([str(house.ids["take_id"])] if state in opened else [])
