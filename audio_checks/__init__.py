@@ -48,7 +48,9 @@ if TYPE_CHECKING:
     from audio_checks.middleware.project import read_project, read_project_texts
     from audio_checks.middleware.values import Part, PlayedSound, Project
     from audio_checks.placeholders.make import Placeholder, make_placeholder, make_placeholders
+    from audio_checks.placeholders.recorded import tidy_recording
     from audio_checks.placeholders.speech import synthesize_speech
+    from audio_checks.render.kept_coded import keep_coded
     from audio_checks.render.key import render_key
     from audio_checks.render.preview import average_spectrum, excitation, is_preview, preview, spectrogram, wave_shapes
     from audio_checks.render.provenance import Exported, Provenance, export_master
@@ -61,7 +63,7 @@ if TYPE_CHECKING:
     from audio_checks.run.rehearsal import rehearse_check, write_rehearsal_sound
     from audio_checks.run.runner import check_file, check_files, is_placeholder, measure_file
     from audio_checks.run.sets import offset_from_set_lu, set_findings
-    from audio_checks.spec.codings import CODINGS, LOSSY_ENCODINGS, Coding
+    from audio_checks.spec.codings import CODINGS, LOSSY_ENCODINGS, Coding, ending_of, is_lossy
     from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec, Target, load_spec, new_spec, parse_spec
     from audio_checks.spec.sound_list import (
         SoundList,
@@ -145,6 +147,7 @@ __all__ = [
     "compare_reverb_with_dry",
     "confinement_gaps",
     "dry_stem_name",
+    "ending_of",
     "ensure_declared",
     "excitation",
     "export_master",
@@ -153,8 +156,10 @@ __all__ = [
     "fix_master",
     "fix_offer",
     "folded_stem",
+    "is_lossy",
     "is_placeholder",
     "is_preview",
+    "keep_coded",
     "load_spec",
     "make_placeholder",
     "make_placeholders",
@@ -185,6 +190,7 @@ __all__ = [
     "stem_of_file",
     "stems_of",
     "synthesize_speech",
+    "tidy_recording",
     "true_peak_dbtp",
     "wave_shapes",
     "with_plays",
@@ -230,9 +236,11 @@ _HOMES = {
     "audio_checks.fixing.offers": ("Offer", "fix_in_words", "fix_offer"),
     "audio_checks.fixing.spots": ("Spot", "repair_spots"),
     "audio_checks.placeholders.make": ("Placeholder", "make_placeholder", "make_placeholders"),
+    "audio_checks.placeholders.recorded": ("tidy_recording",),
     "audio_checks.placeholders.speech": ("synthesize_speech",),
     "audio_checks.render.provenance": ("Exported", "Provenance", "export_master"),
     "audio_checks.run.rehearsal": ("rehearse_check", "write_rehearsal_sound"),
+    "audio_checks.render.kept_coded": ("keep_coded",),
     "audio_checks.render.key": ("render_key",),
     "audio_checks.render.preview": (
         "average_spectrum",
@@ -260,7 +268,7 @@ _HOMES = {
         "stems_of",
         "write_sound_list",
     ),
-    "audio_checks.spec.codings": ("CODINGS", "LOSSY_ENCODINGS", "Coding"),
+    "audio_checks.spec.codings": ("CODINGS", "LOSSY_ENCODINGS", "Coding", "ending_of", "is_lossy"),
     "audio_checks.spec.delivery_spec": ("CueFacts", "DeliverySpec", "Target", "load_spec", "new_spec", "parse_spec"),
     "audio_checks.spec.target_presets": ("TARGET_PRESETS", "TargetPreset"),
     "audio_checks.system.text_files": ("read_toml",),

@@ -32,13 +32,13 @@ from app.projects.service import ProjectAccess, project_access
 from app.renders.errors import TargetUnknown
 from app.renders.models import Render
 from app.renders.queries import current_renders, parsed_spec
-from app.renders.rules import RenderState
+from app.renders.rules import RenderState, game_ending
 from app.reviews.queries import accepted_takes
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import label
 from app.voice_lines.queries import languages_by_cue
 from app.voice_lines.rules import game_path
-from audio_checks import LOSSY_ENCODINGS, Target
+from audio_checks import Target, is_lossy
 
 KEY_CSV, KEY_XLSX, KEY_PDF = (f"documentation-key.{ending}" for ending in ("csv", "xlsx", "pdf"))
 SUMS = "SHA256SUMS"
@@ -160,12 +160,14 @@ def pack_of(session: Session, project: Project, target: str | None, actor: Actor
     sounds = []
     for cue, variation, take in accepted:
         if cue.category not in categories:
-            own = view.for_category(cue.category or None)
-            categories[cue.category] = own.targets[chosen].ending(own.naming.extension), own.targets[chosen]
+            asked = view.for_category(cue.category or None)
+            categories[cue.category] = asked.targets[chosen].ending(asked.naming.extension), asked.targets[chosen]
         ending, made_to = categories[cue.category]
         language = languages.get(cue.id)
-        path = game_path(language, made_to.path_of(stems[cue.id, variation] + ending, cue.category))
-        render, before = renders[take.id].get(chosen), last_renders.get(path)
+        render = renders[take.id].get(chosen)
+        own = game_ending(render.facts if render else {}, made_to, ending)
+        path = game_path(language, made_to.path_of(stems[cue.id, variation] + own, cue.category))
+        before = last_renders.get(path)
         if before and render and render.state is RenderState.MADE and mark_of(before) == mark_of(render):
             render = before
         reason = closed.get((cue.id, take.designer_id))
@@ -282,7 +284,7 @@ def _key_row(pack: Pack, sound: PackedSound, *, masters: bool) -> KeyRow:
         loop="yes" if cue.loop else "no",
         duration_s=facts.get("duration_s"),
         sample_rate_hz=facts.get("sample_rate_hz"),
-        bit_depth=None if facts.get("encoding") in LOSSY_ENCODINGS else facts.get("bit_depth"),
+        bit_depth=None if is_lossy(facts.get("encoding", "")) else facts.get("bit_depth"),
         channels=facts.get("channels"),
         attenuation_db=render.attenuation_db if render else None,
         version=take.number,

@@ -3,6 +3,7 @@
 import argparse
 import hashlib
 import os
+import zipfile
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -14,6 +15,7 @@ from app.client.headers import HEAD_BYTES, format_of
 from app.client.server import Server
 from app.client.settings import read_source
 from app.client.terminal import Progress, say, shown
+from app.client.zipped import unpacked
 
 SOUNDS = frozenset(
     {".wav", ".wave", ".bwf", ".flac", ".aif", ".aiff", ".aifc", ".caf", ".w64"}
@@ -26,13 +28,20 @@ BLOCK_BYTES = 1 << 20
 
 
 def adopt(options: argparse.Namespace) -> int:
-    """Send a folder, or say with `--dry-run` what would become of it; return the exit code."""
-    root: Path = options.folder
-    if not root.is_dir():
-        raise Refusal(f"{root} is no folder; name the one that holds the game's sounds")
-    root = root.resolve()
+    """Send a folder or a ZIP, or say with `--dry-run` what would become of it; return the exit code."""
+    named: Path = options.folder
+    if named.is_dir():
+        return _adopt(named.resolve(), named.resolve(), options)
+    if not zipfile.is_zipfile(named):
+        raise Refusal(f"{named} is no folder and no ZIP; name the one that holds the game's sounds")
+    with unpacked(named, SOUNDS, MAX_FILES) as root:
+        return _adopt(root, named.resolve().parent, options)
+
+
+def _adopt(root: Path, settings: Path, options: argparse.Namespace) -> int:
+    """Send what a folder holds, by the settings that are in another one or above it."""
     source = read_source(
-        root, None, server=options.server, project=options.project, target=None, allow_http=options.allow_http
+        settings, None, server=options.server, project=options.project, target=None, allow_http=options.allow_http
     )
     files = {path: root / path for path in _sounds(root)}
     if not files:

@@ -77,7 +77,7 @@ def parser() -> argparse.ArgumentParser:
         allow_abbrev=False,
     )
     adopting.set_defaults(run=adopt, target=None)
-    adopting.add_argument("folder", type=Path, help="the folder of the game's sounds")
+    adopting.add_argument("folder", type=Path, help="the folder, or a ZIP, of the game's sounds")
     adopting.add_argument("--server", metavar="URL", help="the server; else as soundlist.toml says")
     adopting.add_argument("--project", metavar="ID", help="the project; else as soundlist.toml says")
     adopting.add_argument(

@@ -94,7 +94,14 @@ def _tried(
         try:
             path = workspace.master(order.studio_id, order.master_sha256)
             report = child.call(
-                audio_checks.check_file, path, order.spec, cue=order.cue, name=order.name, all_figures=True, dry=dry
+                audio_checks.check_file,
+                path,
+                order.spec,
+                cue=order.cue,
+                name=order.name,
+                all_figures=True,
+                dry=dry,
+                shipped=order.shipped,
             )
         except (audio_checks.SandboxFailed, BlobAltered, BlobMissing) as error:
             why = str(error)

@@ -51,12 +51,16 @@ def run_key(
     cue: audio_checks.CueFacts | None,
     name: str,
     stem_sha256: str | None = None,
+    *,
+    shipped: bool = False,
 ) -> str:
     """Return the key of a check run: two runs with one key have the same result."""
     facts = None if cue is None else {k: v for k, v in dataclasses.asdict(cue).items() if k != "more"}
     said = [master_sha256, asked_of(spec), spec.category, facts, name, audio_checks.TOOL_VERSION]
     if stem_sha256 is not None:
         said.append(stem_sha256)
+    if shipped:
+        said.append("shipped")
     return hashlib.sha256(json.dumps(said, sort_keys=True).encode()).hexdigest()
 
 

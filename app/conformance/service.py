@@ -81,6 +81,7 @@ class CheckOrder:
     cue: audio_checks.CueFacts | None
     before: TakeBefore | None
     stem: ComparedStem | None
+    shipped: bool  # adopted as the game ships it, so that a codec may keep it
     key: str
 
 
@@ -91,6 +92,7 @@ def order_check(session: Session, found: ToCheck) -> CheckOrder:
     resolved = resolved_spec(spec, take)
     name = name_checked(take, stem_named)
     stem = deliveries.dry_stem_of(session, take) if has_dry_stems else None
+    shipped = take.state is TakeState.APPROVED
     return CheckOrder(
         take_id=take.id,
         delivery_id=take.delivery_id,
@@ -104,7 +106,8 @@ def order_check(session: Session, found: ToCheck) -> CheckOrder:
         cue=cue,
         before=_before(session, take),
         stem=ComparedStem(shown_name(base_name(stem.file_name)), stem.sha256, stem.file_bytes) if stem else None,
-        key=run_key(take.master_sha256, resolved, cue, name, stem.sha256 if stem else None),
+        shipped=shipped,
+        key=run_key(take.master_sha256, resolved, cue, name, stem.sha256 if stem else None, shipped=shipped),
     )
 
 

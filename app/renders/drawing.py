@@ -23,7 +23,10 @@ from audio_checks import (
     Target,
     Unreadable,
     average_spectrum,
+    ending_of,
+    is_lossy,
     is_preview,
+    keep_coded,
     preview,
     rehearse_check,
     render_master,
@@ -107,9 +110,9 @@ def prepare(
     return found
 
 
-def game_file(target: Target) -> str:
-    """Return what a target's file is called in its folder; a codec's is read by its ending."""
-    return f"render{target.ending()}"
+def game_file(encoding: str) -> str:
+    """Return what a game file of an encoding is called in its folder; a codec's is read by its ending."""
+    return f"render{ending_of(encoding)}"
 
 
 def places(folder: str, targets: Iterable[str]) -> dict[str, Path]:
@@ -192,10 +195,15 @@ def _is_playable(path: str) -> bool:
 
 def _rendered(path: str, folder: Path, recipe: dict[str, Any], known: _Known) -> Made:
     """Make a game file and draw it; return what was made, and its drawing."""
-    out = folder / game_file(recipe["target"])
-    with AudioFile(path) as file:
-        master_rate_hz = file.facts.sample_rate_hz
-    rendered = render_master(path, out_path=out, **recipe, durable=False)  # the store syncs its copy
+    with AudioFile(path, coded=True) as file:
+        facts = file.facts
+    master_rate_hz = facts.sample_rate_hz
+    if is_lossy(facts.encoding):
+        out = folder / game_file(facts.encoding)
+        rendered = keep_coded(path, recipe["target"], out, loop=recipe["loop"])
+    else:
+        out = folder / game_file(recipe["target"].encoding)
+        rendered = render_master(path, out_path=out, **recipe, durable=False)  # the store syncs its copy
     own = _Known()
     if rendered.loss is not None and rendered.sample_rate_hz == master_rate_hz:
         spectra = rendered.loss.spectra

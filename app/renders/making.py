@@ -58,8 +58,9 @@ def make_missing(
             render.refusal = _refusal(order, target, outcome)
             renders.append((render, None))
             continue
-        files[target] = blob = runtime.store.put_file(studio_id, place / drawing.game_file(recipe.target))
         made = cast(drawing.Made, outcome)
+        name = drawing.game_file(made["rendered"].encoding)
+        files[target] = blob = runtime.store.put_file(studio_id, place / name)
         _describe(render, blob, made["rendered"].to_dict())
         spectra[target] = spectrum = runtime.store.put_file(studio_id, place / drawing.SPECTRUM)
         drawn = stored_picture(runtime, studio_id, blob.sha256, place, made["drawing"], spectrum=spectrum)

@@ -4,8 +4,9 @@ from collections.abc import Mapping
 from enum import StrEnum
 from typing import Any, NamedTuple
 
+import audio_checks
 from app.deliveries.rules import TakeState
-from audio_checks import CODINGS, DeliverySpec, Target, render_key
+from audio_checks import DeliverySpec, Target, render_key
 
 RENDERED_STATES = frozenset({TakeState.CONFORMING, TakeState.APPROVED, TakeState.SET_ASIDE})  # may still ship
 
@@ -39,19 +40,31 @@ class ItemState(StrEnum):
     LEFT = "left"  # its take may not ship any more, or is checked again first
 
 
-MEDIA_TYPES = ("audio/wav", "audio/ogg", "audio/flac")  # of game files
+OF_ENDING = {
+    ".wav": "audio/wav",
+    ".ogg": "audio/ogg",
+    ".opus": "audio/ogg",
+    ".flac": "audio/flac",
+    ".mp3": "audio/mpeg",
+}
+MEDIA_TYPES = tuple(dict.fromkeys(OF_ENDING.values()))  # of game files
 
 
 def ending_of(facts: Mapping[str, Any]) -> str:
     """Return what the name of a game file ends in, by the facts of its render."""
-    coding = CODINGS.get(facts.get("encoding", ""))
-    return coding.ending if coding else ".wav"
+    return audio_checks.ending_of(facts.get("encoding", ""))
+
+
+def game_ending(facts: Mapping[str, Any], made_to: Target, usual: str) -> str:
+    """Return what a game file's name ends in: the usual ending of its target, or its own where it is kept coded."""
+    encoding = facts.get("encoding", "")
+    is_kept = audio_checks.is_lossy(encoding) and encoding != made_to.encoding
+    return ending_of(facts) if is_kept else usual
 
 
 def media_type_of(facts: Mapping[str, Any]) -> str:
     """Return the media type of a game file, by the facts of its render."""
-    coding = CODINGS.get(facts.get("encoding", ""))
-    return f"audio/{coding.container}" if coding else "audio/wav"
+    return OF_ENDING[ending_of(facts)]
 
 
 class Recipe(NamedTuple):

@@ -83,7 +83,7 @@ def open_sound(
     flac : bool
         Whether FLAC is read.
     coded : bool
-        Whether Ogg Vorbis, Opus and MP3 are decoded, under names that end so.
+        Whether Ogg Vorbis, Opus and MP3 are decoded, under names that end so, or none; see `flac`.
 
     Raises
     ------
@@ -127,7 +127,8 @@ def _open_coded(path: str | os.PathLike[str], original: FileIO) -> OpenSound:
 
 
 def _may_be_coded(path: str | os.PathLike[str], name: str | None) -> bool:
-    return PurePath(os.fspath(path) if name is None else name).suffix.lower() in CODED_ENDINGS
+    ending = PurePath(os.fspath(path) if name is None else name).suffix.lower()
+    return ending in CODED_ENDINGS or (name is None and not ending)
 
 
 def _may_be_flac(path: str | os.PathLike[str], name: str | None) -> bool:

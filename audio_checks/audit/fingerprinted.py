@@ -12,7 +12,7 @@ from functools import cache
 
 from audio_checks import wav
 from audio_checks.audio.audio_file import AudioFile
-from audio_checks.audio.coded import comments_in
+from audio_checks.audio.coded import comments_in, whole_frames
 from audio_checks.audio.sandbox import Sandbox, is_inside
 from audio_checks.audit.fingerprint import FINGERPRINTED_S, fingerprint
 from audio_checks.audit.plays import ApprovedPlay
@@ -187,6 +187,8 @@ def decode(path: str, out: str) -> tuple[str, int, dict[str, str]] | None:
     try:
         with soundfile.SoundFile(path) as sound:
             rate, channels, frames = sound.samplerate, sound.channels, sound.frames
+            if sound.format == "MP3":
+                frames = whole_frames(path, frames)
             listened = min(frames, FINGERPRINTED_S * rate)
             if not (1_000 <= rate <= 768_000 and 1 <= channels <= MOST_CHANNELS and listened > 0):
                 return None

@@ -17,7 +17,7 @@ from audio_checks.middleware.by_path import NOT_PLAYED
 from audio_checks.middleware.values import Project
 from audio_checks.spec.sound_list import AUDIO_SUFFIXES, dry_stem_name, slug, stem_of_file, stems_of
 
-MASTER_SUFFIXES = frozenset({".wav", ".wave", ".bwf", ".flac"})
+ADOPTED_SUFFIXES = frozenset({".wav", ".wave", ".bwf", ".flac", ".ogg", ".oga", ".opus", ".mp3"})
 MOST_VARIATIONS = 99
 MOST_CHARS = 160  # of a file name, so that folders before it and numbers behind it still fit into 200
 CATEGORY_CHARS = 60
@@ -179,8 +179,8 @@ def _named(files: Sequence[ShippedFile], skipped: list[SkippedFile]) -> Iterator
         name = _possible_name(stem)
         if suffix not in AUDIO_SUFFIXES:
             skipped.append(SkippedFile(file.path, "no-sound", "its ending is not that of a sound file"))
-        elif suffix not in MASTER_SUFFIXES:
-            why = f"masters are WAV or FLAC, found {suffix[1:]}; adopt the file that it was made from"
+        elif suffix not in ADOPTED_SUFFIXES:
+            why = f"WAV, FLAC, Ogg, Opus and MP3 are adopted, found {suffix[1:]}; adopt the file that it was made from"
             skipped.append(SkippedFile(file.path, "coded", why))
         elif dry_stem_name(whole) is not None:
             why = "its name says that it is a dry stem; deliver it beside the sound that it is for"

@@ -19,6 +19,8 @@ from audio_checks.render.rendered import SeamFigures
 class Attempt:
     """The result of one attempt to write the file."""
 
+    FIGURES = (*Levels.FIGURES, *TruePeak.FIGURES, *Loudness.FIGURES)
+
     def __init__(
         self,
         rate: int,

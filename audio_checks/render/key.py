@@ -36,6 +36,8 @@ def render_key(
     coded = [] if target.coding is None else [CODER_VERSION]
     if not target.is_lossy:
         del how["quality"]
+    if not target.keep_coded:  # as keys were before targets could say it
+        del how["keep_coded"]
     limits = [sample_peak_limit_dbfs, true_peak_limit_dbtp, tolerance_db]
     facts = [master_sha256, RENDERER_VERSION, how, loop, loop_points, limits, *coded]
     return hashlib.sha256(json.dumps(facts, sort_keys=True).encode()).hexdigest()

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass, is_dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from audio_checks.render.dither import Dither
 from audio_checks.report.findings import Finding
@@ -122,7 +122,7 @@ class Rendered:
     path: Path
     sample_rate_hz: int
     bit_depth: int
-    encoding: Encoding
+    encoding: Encoding | Literal["mp3"]
     channels: int
     frames: int
     measurements: dict[str, Any]

@@ -6,7 +6,7 @@ import json
 import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from audio_checks.report.findings import FileReport
 from audio_checks.run.runner import judge, task_for, with_set_checks
@@ -80,7 +80,7 @@ def _judged(
     text: str, paths: Sequence[str], jobs: int, done: Callable[[FileReport], None] | None = None
 ) -> list[FileReport]:
     spec = parse_spec(text)
-    tasks = [task_for(path, spec, coded=True) for path in paths]
+    tasks = [replace(task_for(path, spec), shipped=True) for path in paths]
     return with_set_checks(tasks, judge(tasks, jobs=jobs, done=done))
 
 

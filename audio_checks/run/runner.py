@@ -37,7 +37,8 @@ class Task:
     `spec` is the view for the file's category and the target, None for structure only; `unlisted`
     says that there is a sound list, and no cue in it owns the file's name; `variation` is which of
     the cue's variations it is; `dry` is the file's dry stem, to compare its reverb with; `coded` says that
-    Ogg Vorbis, Opus and MP3 are decoded where the spec accepts them: a game's files, and no masters.
+    Ogg Vorbis, Opus and MP3 are decoded where the spec accepts them, or where another container would not
+    reject them: a game's files, and no masters; `shipped` that they are decoded whatever the spec accepts.
     """
 
     path: str
@@ -47,6 +48,7 @@ class Task:
     variation: int = 1
     dry: DryStem | None = None
     coded: bool = False
+    shipped: bool = False
 
 
 def check_file(
@@ -60,6 +62,7 @@ def check_file(
     checks: Iterable[str] | None = None,
     all_figures: bool = False,
     dry: DryStem | None = None,
+    shipped: bool = False,
 ) -> FileReport:
     """Judge one file.
 
@@ -84,6 +87,8 @@ def check_file(
     dry : DryStem, optional
         The same sound without reverb: reverb is compared with it if the two are the same sound. One that
         cannot be read is reported in the judgement.
+    shipped : bool
+        It is a game's own file and no master: Ogg Vorbis, Opus and MP3 are decoded, whatever the spec accepts.
 
     Returns
     -------
@@ -99,7 +104,7 @@ def check_file(
     if spec is not None:
         spec = view_of(spec, path, target=target, category=category, cue=cue)
     coded = spec is not None and spec.target is not None and spec.target.is_lossy
-    task = Task(os.fspath(path), spec, cue, dry=dry, coded=coded)
+    task = Task(os.fspath(path), spec, cue, dry=dry, coded=coded, shipped=shipped)
     return _judge(task, name=name, checks=checks, all_figures=all_figures)
 
 
@@ -283,7 +288,7 @@ def _judge(
             task.path,
             name=name or os.path.basename(task.path),
             flac=_reads_flac(spec),
-            coded=task.coded and _reads_coded(spec),
+            coded=task.shipped or (task.coded and _reads_coded(spec)),
             dry=task.dry,
         ) as file:
             asked = judgements.names() if all_figures else _judgements_of(selected)
@@ -347,8 +352,10 @@ def _reads_flac(spec: DeliverySpec) -> bool:
 
 
 def _reads_coded(spec: DeliverySpec) -> bool:
-    """Whether what a codec keeps is decoded: where the spec names its container."""
-    return bool({"ogg", "mp3"} & set(spec.accept.containers or ()))
+    """Whether what a codec keeps is decoded: where the spec names its container, or warns of another."""
+    containers = spec.accept.containers
+    is_warned = containers is not None and spec.checks.get("container", "error") != "error"
+    return is_warned or bool({"ogg", "mp3"} & set(containers or ()))
 
 
 def _refused(path: str, error: Unreadable, spec: DeliverySpec) -> FileReport:

@@ -36,5 +36,23 @@ CODINGS = {
     "flac": Coding("FLAC", "flac", ".flac", False, 1_000, 655_350, 8),
 }
 LOSSY_ENCODINGS = tuple(name for name, coding in CODINGS.items() if coding.is_lossy)
+MP3 = "mp3"  # read and handed on, never made
 QUALITY = 0.5  # where a target says none
 DECODED_BITS = 32  # of the float samples that a lossy codec decodes to
+
+
+def label_of(encoding: str) -> str:
+    """Return the name of an encoding in sentences."""
+    return CODINGS[encoding].label if encoding in CODINGS else encoding.upper()
+
+
+def ending_of(encoding: str) -> str:
+    """Return what names of game files of an encoding end in."""
+    if encoding == MP3:
+        return ".mp3"
+    return CODINGS[encoding].ending if encoding in CODINGS else ".wav"
+
+
+def is_lossy(encoding: str) -> bool:
+    """Whether a codec changes the sound of files of an encoding."""
+    return encoding == MP3 or encoding in LOSSY_ENCODINGS

@@ -99,6 +99,7 @@ TARGET = Table(
         "streamed": Flag(),
         "stream_buffer_bytes": Whole(0, 1 << 30),
         "folder": Folder(),
+        "keep_coded": Flag(),
     }
 )
 CHECKS = Table({name: LEVEL_OVER_FILES if name in OVER_FILES else LEVEL for name in DEFAULT_SEVERITY})

@@ -136,6 +136,9 @@ class Target:
         The buffer of one streamed file.
     folder : str
         Where the game looks for its files: folders with "/" between, "{category}" for the sound's own; "" is the top.
+    keep_coded : bool
+        Whether an adopted Ogg Vorbis, Opus or MP3 file is the game file as it is, whatever encoding, rate and channels
+        the target has.
     """
 
     name: str
@@ -157,6 +160,7 @@ class Target:
     stream_buffer_bytes: int = 65_536
     folder: str = ""
     quality: float | None = None
+    keep_coded: bool = False
 
     @property
     def coding(self) -> Coding | None:

@@ -38595,6 +38595,7 @@ export interface operations {
                     "audio/wav": unknown;
                     "audio/ogg": unknown;
                     "audio/flac": unknown;
+                    "audio/mpeg": unknown;
                 };
             };
             /** @description `download-unpaid` */
@@ -45866,6 +45867,7 @@ export interface operations {
                     "audio/wav": unknown;
                     "audio/ogg": unknown;
                     "audio/flac": unknown;
+                    "audio/mpeg": unknown;
                 };
             };
             /** @description `team-needed`, `download-unpaid` */

@@ -2,19 +2,24 @@
 
 import base64
 import gzip
+import io
 import json
 import re
+import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
+from app.client.errors import Refusal
 from app.client.game_project import packed_project
 from app.client.headers import UNREAD, Format, format_of
+from app.client.zipped import _unpack
 from audio_checks import read_project, read_project_texts
 from benchmarks.audits.projects import KINDS
 from tests.app.client.served import Client, client_of
 from tests.support.adoptions import adopt
+from tests.support.coded import coded_bytes
 from tests.support.flacs import flac_bytes
 from tests.support.server import World
 from tests.support.waves import chunk, noise, wav_bytes
@@ -30,12 +35,12 @@ def client(world: World, monkeypatch: pytest.MonkeyPatch, capsys: pytest.Capture
 
 @pytest.fixture
 def sounds(game: Path) -> Path:
-    """Five sounds in two folders, one of them twice, a coded one, a hidden one and a link."""
+    """Five sounds in two folders, one of them twice, one that no one reads, a hidden one and a link."""
     for seed, path in enumerate(["ui/click.wav", "ui/open.wav", "steps/grass_01.wav", "steps/grass_02.wav"]):
         (game / path).parent.mkdir(exist_ok=True)
         (game / path).write_bytes(wav_bytes(noise(dbfs=-24, seconds=0.2, seed=seed), rate=RATE, bits=16))
     (game / "ui/again.wav").write_bytes((game / "ui/click.wav").read_bytes())
-    (game / "theme.ogg").write_bytes(b"OggS")
+    (game / "theme.m4a").write_bytes(b"....ftyp")
     (game / ".hidden.wav").write_bytes(b"RIFF")
     (game / "ui/link.wav").symlink_to(game / "ui/click.wav")
     return game
@@ -46,7 +51,7 @@ def test_a_dry_run_prints_what_becomes_of_each_file_and_sends_no_sound(client: C
     lines = client.out.splitlines()
     assert lines[0] == "5 files become 4 cues in 2 categories, 1 of them sets"
     assert "  ui/again.wav: also ui/click.wav" in lines
-    assert any(line.startswith("  theme.ogg: masters are WAV or FLAC, found ogg") for line in lines)
+    assert any(line.startswith("  theme.m4a: WAV, FLAC, Ogg, Opus and MP3 are adopted, found m4a") for line in lines)
     assert lines[-1] == "Nothing was sent."
     assert [path for path, _ in client.line.asked] == [f"/v1/projects/{client.world.project_id}/adoption-plan"]
 
@@ -60,6 +65,42 @@ def test_files_are_sent_once_and_a_person_adopts_them(client: Client, sounds: Pa
     assert answer.status_code == 200, answer.text
     assert (answer.json()["cues"], answer.json()["takes"]) == (4, 5)
     client.world.server.wait_for_jobs()
+
+
+def test_a_zip_is_sent_as_its_folder_is(client: Client, sounds: Path, tmp_path: Path) -> None:
+    (sounds / "music.ogg").write_bytes(coded_bytes("ogg", rate=22_050))
+    with zipfile.ZipFile(tmp_path / "Sounds.zip", "w") as archive:
+        for path in sorted(sounds.rglob("*")):
+            if path.is_file() and not path.is_symlink():
+                archive.write(path, path.relative_to(sounds))
+        archive.writestr("__MACOSX/ui/._click.wav", b"x")
+    assert client.adopt(tmp_path / "Sounds.zip") == 0, client.err
+    assert client.out.splitlines()[0] == "6 files become 5 cues in 3 categories, 1 of them sets"
+    assert "5 files were sent" in client.out
+    assert format_of((sounds / "music.ogg").read_bytes()) == Format(22_050, None)
+    assert format_of(coded_bytes("opus", rate=48_000)) == Format(48_000, None)
+
+
+@pytest.mark.parametrize("name", ["../out.wav", "/etc/out.wav", "a/../../out.wav", "con.wav", "a\\b.wav"])
+def test_a_zip_that_leads_out_of_its_folder_is_refused(client: Client, tmp_path: Path, name: str) -> None:
+    with zipfile.ZipFile(tmp_path / "bad.zip", "w") as archive:
+        archive.writestr(name, b"RIFF")
+    assert client.adopt(tmp_path / "bad.zip") == 2
+    assert "is no path for a game file" in client.err
+    assert [path.name for path in tmp_path.rglob("out.wav")] == []
+
+
+def test_a_damaged_zip_and_one_that_unpacks_to_too_much_are_refused(client: Client, tmp_path: Path) -> None:
+    with zipfile.ZipFile(tmp_path / "a.zip", "w") as archive:
+        archive.writestr("a.wav", b"RIFF" * 100)
+    whole = (tmp_path / "a.zip").read_bytes()
+    (tmp_path / "a.zip").write_bytes(whole.replace(b"RIFFRIFF", b"RIFFROFF"))
+    assert client.adopt(tmp_path / "a.zip") == 2
+    assert "cannot be unpacked" in client.err
+    entry = zipfile.ZipInfo("a.wav")
+    entry.file_size = 64 << 30
+    with zipfile.ZipFile(io.BytesIO(whole)) as opened, pytest.raises(Refusal, match="unpacks to 64 GiB"):
+        _unpack(opened, [entry], tmp_path, 10)
 
 
 def test_a_busy_server_is_asked_again(client: Client, sounds: Path) -> None:
@@ -115,7 +156,7 @@ def test_the_project_of_the_game_is_sent_and_read(client: Client, sounds: Path, 
     assert "  ui/open.wav: no scene or script plays it in the project" in lines
 
 
-@pytest.mark.parametrize("name", ["missing.wproj", "theme.ogg", "."])
+@pytest.mark.parametrize("name", ["missing.wproj", "theme.m4a", "."])
 def test_what_is_no_project_is_refused_before_anything_is_sent(client: Client, sounds: Path, name: str) -> None:
     assert client.adopt(sounds, "--game-project", str(sounds / name)) == 2
     assert "name a .wproj of Wwise" in client.err

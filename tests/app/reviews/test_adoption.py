@@ -110,12 +110,12 @@ def test_a_build_of_the_adopted_folder_is_the_same(world: World, tmp_path: Path)
 
 def test_the_dry_run_says_what_becomes_of_each_file_and_writes_nothing(world: World) -> None:
     add_cues(world, {"name": "Click"})
-    files = {**FILES, "music/theme.ogg": b"OggS", "ui/again.wav": FILES["ui/Menu Open.wav"], "read me.txt": b"x"}
+    files = {**FILES, "music/theme.wma": b"0&", "ui/again.wav": FILES["ui/Menu Open.wav"], "read me.txt": b"x"}
     answer = plan(world, files)
     assert (answer["files"], answer["sets"], answer["categories"]) == (5, 1, {"steps": 1, "ui": 2})
     assert answer["duplicates"] == [["ui/Menu Open.wav", "ui/again.wav"]]
     assert [(one["path"], one["code"]) for one in answer["skipped"]] == [
-        ("music/theme.ogg", "coded"), ("read me.txt", "no-sound"), ("ui/click.wav", "listed"),
+        ("music/theme.wma", "coded"), ("read me.txt", "no-sound"), ("ui/click.wav", "listed"),
     ]  # fmt: skip
     assert "SW-001" in answer["skipped"][2]["message"]
     assert len(cues_of(world)) == 1

@@ -8,9 +8,11 @@ import soundfile
 
 from audio_checks.audio.audio_file import AudioFile
 from audio_checks.audio.sandbox import child
+from audio_checks.audit.fingerprinted import fingerprint_file
 from audio_checks.errors import Unreadable
 from audio_checks.run.runner import judge, task_for
 from audio_checks.spec.delivery_spec import parse_spec
+from tests.support.coded import coded_bytes
 from tests.support.mutants import damaged
 from tests.support.waves import sine, write_wav
 
@@ -117,3 +119,21 @@ def test_a_file_that_is_cut_off(tmp_path, inside):
     path.write_bytes(path.read_bytes()[:200])
     entry, said = codes(path, GAME)
     assert (entry.verdict, said) == ("unreadable", ["structure:coded-damaged"])
+
+
+@pytest.mark.parametrize(("more", "is_read"), [(1, True), (9, False)])  # a frame of MP3 has 1,152 frames of sound
+def test_an_mp3_whose_header_says_a_frame_too_many_is_read_and_one_that_lacks_more_is_not(tmp_path, more, is_read):
+    whole = coded_bytes("mp3")
+    at = whole.index(b"Xing") + 8
+    said = int.from_bytes(whole[at : at + 4], "big") + more
+    path = tmp_path / "a.mp3"
+    path.write_bytes(whole[:at] + said.to_bytes(4, "big") + whole[at + 4 :])
+    if not is_read:
+        with pytest.raises(Unreadable, match="frames are missing"):
+            AudioFile(path, coded=True)
+        return
+    with AudioFile(path, coded=True) as file, soundfile.SoundFile(path) as sound:
+        assert file.facts.frames == len(sound.read()) < sound.frames
+    found = fingerprint_file(str(path), "a.mp3")
+    assert (found.trouble, found.frames) == ("", file.facts.frames)
+    assert found.fingerprint

@@ -102,9 +102,9 @@ def test_without_folders_a_word_that_many_names_begin_with_is_the_category() -> 
 
 
 def test_files_that_are_no_masters_are_skipped_with_a_reason() -> None:
-    plan = planned("a.ogg", "b.txt", "c__dry.wav", "---.wav", "listed.wav", owned={"listed": "SW-009"})
+    plan = planned("a.m4a", "b.txt", "c__dry.wav", "---.wav", "listed.wav", owned={"listed": "SW-009"})
     assert [(one.path, one.code) for one in plan.skipped] == [
-        ("---.wav", "name"), ("a.ogg", "coded"), ("b.txt", "no-sound"), ("c__dry.wav", "dry-stem"),
+        ("---.wav", "name"), ("a.m4a", "coded"), ("b.txt", "no-sound"), ("c__dry.wav", "dry-stem"),
         ("listed.wav", "listed"),
     ]  # fmt: skip
     assert "SW-009" in plan.skipped[-1].message

@@ -31,7 +31,7 @@ const PLAN = {
   categories: { steps: 1, ui: 1 },
   duplicates: [['ui/click.wav', 'ui/tap.wav']],
   oddities: [{ path: 'ui/click.wav', code: 'format', message: '22050 Hz, most files have 44100 Hz' }],
-  skipped: [{ path: 'theme.ogg', code: 'coded', message: 'masters are WAV or FLAC, found ogg' }],
+  skipped: [{ path: 'theme.wma', code: 'coded', message: 'WAV, FLAC, Ogg, Opus and MP3 are adopted, found wma' }],
   project: null as object | null,
 }
 const PLAYED = {
@@ -131,7 +131,7 @@ test('a folder is planned before anything is sent, then sent and adopted', async
   expect(within(plan).getByText(/3 files become 2 cues in 2 categories, 1 of them a set/)).toBeVisible()
   expect(within(plan).getByText('22050 Hz, most files have 44100 Hz')).toBeVisible()
   expect(within(plan).getByText('also ui/tap.wav')).toBeVisible()
-  expect(within(plan).getByText('masters are WAV or FLAC, found ogg')).toBeVisible()
+  expect(within(plan).getByText('WAV, FLAC, Ogg, Opus and MP3 are adopted, found wma')).toBeVisible()
   const [planned] = wrote(asked, 'POST /v1/projects/p1/adoption-plan')
   expect(planned?.body).toMatchObject({
     folder: 'Sounds',
@@ -203,6 +203,15 @@ test('a header says rate and depth, or nothing', () => {
   ;[0x66, 0x4c, 0x61, 0x43].forEach((byte, at) => flac.setUint8(at, byte))
   flac.setUint32(18, (44_100 << 12) | (1 << 9) | (15 << 4)) // two channels, 16 bit
   expect(formatOf(flac)).toEqual({ sample_rate_hz: 44_100, bit_depth: 16 })
+  const ogg = (header: string, rate: number) => {
+    const head = new DataView(new ArrayBuffer(64))
+    ;[...`OggS${'\0'.repeat(24)}${header}`].forEach((sign, at) => head.setUint8(at, sign.charCodeAt(0)))
+    head.setUint32(40, rate, true)
+    return head
+  }
+  expect(formatOf(ogg('\u0001vorbis', 22_050))).toEqual({ sample_rate_hz: 22_050, bit_depth: null })
+  expect(formatOf(ogg('OpusHead', 0))).toEqual({ sample_rate_hz: 48_000, bit_depth: null })
+  expect(formatOf(ogg('Speex   ', 8_000))).toEqual({ sample_rate_hz: null, bit_depth: null })
   expect(formatOf(new DataView(new ArrayBuffer(3)))).toEqual({ sample_rate_hz: null, bit_depth: null })
 })
 

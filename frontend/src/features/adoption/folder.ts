@@ -47,7 +47,7 @@ function commonFolder(paths: readonly string[]): string {
 type Format = Pick<ShippedFile, 'sample_rate_hz' | 'bit_depth'>
 const UNREAD: Format = { sample_rate_hz: null, bit_depth: null }
 
-/** Rate and depth of a WAV or FLAC file by its first bytes; the server's checks read the whole file. */
+/** Rate and depth of a WAV or FLAC file by its first bytes, the rate of an Ogg file; the server's checks read the whole file. */
 export function formatOf(head: DataView): Format {
   const text = (at: number) =>
     at + 4 <= head.byteLength ? String.fromCharCode(...[0, 1, 2, 3].map((place) => head.getUint8(at + place))) : ''
@@ -55,6 +55,7 @@ export function formatOf(head: DataView): Format {
     const word = head.getUint32(18) // 20 bits rate, 3 of channels, 5 of depth, and the first 4 of the length
     return plausible(word >>> 12, ((word >>> 4) & 31) + 1)
   }
+  if (text(0) === 'OggS') return ofOgg(head)
   if (!['RIFF', 'RF64'].includes(text(0)) || text(8) !== 'WAVE') return UNREAD
   for (let at = 12; at + 24 <= head.byteLength;) {
     if (text(at) === 'fmt ') return plausible(head.getUint32(at + 12, true), head.getUint16(at + 22, true))
@@ -62,6 +63,16 @@ export function formatOf(head: DataView): Format {
     at += 8 + size + (size % 2)
   }
   return UNREAD
+}
+
+/** The first page of an Ogg file has the codec's header alone. */
+function ofOgg(head: DataView): Format {
+  const text = new TextDecoder('latin1').decode(
+    new Uint8Array(head.buffer, head.byteOffset, Math.min(128, head.byteLength)),
+  )
+  const vorbis = text.indexOf('\u0001vorbis')
+  if (vorbis >= 0 && vorbis + 16 <= text.length) return plausible(head.getUint32(vorbis + 12, true), 0)
+  return text.includes('OpusHead') ? plausible(48_000, 0) : UNREAD
 }
 
 const plausible = (hz: number, depth: number): Format => ({
