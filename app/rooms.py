@@ -40,6 +40,7 @@ from app.kit.events import Handler
 from app.money.electronic_invoice_endpoints import router as electronic_invoices
 from app.money.endpoints import router as money
 from app.money.ledger import charge_deposits
+from app.money.work_endpoints import router as work
 from app.notifications.endpoints import router as notifications
 from app.notifications.notice_endpoints import router as notices
 from app.notifications.preference_endpoints import router as mail_preferences
@@ -96,6 +97,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     roster,
     awards,
     money,
+    work,
     electronic_invoices,
     contract_templates,
     contracts,
@@ -149,6 +151,7 @@ JOB_MODULES = (
     "app.scenes.jobs",
     "app.builds.jobs",
     "app.agreements.jobs",
+    "app.money.jobs",
     "app.amendments.jobs",
     "app.notifications.contract_jobs",
     "app.notifications.day_jobs",
@@ -211,6 +214,8 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "contract.change_requested": ("notifications.notify_contract",),
     "contract.signed_once": ("notifications.notify_signature",),
     "amendment.signer_is_next": ("notifications.notify_signer",),
+    "work.logged": ("notifications.notify_work_logged",),
+    "work.refused": ("notifications.notify_work_refused",),
     "invoice.drafted": (),
     "invoice.issued": ("notifications.notify_invoice",),
     "payment.recorded": (),

@@ -54,6 +54,7 @@ CHORES = (
     "server.delete_finished_jobs",
     "server.delete_expired_rate_limits",
     "reviews.apply_deemed_acceptance",
+    "money.charge_retainers",
     "amendments.settle_ended",
     "agreements.seal_unsealed",
     "notifications.mail_heads",

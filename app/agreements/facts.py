@@ -53,7 +53,7 @@ def facts_of(
     prices = {each.cue_id: each.price_minor for each in covered}
     wanted = [cue for cue in cues_of(session, project.id) if cue.state is not CueState.CUT]
     cues = [cue for cue in wanted if cue.id in prices] if prices else wanted
-    total_minor = sum(milestone.amount_minor for milestone in milestones) + _days_minor(terms)
+    total_minor = sum(milestone.amount_minor for milestone in milestones) + _time_minor(terms)
     deposit_minor = sum(milestone.amount_minor for milestone in milestones if milestone.is_deposit)
     return {
         "studio": literal(project.studio.name),
@@ -101,12 +101,16 @@ def ensure_open_answers_are_said(session: Session, contract: Contract, clauses: 
         )
 
 
-def _days_minor(terms: Mapping[str, object]) -> int:
-    """Return what all days together may cost; a draft that is only looked at may have any terms."""
-    rate_minor, days = terms.get("day_rate_minor"), terms.get("days_cap")
-    if terms.get("price_mode") != BY_DAY or not isinstance(rate_minor, int) or not isinstance(days, int):
-        return 0
-    return rate_minor * days
+def _time_minor(terms: Mapping[str, object]) -> int:
+    """Return what days, hours and a retainer may cost; a draft that is only looked at may have any terms."""
+    by_day = _product(terms, "day_rate_minor", "days_cap") if terms.get("price_mode") == BY_DAY else 0
+    by_hour = _product(terms, "hour_rate_minor", "hours_cap")
+    return by_day + by_hour + _product(terms, "retainer_minor", "retainer_months")
+
+
+def _product(terms: Mapping[str, object], price: str, count: str) -> int:
+    each_minor, times = terms.get(price), terms.get(count)
+    return each_minor * times if isinstance(each_minor, int) and isinstance(times, int) else 0
 
 
 def in_words(day: date) -> str:

@@ -81,6 +81,12 @@ class MoneyTerms:
     reverse_charge: bool = False  # the studio owes the tax where it is; none is invoiced
     day_rate_minor: int = 0
     days_cap: int = 0
+    hour_rate_minor: int = 0
+    hours_cap: int = 0  # paid by the hour, in all
+    hours_month_cap: int = 0  # paid by the hour, in a month of the contract
+    retainer_minor: int = 0  # a month
+    retainer_hours: int = 0  # included in a month
+    retainer_months: int = 0
     po_number: str = ""  # what invoices begin with
     notice_days: int | None = None  # None: it ends early only where both agree
     deposit_at_end: DepositAtEnd = DepositAtEnd.STAYS
@@ -123,6 +129,26 @@ class MoneyTerms:
     def days_cap_minor(self) -> int:
         """What all days together may cost."""
         return self.day_rate_minor * self.days_cap if self.price_mode is PriceMode.DAY_RATE else 0
+
+    @property
+    def has_hours(self) -> bool:
+        """Whether work is counted in hours."""
+        return self.hours_cap_minor > 0 or self.retainer_total_minor > 0
+
+    @property
+    def hours_cap_minor(self) -> int:
+        """What all hours beyond those that a retainer includes may cost."""
+        return self.hour_rate_minor * self.hours_cap
+
+    @property
+    def retainer_total_minor(self) -> int:
+        """What the retainer of all months costs."""
+        return self.retainer_minor * self.retainer_months
+
+    @property
+    def time_cap_minor(self) -> int:
+        """What all days, hours and months of a retainer together may cost."""
+        return self.days_cap_minor + self.hours_cap_minor + self.retainer_total_minor
 
     @property
     def invoiced_tax_bp(self) -> int:

@@ -226,6 +226,8 @@ def _read(session: Session, contract: Contract, actor: Actor | None) -> schemas.
         rounds_minor=statement.rounds_minor,
         extra_minor=statement.extra_minor,
         days_minor=statement.days_minor,
+        hours_minor=statement.hours_minor,
+        retainer_minor=statement.retainer_minor,
         due_now_minor=overview.figures(session, contract, now).due_minor,
         figures=FiguresRead(**asdict(statement.figures)),
         open_points=_open_points(session, contract, terms),
@@ -281,7 +283,7 @@ def _open_points(session: Session, contract: Contract, terms: MoneyTerms) -> lis
             kind="day", text=f"work on {one.worked_on}", amount_minor=price_of(one.quarters, terms.day_rate_minor)
         )
         for one in (money_queries.worked_days_of(session, contract.id) if by_day else ())
-        if one.agreed_at is None
+        if one.quarters and one.agreed_at is None and one.refused_at is None
     ]
     return rounds + days
 

@@ -43,6 +43,8 @@ def statement_text(ending: EndingRead, studio: str) -> str:
         f"| Rounds beyond those included | {amount(ending.rounds_minor)} |",
         f"| Work by change orders, and late interest | {amount(ending.extra_minor)} |",
         f"| Days worked | {amount(ending.days_minor)} |",
+        *([f"| Hours worked | {amount(ending.hours_minor)} |"] if ending.hours_minor else []),
+        *([f"| Retainer, months begun | {amount(ending.retainer_minor)} |"] if ending.retainer_minor else []),
         f"| **Owed** | **{amount(figures.accepted_minor)}** |",
         f"| Paid so far | {amount(-figures.paid_minor)} |",
         f"| **To pay, without tax** | **{amount(figures.due_minor)}** |",
@@ -62,6 +64,7 @@ def statement_text(ending: EndingRead, studio: str) -> str:
         if ending.cues
         else "The contract covers no cue.",
         "\n".join(["| What | Amount |", "| --- | --- |", *sums]),
+        "Hours that were logged and not refused count as approved." if ending.hours_minor else "",
         "\n".join(["Not counted, since the studio has not agreed to it:", "", *left]) if left else "",
         "With this the contract is settled. Who owns what stays as the contract says, for cues accepted and cut.",
     ]

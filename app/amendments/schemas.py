@@ -307,6 +307,8 @@ class EndingRead(Schema):
     rounds_minor: int
     extra_minor: int
     days_minor: int
+    hours_minor: int = Field(description="Hours that wait for the studio and were not refused included.")
+    retainer_minor: int = Field(description="Of the months that have begun.")
     due_now_minor: int = Field(description="What is due without the settlement.")
     figures: FiguresRead
     open_points: list[OpenPointRead]

@@ -75,6 +75,7 @@ def table_faults(session: Session, contract: Contract) -> Iterator[str]:
     yield from faults_of_sent(rounds(session, contract), texts_of(session, contract))
     yield from _acceptances(session, contract, said)
     yield from _ledger(session, contract, said)
+    yield from _worked_days(session, contract, said)
     yield from _payments(session, contract, said)
     yield from _change_orders(session, contract, said)
     yield from _notices(session, contract, said)
@@ -151,6 +152,27 @@ def _ledger(session: Session, contract: Contract, said: Sequence[Said]) -> Itera
             yield f"ledger line {line_id} is in no entry"
         elif recorded[line_id] != lines[line_id]:
             yield f"ledger line {line_id} was altered"
+
+
+def _worked_days(session: Session, contract: Contract, said: Sequence[Said]) -> Iterator[str]:
+    """Yield logged work whose agreement is another one in the record; days of before have no entry of their own."""
+    recorded = {
+        payload["worked_day"]: (payload["worked_on"], payload.get("quarters"), payload.get("minutes"))
+        for kind, payload in said
+        if kind == "work_agreed"
+    }
+    logged = {
+        str(one.id): (one.worked_on.isoformat(), one.quarters, one.minutes)
+        for one in money_queries.worked_days_of(session, contract.id)
+        if one.agreed_at is not None
+    }
+    for day_id in sorted(recorded.keys() | logged.keys()):
+        if day_id not in logged:
+            yield f"agreed work {day_id} of the record is missing"
+        elif day_id not in recorded and logged[day_id][2] is not None:
+            yield f"agreed work {day_id} is in no entry"
+        elif day_id in recorded and recorded[day_id] != logged[day_id]:
+            yield f"agreed work {day_id} was altered"
 
 
 def _payments(session: Session, contract: Contract, said: Sequence[Said]) -> Iterator[str]:

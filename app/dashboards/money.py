@@ -27,6 +27,7 @@ from app.money.ledger import load_ledger_book
 from app.money.overview import extra_round_read, figures, ledger_lines, milestones_read, priced_by_cue
 from app.money.schedule_slip import Holder, Turn, growth_days, schedule_slip_of
 from app.money.schemas import FiguresRead, InvoiceRead, MilestoneRead
+from app.money.worked_hours import HourBook
 from app.projects.service import project_access
 
 
@@ -69,6 +70,7 @@ def _contract_money(session: Session, contract: Contract, *, with_slips: bool) -
         release=contract.release_clause,
         kill_fee_in_work_bp=terms.kill_fee_in_work_bp,
         by_day=day_rate_read(terms, book),
+        by_hour=HourBook(session, contract).read(),
         figures=FiguresRead(**asdict(figures(session, contract, book))),
         milestones=milestones,
         slips=list(slips.values()),

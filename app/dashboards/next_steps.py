@@ -364,13 +364,19 @@ class _Steps:
             )
         if party is Party.STUDIO:
             self.steps += self._to_agree(contract)
+        elif contract.state is ContractState.AGREED:
+            refused = [one.refused_at for one in money.worked_days_of(session, contract.id) if one.refused_at]
+            self._counted(NextStepKind.CORRECT_WORK, (len(refused), min(refused, default=None)))
 
     def _to_agree(self, contract: Contract) -> Iterator[NextStep]:
         of_contract = {"who": contract.designer.name, "contract_id": contract.id}
-        days = [one for one in money.worked_days_of(self._session, contract.id) if one.agreed_at is None]
-        if days:
-            since = datetime.combine(days[0].worked_on, time(), UTC)
-            yield NextStep(kind=NextStepKind.AGREE_DAYS, count=len(days), since=since, **of_contract)
+        for kind, logged in (
+            (NextStepKind.AGREE_DAYS, money.waiting_work(self._session, contract.id, "quarters")),
+            (NextStepKind.AGREE_HOURS, money.waiting_work(self._session, contract.id, "minutes")),
+        ):
+            if logged:
+                since = datetime.combine(logged[0].worked_on, time(), UTC)
+                yield NextStep(kind=kind, count=len(logged), since=since, **of_contract)
         for one in money.extra_rounds_of(self._session, contract.id):
             if one.agreed_at is None and one.dropped_at is None:
                 yield NextStep(

@@ -52,6 +52,8 @@ class NextStepKind(StrEnum):
     ANSWER_QUESTIONS = "answer_questions"
     ANSWER_FOLLOW_UPS = "answer_follow_ups"
     AGREE_DAYS = "agree_days"
+    AGREE_HOURS = "agree_hours"
+    CORRECT_WORK = "correct_work"
     AGREE_ROUND = "agree_round"
     SEND_CHANGES = "send_changes"
     REVIEW = "review"

@@ -14,7 +14,6 @@ from app.dashboards.rules import CueStatus
 from app.deliveries.schemas import CueBrief
 from app.kit.http import Schema
 from app.money.schemas import (
-    DayRateRead,
     EstimatesRead,
     ExtraRoundRead,
     FiguresRead,
@@ -23,6 +22,7 @@ from app.money.schemas import (
     MilestoneCueRead,
     MilestoneRead,
 )
+from app.money.work_schemas import DayRateRead, HoursRead
 from app.projects.rules import EngagementKind
 from app.reviews.schemas import CommentRead
 from app.sound_lists.rules import Need
@@ -326,6 +326,7 @@ class ContractMoney(Schema):
     release: ReleaseClause
     kill_fee_in_work_bp: int
     by_day: DayRateRead | None
+    by_hour: HoursRead | None
     figures: FiguresRead
     milestones: list[MilestoneRead]
     slips: list[MilestoneSlip]

@@ -38,6 +38,8 @@ class Statement:
     rounds_minor: int
     extra_minor: int  # work by change orders, interest, a bonus
     days_minor: int
+    hours_minor: int
+    retainer_minor: int
 
     @property
     def cues_minor(self) -> int:
@@ -53,10 +55,14 @@ def statement_of(
     *,
     beside_cues_minor: int,
     deposit_is_set_off: bool = False,
+    time: Sequence[Entry] = (),
 ) -> Statement:
-    """Return what a contract comes to if it ends now; `states` has the work of each cue that is not settled."""
+    """Return what a contract comes to if it ends now; `states` has the work of each cue that is not settled.
+
+    `time` is what hours and retainer owe by then and the ledger lacks.
+    """
     cut = [cue if cue.is_settled else replace(cue, cut_in=states[cue.cue_id]) for cue in cues]
-    entries = settle_shares(book, cut, rules)
+    entries = [*settle_shares(book, cut, rules), *time]
     if deposit_is_set_off:
         entries += [replace(reverse(line), clause=CLAUSE) for line in book.standing(LineKind.DEPOSIT)]
     after = _written(book, entries)
@@ -74,6 +80,8 @@ def statement_of(
             for line in after.standing(kind)
         ),
         days_minor=sum(line.amount_minor for line in after.standing(LineKind.WORKED_DAY)),
+        hours_minor=sum(line.amount_minor for line in after.standing(LineKind.WORKED_HOURS)),
+        retainer_minor=sum(line.amount_minor for line in after.standing(LineKind.RETAINER)),
     )
 
 

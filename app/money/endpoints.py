@@ -17,7 +17,6 @@ from app.kit.single_thread_route import SingleThreadRoute
 from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
 from app.money import (
     calendar,
-    days,
     estimates,
     invoice_text,
     invoices,
@@ -29,9 +28,7 @@ from app.money import (
 )
 from app.money.errors import (
     CalendarNotFound,
-    CapExceeded,
     CueNotInContract,
-    DayAgreed,
     DayInFuture,
     ExtraRoundNotFound,
     InvoiceNotFound,
@@ -39,14 +36,12 @@ from app.money.errors import (
     NoInterestDue,
     NoShippingBonus,
     NotAgreed,
-    NotDayRate,
     NothingToInvoice,
     OtherPartyNeeded,
     Overpayment,
     PaymentNotFound,
     RefundTooLarge,
     RoundAlreadySettled,
-    WorkedDayNotFound,
 )
 from app.money.invoice_numbers import file_part
 from app.projects.errors import ProducerNeeded, ProjectNotFound, TeamNeeded
@@ -308,48 +303,6 @@ def log_work(
 ) -> None:
     """Note time that went into a cue."""
     estimates.log_work(session, actor, contract_id, cue_id=body.cue_id, minutes=body.minutes, worked_on=body.worked_on)
-
-
-@router.get("/contracts/{contract_id}/worked-days", responses=problems(ContractNotFound))
-def list_worked_days(
-    contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
-) -> list[schemas.WorkedDayRead]:
-    """Return the days that were logged under a contract by the day."""
-    return days.worked_days(session, actor, contract_id)
-
-
-@router.post(
-    "/contracts/{contract_id}/worked-days",
-    status_code=201,
-    responses=problems(ContractNotFound, OtherPartyNeeded, NotAgreed, NotDayRate, DayAgreed, DayInFuture),
-)
-def log_day(
-    contract_id: UUID, body: schemas.WorkedDayAdd, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
-) -> schemas.WorkedDayRead:
-    """Log a day, or quarters of one; logged again, it is corrected."""
-    day = days.log_day(session, actor, contract_id, worked_on=body.worked_on, quarters=body.quarters, note=body.note)
-    return days.worked_day(session, day)
-
-
-@router.delete(
-    "/worked-days/{worked_day_id}",
-    status_code=204,
-    responses=problems(WorkedDayNotFound, OtherPartyNeeded, DayAgreed),
-)
-def drop_day(worked_day_id: UUID, session: DbSession, actor: Actor = allows(Audience.DESIGNER)) -> None:
-    """Take a logged day back, until the studio agrees to it."""
-    days.drop_day(session, actor, worked_day_id)
-
-
-@router.post(
-    "/worked-days/{worked_day_id}/agree",
-    responses=problems(WorkedDayNotFound, ProducerNeeded, DayAgreed, CapExceeded),
-)
-def agree_day(
-    worked_day_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
-) -> schemas.WorkedDayRead:
-    """Agree to a logged day; it is due, up to the cap."""
-    return days.worked_day(session, days.agree_day(session, actor, worked_day_id))
 
 
 @_unsaved_router.post(

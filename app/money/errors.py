@@ -63,8 +63,24 @@ class NotDayRate(Conflict):
     """The contract does not pay by the day."""
 
 
+class NotHourly(Conflict):
+    """The contract does not pay by the hour."""
+
+
 class DayAgreed(Conflict):
-    """The studio agreed to this day already."""
+    """The studio agreed to this work already."""
+
+
+class DayRefused(Conflict):
+    """The studio refused this work; its designer can correct it and send it again."""
+
+
+class DayLogged(Conflict):
+    """Another entry of a contract by the day has this day."""
+
+
+class WorkNotNamed(Invalid):
+    """Hours name neither a cue nor what they were for."""
 
 
 class DayInFuture(Invalid):
@@ -88,8 +104,8 @@ class DownloadUnpaid(Forbidden):
 
 
 class CapExceeded(Conflict):
-    """The days that were agreed on are used up."""
+    """The days or hours that were agreed on are used up."""
 
 
 class WorkedDayNotFound(NotFound):
-    """No logged day of that id within the caller's sight."""
+    """No logged work of that id within the caller's sight."""

@@ -26,7 +26,7 @@ class Figures:
 def figures_of(
     book: LedgerBook, cues: Sequence[PricedCue], beside_cues_minor: int, *, is_ended: bool = False
 ) -> Figures:
-    """Sum a contract up; `beside_cues_minor` is what the plan has that no cue carries: a deposit, the cap of days.
+    """Sum a contract up; `beside_cues_minor` is what no cue carries: deposit, caps of days and hours, retainer.
 
     `is_ended`: it was settled early, so nothing more can become due and all that is not owed is saved.
     """

@@ -23,7 +23,7 @@ from app.money.late_interest import interest_minor
 from app.money.ledger import called, load_ledger_book, write
 from app.money.ledger_book import CLAUSES, SHARES, Entry, LedgerBook, Line, tax_entries
 from app.money.models import Invoice, InvoiceLine
-from app.money.rules import LineKind
+from app.money.rules import LineKind, hours_in_words
 from app.projects.models import Project
 from app.sound_lists.models import Cue
 
@@ -177,6 +177,8 @@ def texts_of(session: Session, contract: Contract, lines: Iterable[Line]) -> dic
     milestones = {one.id: one.name for one in plan_queries.milestones_of(session, contract.id)}
     cut_in = {cue.cue_id: cue.cut_in for cue in plan_queries.cues_of(session, contract.id)}
 
+    worked = {one.id: one for one in queries.worked_days_of(session, contract.id)}
+
     def text(line: Line) -> str:
         cue = called(session.get_one(Cue, line.cue_id), cue_prefix) if line.cue_id else ""
         milestone = milestones[line.milestone_id] if line.milestone_id else ""
@@ -193,7 +195,13 @@ def texts_of(session: Session, contract: Contract, lines: Iterable[Line]) -> dic
             case LineKind.EXTRA_ROUND:
                 return f"{cue}, round {line.round_number} ({milestone})"
             case LineKind.WORKED_DAY:
-                return f"Work by the day ({milestone})"
+                return f"Work by the day ({milestone})" if milestone else "Work by the day"
+            case LineKind.WORKED_HOURS if line.worked_day_id:
+                day = worked[line.worked_day_id]
+                length = hours_in_words(day.minutes or 0)
+                return f"{length} on {day.worked_on}: {', '.join(part for part in (cue, day.note) if part)}"
+            case LineKind.RETAINER:
+                return f"Retainer, month {line.month_number}"
             case LineKind.LATE_INTEREST if line.late_invoice_id:
                 late = queries.invoice_by_id(session, line.late_invoice_id)
                 return f"Interest on invoice {late.full_number if late else ''}, up to {line.late_until_on}"

@@ -29,6 +29,8 @@ EVENTS = {
     LineKind.CUT: "due",
     LineKind.EXTRA_ROUND: "due",
     LineKind.WORKED_DAY: "due",
+    LineKind.WORKED_HOURS: "due",
+    LineKind.RETAINER: "due",
     LineKind.EXTRA_WORK: "due",
     LineKind.LATE_INTEREST: "due",
     LineKind.BONUS: "due",
@@ -57,6 +59,8 @@ def _line(line: LedgerLine, invoice_id: UUID | None) -> Line:
         tax_bp=line.tax_bp,
         late_invoice_id=line.late_invoice_id,
         late_until_on=line.late_until_on,
+        worked_day_id=line.worked_day_id,
+        month_number=line.month_number,
         id=line.id,
         person_id=line.person_id,
         invoice_id=invoice_id,
@@ -150,6 +154,10 @@ def _facts_of(session: Session, line: LedgerLine, currency: str, cue_prefix: str
     if line.late_invoice_id is not None and line.late_until_on is not None:
         facts["late_invoice"] = session.get_one(Invoice, line.late_invoice_id).full_number
         facts["until"] = line.late_until_on.isoformat()
+    if line.worked_day_id is not None:
+        facts["worked_day"] = str(line.worked_day_id)
+    if line.month_number is not None:
+        facts["month"] = line.month_number
     if line.about_id is not None:
         facts["about_line"] = str(line.about_id)
     if line.payment_id is not None:

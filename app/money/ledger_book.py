@@ -24,6 +24,8 @@ CLAUSES = {
     LineKind.CUT: "kill_fee",
     LineKind.EXTRA_ROUND: "rates",
     LineKind.WORKED_DAY: "rates",
+    LineKind.WORKED_HOURS: "hours",
+    LineKind.RETAINER: "retainer",
     LineKind.EXTRA_WORK: "changes",
     LineKind.LATE_INTEREST: "payment",
     LineKind.BONUS: "bonus",
@@ -46,6 +48,8 @@ class Entry:
     tax_bp: int | None = None
     late_invoice_id: UUID | None = None  # the invoice that bears interest
     late_until_on: date | None = None
+    worked_day_id: UUID | None = None
+    month_number: int | None = None  # of the contract
 
 
 @dataclass(frozen=True)

@@ -70,9 +70,11 @@ class LedgerLine(Base):
         CheckConstraint("(kind in ('reversed', 'paid', 'refunded')) = (about_id is not null)", name="about_a_line"),
         CheckConstraint(
             "cue_id is not null or milestone_id is not null or tax_bp is not null or late_invoice_id is not null"
-            " or kind = 'bonus' or about_id is not null",
+            " or kind in ('bonus', 'worked_day', 'worked_hours', 'retainer') or about_id is not null",
             name="about_something",
         ),
+        CheckConstraint("(kind = 'worked_hours') = (worked_day_id is not null)", name="hours_are_named"),
+        CheckConstraint("(kind = 'retainer') = (month_number is not null)", name="months_are_numbered"),
         CheckConstraint("(late_invoice_id is null) = (late_until_on is null)", name="late_until_a_day"),
         Index(
             "uq_contracts_ledger_lines_reversed",
@@ -87,6 +89,20 @@ class LedgerLine(Base):
             unique=True,
             sqlite_where=text("kind = 'extra_round'"),
             postgresql_where=text("kind = 'extra_round'"),
+        ),
+        Index(
+            "uq_contracts_ledger_lines_month",
+            *("contract_id", "month_number"),
+            unique=True,
+            sqlite_where=text("kind = 'retainer'"),
+            postgresql_where=text("kind = 'retainer'"),
+        ),
+        Index(
+            "uq_contracts_ledger_lines_hours",
+            "worked_day_id",
+            unique=True,
+            sqlite_where=text("kind = 'worked_hours'"),
+            postgresql_where=text("kind = 'worked_hours'"),
         ),
     )
 
@@ -105,6 +121,8 @@ class LedgerLine(Base):
     payment_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_payments.id"))
     late_invoice_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_invoices.id"))  # paid late
     late_until_on: Mapped[date | None]  # the day up to which interest is charged
+    worked_day_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_worked_days.id"))  # of hours
+    month_number: Mapped[int | None]  # the month of a retainer, counted from the agreement
     person_id: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # whose act it follows; None: none
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     person: Mapped[Person | None] = relationship(lazy="raise")
@@ -164,27 +182,43 @@ class WorkLog(Base):
 
 
 class WorkedDay(Base):
-    """A day, or quarters of one, of a contract by the day; due once the studio has agreed to it, up to the cap."""
+    """Work of a day, in quarters of a day or in minutes; due once the studio has agreed to it, up to the cap."""
 
     __tablename__ = "contracts_worked_days"
     __table_args__ = (
-        UniqueConstraint("contract_id", "worked_on"),
+        Index(
+            "uq_contracts_worked_days_quarters",
+            *("contract_id", "worked_on"),
+            unique=True,
+            sqlite_where=text("quarters is not null"),
+            postgresql_where=text("quarters is not null"),
+        ),
         CheckConstraint("quarters between 1 and 4", name="a_day_at_most"),
-        CheckConstraint("(agreed_at is null) = (agreed_by is null)", name="agreed_by_somebody"),
+        CheckConstraint("minutes between 1 and 1440", name="hours_of_a_day_at_most"),
+        CheckConstraint("(quarters is null) <> (minutes is null)", name="in_one_unit"),
+        CheckConstraint("agreed_by is null or agreed_at is not null", name="agreed_at_some_time"),
+        CheckConstraint("(refused_at is null) = (refused_by is null)", name="refused_by_somebody"),
+        CheckConstraint("agreed_at is null or refused_at is null", name="agreed_or_refused"),
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
-    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"))
-    milestone_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_milestones.id"))
+    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
+    milestone_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_milestones.id"))  # of days
+    cue_id: Mapped[UUID | None] = mapped_column(ForeignKey("sound_lists_cues.id"))  # that hours went into
     worked_on: Mapped[date]
-    quarters: Mapped[int]
+    quarters: Mapped[int | None]  # of a day
+    minutes: Mapped[int | None]
     note: Mapped[str]
     logged_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
-    agreed_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
+    agreed_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: by the settlement
     agreed_at: Mapped[datetime | None]
+    refused_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
+    refused_at: Mapped[datetime | None]
+    refusal: Mapped[str] = mapped_column(default="")  # why; the designer may correct it and send it again
+    cue: Mapped[Cue | None] = relationship(lazy="raise")
 
 
 class CalendarLink(Base):

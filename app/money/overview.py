@@ -118,10 +118,10 @@ def figures(session: Session, contract: Contract, book: LedgerBook) -> Figures:
     """Return what an agreed contract comes to."""
     milestones = plan_queries.milestones_of(session, contract.id)
     deposit_minor = sum(milestone.amount_minor for milestone in milestones if milestone.is_deposit)
-    days_minor = terms_of(session, contract).days_cap_minor
+    time_minor = terms_of(session, contract).time_cap_minor
     cues = priced(plan_queries.cues_of(session, contract.id))
     is_ended = contract.state is ContractState.ENDED and all(cue.is_settled for cue in cues)
-    return figures_of(book, cues, deposit_minor + days_minor, is_ended=is_ended)
+    return figures_of(book, cues, deposit_minor + time_minor, is_ended=is_ended)
 
 
 def ledger(session: Session, actor: Actor, contract_id: UUID) -> schemas.LedgerRead:

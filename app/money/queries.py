@@ -3,13 +3,15 @@
 from collections import defaultdict
 from collections.abc import Collection, Sequence
 from datetime import datetime
+from typing import Literal
 from uuid import UUID
 
 from sqlalchemy import Row, func, select
 from sqlalchemy.orm import Session, aliased, joinedload
 
 from app.accounts.models import Person
-from app.agreements.models import Contract, ContractCue
+from app.agreements.models import Contract, ContractCue, ContractVersion
+from app.agreements.rules import ContractState
 from app.kit.in_array import in_array
 from app.money.models import CalendarLink, ExtraRound, Invoice, InvoiceLine, LedgerLine, Payment, WorkedDay, WorkLog
 from app.money.rules import LineKind
@@ -106,7 +108,26 @@ def extra_round_by_id(session: Session, extra_round_id: UUID) -> ExtraRound | No
 def worked_days_of(session: Session, contract_id: UUID) -> Sequence[WorkedDay]:
     """Return the days that were logged, in order."""
     return session.scalars(
-        select(WorkedDay).where(WorkedDay.contract_id == contract_id).order_by(WorkedDay.worked_on)
+        select(WorkedDay)
+        .where(WorkedDay.contract_id == contract_id)
+        .options(joinedload(WorkedDay.cue))
+        .order_by(WorkedDay.worked_on, WorkedDay.id)
+    ).all()
+
+
+def waiting_work(session: Session, contract_id: UUID, unit: Literal["quarters", "minutes"]) -> Sequence[WorkedDay]:
+    """Return the days or the hours that the studio has neither agreed to nor refused, in order."""
+    logged = worked_days_of(session, contract_id)
+    return [one for one in logged if getattr(one, unit) and one.agreed_at is None and one.refused_at is None]
+
+
+def contracts_with_retainer(session: Session) -> Sequence[UUID]:
+    """Return the agreed contracts of which a version names a retainer, struck clauses included."""
+    names_one = select(ContractVersion.contract_id).where(ContractVersion.terms["retainer_minor"].as_integer() > 0)
+    return session.scalars(
+        select(Contract.id)
+        .where(Contract.state == ContractState.AGREED, Contract.id.in_(names_one))
+        .order_by(Contract.id)
     ).all()
 
 

@@ -348,34 +348,6 @@ class EstimatesRead(Schema):
     warning: str | None
 
 
-class WorkedDayAdd(Schema):
-    """A day, or quarters of one, under a contract by the day."""
-
-    worked_on: date
-    quarters: Annotated[int, Field(ge=1, le=4)] = 4
-    note: Words = ""
-
-
-class DayRateRead(Schema):
-    """What a contract by the day pays for one, and up to how many of them."""
-
-    day_rate_minor: int
-    days_cap: int
-    agreed_minor: int
-    cap_minor: int
-
-
-class WorkedDayRead(Schema):
-    """A logged day; due once the studio has agreed."""
-
-    id: UUID
-    worked_on: date
-    quarters: int
-    note: str
-    amount_minor: int
-    agreed_at: datetime | None
-
-
 class CalendarLinkMade(Schema):
     """The address of a calendar; its secret is shown this once."""
 

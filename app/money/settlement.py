@@ -19,12 +19,14 @@ from app.kit import clock
 from app.money import queries
 from app.money.bonus import BonusState
 from app.money.bonuses import bonus_standing
+from app.money.days import mark_agreed
 from app.money.ending import Statement, statement_of
 from app.money.errors import ExtraRoundNotFound, OtherPartyNeeded, RoundAlreadySettled
 from app.money.ledger import called, load_ledger_book, priced, rules_of, write
 from app.money.ledger_book import CLAUSES, Entry, PricedCue, price_of_round, settle_bonus, settle_shares
 from app.money.models import ExtraRound
 from app.money.rules import LineKind
+from app.money.worked_hours import HourBook
 from app.projects.errors import ProducerNeeded
 from app.projects.models import Project
 
@@ -109,16 +111,18 @@ def _cut(session: Session, covered: ContractCue, state: WorkState, person_id: UU
 
 def end_statement(session: Session, contract: Contract, states: Mapping[UUID, WorkState]) -> Statement:
     """Return what a contract comes to if it ends now, by the state of the work on each cue that is not settled."""
-    terms = terms_of(session, contract)
+    terms, book = terms_of(session, contract), load_ledger_book(session, contract)
     milestones = plan_queries.milestones_of(session, contract.id)
     deposit_minor = sum(milestone.amount_minor for milestone in milestones if milestone.is_deposit)
+    is_running = contract.state is ContractState.AGREED
     return statement_of(
-        load_ledger_book(session, contract),
+        book,
         priced(plan_queries.cues_of(session, contract.id)),
         states,
         rules_of(contract, terms),
-        beside_cues_minor=deposit_minor + terms.days_cap_minor,
+        beside_cues_minor=deposit_minor + terms.time_cap_minor,
         deposit_is_set_off=terms.deposit_at_end is DepositAtEnd.SET_OFF,
+        time=HourBook(session, contract).entries_at_end(book) if is_running else (),
     )
 
 
@@ -141,6 +145,9 @@ def settle_end(
     now = clock.now()
     for covered in open_cues(session, contract):
         covered.cut_at, covered.cut_in = now, states[covered.cue_id]
+    if contract.state is ContractState.AGREED:
+        for day in HourBook(session, contract).waiting:
+            mark_agreed(session, contract, day, by=None)
     session.flush()
     write(session, contract, statement.entries, person_id=person_id, is_by_server=is_by_server)
 

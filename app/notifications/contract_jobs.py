@@ -17,7 +17,8 @@ from app.kit import clock
 from app.kit.money import money
 from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
-from app.money.models import Invoice
+from app.money.days import called_work
+from app.money.models import Invoice, WorkedDay
 from app.notifications import queries
 from app.notifications.notifier import Notifier, cue_label
 from app.projects.models import Project
@@ -129,6 +130,35 @@ def notify_invoice(runtime: Runtime, payload: Payload) -> None:
         )
         for recipient in queries.producer_addresses(session, project.studio_id):
             notifier.notify(recipient, "invoices", "an invoice to pay", line, page="money")
+
+
+@job("notifications.notify_work_logged")
+def notify_work_logged(runtime: Runtime, payload: Payload) -> None:
+    """Notify the producers of days or hours to agree to, unless that is done or they were taken back."""
+    with runtime.database.writing() as session:
+        day = session.get(WorkedDay, UUID(payload["worked_day_id"]))
+        if day is None or day.agreed_at is not None or day.refused_at is not None:
+            return
+        contract, project = session.get_one(Contract, day.contract_id), session.get_one(Project, day.project_id)
+        name = session.get_one(Person, contract.designer_id).name
+        line = f"{contract.title}: {name} logged {called_work(day)}. Agree to it, or refuse it and say why."
+        notifier = Notifier(runtime, session, project, payload["event_id"])
+        for recipient in queries.producer_addresses(session, project.studio_id):
+            notifier.notify(recipient, "work", "logged work to agree to", line, page="money")
+
+
+@job("notifications.notify_work_refused")
+def notify_work_refused(runtime: Runtime, payload: Payload) -> None:
+    """Notify the designer of days or hours that the studio refused, and why."""
+    with runtime.database.writing() as session:
+        day = session.get(WorkedDay, UUID(payload["worked_day_id"]))
+        if day is None or day.refused_at is None:
+            return
+        contract, project = session.get_one(Contract, day.contract_id), session.get_one(Project, day.project_id)
+        line = f"{contract.title}: {called_work(day)} was refused: “{day.refusal}”. Correct it and send it again."
+        designer = queries.address_of(session, contract.designer_id)
+        notifier = Notifier(runtime, session, project, payload["event_id"])
+        notifier.notify(designer, "work", "logged work was refused", line, page="money")
 
 
 @job("notifications.notify_reminder")

@@ -33,7 +33,7 @@ NEWS_OF_TOPIC: Mapping[str, News] = {  # by the first word of a mail's topic
     **dict.fromkeys(("questions", "answers", "replies"), News.TALK),
     "mentions": News.MENTIONS,
     **dict.fromkeys(("list", "cut", "builds", "drift", "joined", "webhooks"), News.LIST),
-    **dict.fromkeys(("contract", "deposit", "invoices", "head"), News.CONTRACTS),
+    **dict.fromkeys(("contract", "deposit", "invoices", "work", "head"), News.CONTRACTS),
     **dict.fromkeys(("bids", "posting-questions", "posting"), News.HIRING),
 }
 

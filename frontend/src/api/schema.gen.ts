@@ -3053,70 +3053,6 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/v1/contracts/{contract_id}/worked-days": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        /**
-         * List Worked Days
-         * @description Return the days that were logged under a contract by the day.
-         */
-        get: operations["list_worked_days"];
-        put?: never;
-        /**
-         * Log Day
-         * @description Log a day, or quarters of one; logged again, it is corrected.
-         */
-        post: operations["log_day"];
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
-    "/v1/worked-days/{worked_day_id}": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        get?: never;
-        put?: never;
-        post?: never;
-        /**
-         * Drop Day
-         * @description Take a logged day back, until the studio agrees to it.
-         */
-        delete: operations["drop_day"];
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
-    "/v1/worked-days/{worked_day_id}/agree": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        get?: never;
-        put?: never;
-        /**
-         * Agree Day
-         * @description Agree to a logged day; it is due, up to the cap.
-         */
-        post: operations["agree_day"];
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
     "/v1/projects/{project_id}/calendar": {
         parameters: {
             query?: never;
@@ -3155,6 +3091,94 @@ export interface paths {
         get: operations["read_calendar"];
         put?: never;
         post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/contracts/{contract_id}/worked-days": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Worked Days
+         * @description Return the days and hours that were logged under a contract.
+         */
+        get: operations["list_worked_days"];
+        put?: never;
+        /**
+         * Log Day
+         * @description Log a day, quarters of one, or hours; a day that is logged again is corrected.
+         */
+        post: operations["log_day"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/worked-days/{worked_day_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Correct Day
+         * @description Correct logged work and send it again, refused or not, until the studio agrees to it.
+         */
+        put: operations["correct_day"];
+        post?: never;
+        /**
+         * Drop Day
+         * @description Take logged work back, until the studio agrees to it.
+         */
+        delete: operations["drop_day"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/worked-days/{worked_day_id}/agree": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Agree Day
+         * @description Agree to logged work; it is due, up to the cap.
+         */
+        post: operations["agree_day"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/worked-days/{worked_day_id}/refuse": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Refuse Day
+         * @description Refuse logged work and say why; its designer can correct it and send it again.
+         */
+        post: operations["refuse_day"];
         delete?: never;
         options?: never;
         head?: never;
@@ -11469,6 +11493,7 @@ export interface components {
             /** Kill Fee In Work Bp */
             kill_fee_in_work_bp: number;
             by_day: components["schemas"]["DayRateRead"] | null;
+            by_hour: components["schemas"]["HoursRead"] | null;
             figures: components["schemas"]["FiguresRead"];
             /** Milestones */
             milestones: components["schemas"]["MilestoneRead"][];
@@ -12982,6 +13007,16 @@ export interface components {
             /** Days Minor */
             days_minor: number;
             /**
+             * Hours Minor
+             * @description Hours that wait for the studio and were not refused included.
+             */
+            hours_minor: number;
+            /**
+             * Retainer Minor
+             * @description Of the months that have begun.
+             */
+            retainer_minor: number;
+            /**
              * Due Now Minor
              * @description What is due without the settlement.
              */
@@ -14142,6 +14177,70 @@ export interface components {
             created_at: string;
         };
         /**
+         * HoursMonthRead
+         * @description A month of a contract by the hour, counted from the agreement.
+         */
+        HoursMonthRead: {
+            /** Number */
+            number: number;
+            /**
+             * Begins On
+             * Format: date
+             */
+            begins_on: string;
+            /**
+             * Is Retained
+             * @description The retainer is paid for it.
+             */
+            is_retained: boolean;
+            /** Approved Min */
+            approved_min: number;
+            /** Waiting Min */
+            waiting_min: number;
+            /**
+             * Left Min
+             * @description How much more the contract pays for in it.
+             */
+            left_min: number;
+        };
+        /**
+         * HoursRead
+         * @description What a contract pays for hours and as a retainer, and how much of it is used.
+         */
+        HoursRead: {
+            /**
+             * Rate Minor
+             * @description An hour beyond those that the retainer includes; 0: none is paid.
+             */
+            rate_minor: number;
+            /** Cap Min */
+            cap_min: number;
+            /** Month Cap Min */
+            month_cap_min: number;
+            /**
+             * Paid Min
+             * @description Approved, and paid by the hour.
+             */
+            paid_min: number;
+            /**
+             * Retainer Minor
+             * @description A month; 0: the contract has no retainer.
+             */
+            retainer_minor: number;
+            /**
+             * Included Min
+             * @description In a month of the retainer.
+             */
+            included_min: number;
+            /** Retainer Months */
+            retainer_months: number;
+            /**
+             * Months
+             * @description The last twelve, the oldest first.
+             */
+            months: components["schemas"]["HoursMonthRead"][];
+        };
+        /**
          * HoursSum
          * @description Hours of cues that are neither accepted nor cut.
          */
@@ -15142,7 +15241,7 @@ export interface components {
          * @description Why a line of the ledger was written.
          * @enum {string}
          */
-        LineKind: "deposit" | "accepted" | "held_back" | "cut" | "extra_round" | "worked_day" | "extra_work" | "late_interest" | "bonus" | "tax" | "reversed" | "paid" | "refunded";
+        LineKind: "deposit" | "accepted" | "held_back" | "cut" | "extra_round" | "worked_day" | "worked_hours" | "retainer" | "extra_work" | "late_interest" | "bonus" | "tax" | "reversed" | "paid" | "refunded";
         /**
          * LineState
          * @description What a line in one language has come to.
@@ -16445,7 +16544,7 @@ export interface components {
          * @description What a person is the one to do, in the order in which it is shown.
          * @enum {string}
          */
-        NextStepKind: "add_cues" | "write_brief" | "invite_designer" | "answer_candidates" | "compare_bids" | "send_nda" | "sign_contract" | "change_contract" | "sign_change_order" | "agree_statement" | "pay_invoice" | "invoice_deposit" | "deposit_due" | "fix" | "match" | "answer_questions" | "answer_follow_ups" | "agree_days" | "agree_round" | "send_changes" | "review" | "send_contract" | "propose_changes" | "think_of_day" | "invoice_due" | "name_approver" | "make" | "record" | "implement";
+        NextStepKind: "add_cues" | "write_brief" | "invite_designer" | "answer_candidates" | "compare_bids" | "send_nda" | "sign_contract" | "change_contract" | "sign_change_order" | "agree_statement" | "pay_invoice" | "invoice_deposit" | "deposit_due" | "fix" | "match" | "answer_questions" | "answer_follow_ups" | "agree_days" | "agree_hours" | "correct_work" | "agree_round" | "send_changes" | "review" | "send_contract" | "propose_changes" | "think_of_day" | "invoice_due" | "name_approver" | "make" | "record" | "implement";
         /**
          * NextSteps
          * @description What the caller is to do in a project, the first thing first, and for whom they wait.
@@ -23407,6 +23506,14 @@ export interface components {
             worked_on: string;
         };
         /**
+         * WorkRefusal
+         * @description Why logged work is refused, for its designer to read.
+         */
+        WorkRefusal: {
+            /** Reason */
+            reason: string;
+        };
+        /**
          * WorkState
          * @description How far the work on a cue was when it was cut.
          * @enum {string}
@@ -23414,7 +23521,7 @@ export interface components {
         WorkState: "not_begun" | "in_work" | "delivered" | "accepted";
         /**
          * WorkedDayAdd
-         * @description A day, or quarters of one, under a contract by the day.
+         * @description Work of one day: a day or quarters of one where the contract pays by the day, minutes where by the hour.
          */
         WorkedDayAdd: {
             /**
@@ -23424,9 +23531,16 @@ export interface components {
             worked_on: string;
             /**
              * Quarters
-             * @default 4
+             * @description Of a day; a whole day where neither quarters nor minutes are given.
              */
-            quarters: number;
+            quarters?: number | null;
+            /** Minutes */
+            minutes?: number | null;
+            /**
+             * Cue Id
+             * @description What hours went into; else the note says it.
+             */
+            cue_id?: string | null;
             /**
              * Note
              * @default
@@ -23435,7 +23549,7 @@ export interface components {
         };
         /**
          * WorkedDayRead
-         * @description A logged day; due once the studio has agreed.
+         * @description Logged work; due once the studio has agreed.
          */
         WorkedDayRead: {
             /**
@@ -23448,14 +23562,35 @@ export interface components {
              * Format: date
              */
             worked_on: string;
-            /** Quarters */
-            quarters: number;
+            /**
+             * Quarters
+             * @description Of a day; null for hours.
+             */
+            quarters: number | null;
+            /**
+             * Minutes
+             * @description Null for days.
+             */
+            minutes: number | null;
+            cue: components["schemas"]["ContractedCue"] | null;
             /** Note */
             note: string;
-            /** Amount Minor */
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "waiting" | "agreed" | "refused";
+            /**
+             * Amount Minor
+             * @description What it costs; of waiting hours, if they are approved in their order.
+             */
             amount_minor: number;
             /** Agreed At */
             agreed_at: string | null;
+            /** Refused At */
+            refused_at: string | null;
+            /** Refusal */
+            refusal: string;
         };
         /**
          * WorkedProject
@@ -32519,222 +32654,6 @@ export interface operations {
             };
         };
     };
-    list_worked_days: {
-        parameters: {
-            query?: never;
-            header?: never;
-            path: {
-                contract_id: string;
-            };
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description Successful Response */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["WorkedDayRead"][];
-                };
-            };
-            /** @description `contract-not-found` */
-            404: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Problem"];
-                };
-            };
-            /** @description Validation Error */
-            422: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["HTTPValidationError"];
-                };
-            };
-        };
-    };
-    log_day: {
-        parameters: {
-            query?: never;
-            header?: never;
-            path: {
-                contract_id: string;
-            };
-            cookie?: never;
-        };
-        requestBody: {
-            content: {
-                "application/json": components["schemas"]["WorkedDayAdd"];
-            };
-        };
-        responses: {
-            /** @description Successful Response */
-            201: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["WorkedDayRead"];
-                };
-            };
-            /** @description `other-party-needed` */
-            403: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Problem"];
-                };
-            };
-            /** @description `contract-not-found` */
-            404: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Problem"];
-                };
-            };
-            /** @description `not-agreed`, `not-day-rate`, `day-agreed` */
-            409: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Problem"];
-                };
-            };
-            /** @description `day-in-future` */
-            422: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Problem"];
-                };
-            };
-        };
-    };
-    drop_day: {
-        parameters: {
-            query?: never;
-            header?: never;
-            path: {
-                worked_day_id: string;
-            };
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description Successful Response */
-            204: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content?: never;
-            };
-            /** @description `other-party-needed` */
-            403: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Problem"];
-                };
-            };
-            /** @description `worked-day-not-found` */
-            404: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Problem"];
-                };
-            };
-            /** @description `day-agreed` */
-            409: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Problem"];
-                };
-            };
-            /** @description Validation Error */
-            422: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["HTTPValidationError"];
-                };
-            };
-        };
-    };
-    agree_day: {
-        parameters: {
-            query?: never;
-            header?: never;
-            path: {
-                worked_day_id: string;
-            };
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description Successful Response */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["WorkedDayRead"];
-                };
-            };
-            /** @description `producer-needed` */
-            403: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Problem"];
-                };
-            };
-            /** @description `worked-day-not-found` */
-            404: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Problem"];
-                };
-            };
-            /** @description `day-agreed`, `cap-exceeded` */
-            409: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Problem"];
-                };
-            };
-            /** @description Validation Error */
-            422: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["HTTPValidationError"];
-                };
-            };
-        };
-    };
     make_calendar: {
         parameters: {
             query?: never;
@@ -32844,6 +32763,346 @@ export interface operations {
             };
             /** @description `calendar-not-found` */
             404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_worked_days: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WorkedDayRead"][];
+                };
+            };
+            /** @description `contract-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    log_day: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                contract_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["WorkedDayAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WorkedDayRead"];
+                };
+            };
+            /** @description `other-party-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `contract-not-found`, `cue-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `not-agreed`, `not-day-rate`, `not-hourly`, `cap-exceeded`, `day-agreed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `day-in-future`, `work-not-named` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    correct_day: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                worked_day_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["WorkedDayAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WorkedDayRead"];
+                };
+            };
+            /** @description `other-party-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `worked-day-not-found`, `cue-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `day-logged`, `not-agreed`, `not-day-rate`, `not-hourly`, `cap-exceeded`, `day-agreed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `day-in-future`, `work-not-named` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    drop_day: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                worked_day_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `other-party-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `worked-day-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `day-agreed` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    agree_day: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                worked_day_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WorkedDayRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `worked-day-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `day-agreed`, `day-refused`, `cap-exceeded` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    refuse_day: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                worked_day_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["WorkRefusal"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WorkedDayRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `worked-day-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `day-agreed`, `day-refused` */
+            409: {
                 headers: {
                     [name: string]: unknown;
                 };

@@ -35,6 +35,8 @@ const OF_CONTRACT: ReadonlySet<Kind> = new Set([
   'deposit_due',
   'invoice_due',
   'agree_days',
+  'agree_hours',
+  'correct_work',
   'agree_round',
 ])
 /** Steps that their page shows by itself, with the sounds that they are about. */
@@ -188,6 +190,20 @@ export function wordsOf(step: NextStep, projectId: string): Words {
       return {
         head: `Agree to ${plural(count, 'logged day')}`,
         why: `Logged by ${who}.`,
+        act: 'Go to money',
+        path: `${project}/money`,
+      }
+    case 'agree_hours':
+      return {
+        head: count === 1 ? 'Agree to logged hours' : `Agree to ${count} entries of hours`,
+        why: `Logged by ${who}. Agree to each, or refuse it and say why.`,
+        act: 'Go to money',
+        path: `${project}/money`,
+      }
+    case 'correct_work':
+      return {
+        head: count === 1 ? 'Correct work that was refused' : `Correct ${count} entries that were refused`,
+        why: 'The studio says why. Correct the entry and send it again.',
         act: 'Go to money',
         path: `${project}/money`,
       }

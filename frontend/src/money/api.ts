@@ -29,6 +29,7 @@ export type ListedCue = Schemas['CueRead']
 export type Bonus = Schemas['BonusRead']
 export type WorkedDay = Schemas['WorkedDayRead']
 export type WorkedDayAdd = Schemas['WorkedDayAdd']
+export type Hours = Schemas['HoursRead']
 export type WorkLogAdd = Schemas['WorkLogAdd']
 
 export const moneyQuery = (projectId: string) =>
@@ -187,6 +188,22 @@ export const useSavePlan = (contractId: string) =>
 export const useLogDay = (contractId: string) =>
   useMoneyChange((body: WorkedDayAdd) =>
     answered(api.POST('/v1/contracts/{contract_id}/worked-days', { ...of(contractId), body })),
+  )
+
+/** Logs hours, or corrects those of an entry and sends them again. */
+export const useLogHours = (contractId: string, correctedId?: string) =>
+  useMoneyChange((body: WorkedDayAdd) => {
+    if (correctedId === undefined)
+      return answered(api.POST('/v1/contracts/{contract_id}/worked-days', { ...of(contractId), body }))
+    const params = { params: { path: { worked_day_id: correctedId } } }
+    return answered(api.PUT('/v1/worked-days/{worked_day_id}', { ...params, body }))
+  })
+
+export const useRefuseDay = (workedDayId: string) =>
+  useMoneyChange((body: Schemas['WorkRefusal']) =>
+    answered(
+      api.POST('/v1/worked-days/{worked_day_id}/refuse', { params: { path: { worked_day_id: workedDayId } }, body }),
+    ),
   )
 
 export const useSettleDay = (workedDayId: string) =>

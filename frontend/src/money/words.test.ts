@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest'
 
-import { amount, minorOf, money, percent, slipInWords } from './words'
+import { amount, hours, minorOf, minutesOf, money, percent, slipInWords } from './words'
 
 describe('sums', () => {
   test('have as many decimals as their currency', () => {
@@ -30,4 +30,29 @@ test('late days say with whom they went', () => {
   expect(slipInWords(slip, 'team')).toBe('4 days late: 1 with the designer, 3 with you')
   expect(slipInWords(slip, 'designer')).toBe('4 days late: 3 with the studio, 1 with you')
   expect(slipInWords({ days: 0, designer_days: 0, studio_days: 0 }, 'team')).toBe('on time')
+})
+
+describe('hours', () => {
+  test.each([
+    [60, '1 h'],
+    [90, '1 h 30 min'],
+    [45, '45 min'],
+    [0, '0 h'],
+  ])('%i minutes read %s', (minutes, text) => expect(hours(minutes)).toBe(text))
+
+  test.each([
+    ['1.5', 90],
+    ['1,5', 90],
+    ['2', 120],
+    ['1:30', 90],
+    ['1 h 30 min', 90],
+    ['1h', 60],
+    ['45 min', 45],
+    ['24', 1_440],
+    ['25', null],
+    ['0', null],
+    ['', null],
+    ['h', null],
+    ['much', null],
+  ])('%s is typed for %s minutes', (typed, minutes) => expect(minutesOf(typed)).toBe(minutes))
 })

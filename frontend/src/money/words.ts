@@ -29,6 +29,24 @@ export function minorOf(typed: string, currency: string): number | null {
   return found[1] ? -minor : minor
 }
 
+/** "3 h", "2 h 30 min", "45 min". */
+export function hours(minutes: number): string {
+  const whole = Math.floor(minutes / 60)
+  const rest = minutes % 60
+  return [whole > 0 || rest === 0 ? `${whole} h` : '', rest > 0 ? `${rest} min` : ''].filter(Boolean).join(' ')
+}
+
+/** Typed hours in minutes: "1.5", "1:30", "1 h 30 min"; null if it is none, or more than a day has. */
+export function minutesOf(typed: string): number | null {
+  const text = typed.trim().toLowerCase().replace(',', '.')
+  const parted = /^(?:(\d{1,2})(?::| ?h ?))?(?:(\d{1,4})(?: ?min)?)?$/.exec(text)
+  const whole = /^(\d{0,2}\.?\d*) ?h?$/.exec(text)
+  let minutes = 0
+  if (/[:h]|min/.test(text) && parted) minutes = Number(parted[1] ?? 0) * 60 + Number(parted[2] ?? 0)
+  else if (whole && text !== '') minutes = Math.round(Number(whole[1]) * 60)
+  return minutes >= 1 && minutes <= 24 * 60 ? minutes : null
+}
+
 /** "50 %", "12.5 %". */
 export const percent = (basisPoints: number): string => `${Number((basisPoints / 100).toFixed(2))} %`
 

@@ -43,7 +43,7 @@ WANTED = {
 }
 MUSIC = {"music_rights", "music_skus", "music_soundtrack"}
 OFF = {"ownership_on_creation", "equipment", "exclusivity", "bonus", "purchase_order", "silence", "downloads"} | MUSIC
-OFF |= {"next_project", "points"}
+OFF |= {"next_project", "points", "hours", "retainer"}
 
 
 def standing(kind: ContractKind, **how: bool) -> set[str]:

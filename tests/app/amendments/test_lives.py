@@ -4,6 +4,7 @@ The model keeps no lines. From the cues and what was agreed it reckons what must
 """
 
 from dataclasses import replace
+from datetime import date
 from fractions import Fraction
 from uuid import UUID, uuid4
 
@@ -12,9 +13,10 @@ from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, rule
 
 from app.agreements.rules import ReleaseClause, WorkState
-from app.agreements.terms import KillFees
+from app.agreements.terms import KillFees, MoneyTerms
 from app.money.ending import statement_of
 from app.money.figures import figures_of
+from app.money.hours import HourTerms, month_begins_on
 from app.money.ledger_book import Entry, LedgerBook, Line, PayRules, PricedCue, settle_bonus, settle_shares
 from app.money.rules import LineKind
 
@@ -22,6 +24,17 @@ DEPOSIT_MINOR, ROUND_BP = 77_777, 1_250
 PARTS = {"not_begun": 333, "in_work": 5_000, "delivered": 7_501}
 FEES = KillFees(*PARTS.values())
 CONTRACTS, CUES = 2, 5
+AGREED_ON = date(2026, 1, 31)
+TERMS = MoneyTerms(
+    hour_rate_minor=6_007,
+    hours_cap=20,
+    hours_month_cap=12,
+    retainer_minor=45_678,
+    retainer_hours=5,
+    retainer_months=4,
+)
+HOURS = HourTerms.of(TERMS)
+BESIDE_MINOR = DEPOSIT_MINOR + TERMS.time_cap_minor
 
 
 def rounded(amount_minor: int, part_bp: int) -> int:
@@ -44,6 +57,9 @@ class Life:
         self.bonus_minor = 0
         self.had_bonus = False
         self.is_ended = False
+        self.month = 1  # of the contract
+        self.approved: dict[int, int] = {}
+        self.waiting: list[tuple[int, int]] = []  # month and minutes
 
     @property
     def book(self) -> LedgerBook:
@@ -75,7 +91,32 @@ class Life:
     def owed_by_the_model(self) -> int:
         """Return what must be owed by what happened, without any line."""
         deposit = 0 if self.is_ended and self.is_set_off else DEPOSIT_MINOR
-        return deposit + sum(self.extras) + self.owed_bonus() + sum(map(self._share, self.cues))
+        return deposit + sum(self.extras) + self.owed_bonus() + self.owed_time() + sum(map(self._share, self.cues))
+
+    def owed_time(self) -> int:
+        """Return what hours and retainer cost by what happened: all hours beyond those included, rounded once."""
+        months = min(self.month, HOURS.months)
+        beyond = [
+            max(0, minutes - (HOURS.included_min if month <= HOURS.months else 0))
+            for month, minutes in self.approved.items()
+        ]
+        assert max(beyond, default=0) <= HOURS.month_cap_min
+        assert sum(beyond) <= HOURS.cap_min
+        return months * HOURS.retainer_minor + int(Fraction(sum(beyond) * HOURS.rate_minor, 60) + Fraction(1, 2))
+
+    def charge_months(self) -> list[Entry]:
+        charged = {line.month_number for line in self.lines if line.kind is LineKind.RETAINER}
+        today = month_begins_on(self.month, AGREED_ON)
+        return [
+            Entry(LineKind.RETAINER, HOURS.retainer_minor, "retainer", month_number=month)
+            for month in HOURS.months_due(AGREED_ON, today, charged)
+        ]
+
+    def approve_hours(self, month: int, minutes: int) -> list[Entry]:
+        amount_minor = HOURS.charge(month, minutes, self.approved)
+        self.approved[month] = self.approved.get(month, 0) + minutes
+        kind = LineKind.WORKED_HOURS
+        return [Entry(kind, amount_minor, "hours", worked_day_id=uuid4())] if amount_minor else []
 
     def _share(self, cue: PricedCue) -> int:
         if cue.cut_in is not None:
@@ -107,6 +148,7 @@ class Lives(RuleBasedStateMachine):
         ]
         for life, bonus_minor in zip(self.lives, bonuses, strict=True):
             life.bonus_minor = bonus_minor
+            life.write(life.charge_months())
 
     def running(self, which: int) -> Life | None:
         life = self.lives[which % CONTRACTS]
@@ -163,6 +205,34 @@ class Lives(RuleBasedStateMachine):
             life.extras.append(price)
             life.write([Entry(LineKind.EXTRA_WORK, price, "changes", milestone_id=life.milestones[0])])
 
+    @rule(which=st.integers(0, 1), month=st.integers(1, 9), minutes=st.integers(1, 700))
+    def log_hours(self, which, month, minutes):
+        """Log as many minutes of a month that has begun as the contract pays for."""
+        if life := self.running(which):
+            month = min(month, life.month)
+            logged = dict(life.approved)
+            for waiting_month, waiting in life.waiting:
+                logged[waiting_month] = logged.get(waiting_month, 0) + waiting
+            minutes = min(minutes, HOURS.left(month, logged))
+            if minutes:
+                life.waiting.append((month, minutes))
+
+    @rule(which=st.integers(0, 1), place=st.integers(0, 20), agrees=st.booleans())
+    def judge_hours(self, which, place, agrees):
+        """Approve or refuse one entry, in any order."""
+        if (life := self.running(which)) and life.waiting:
+            entry = life.waiting.pop(place % len(life.waiting))
+            if agrees:
+                life.write(life.approve_hours(*entry))
+
+    @rule(which=st.integers(0, 1), times=st.integers(1, 3))
+    def begin_month(self, which, times):
+        """Begin a month; the job that charges it may run often."""
+        if life := self.running(which):
+            life.month += 1
+            for _ in range(times):
+                life.write(life.charge_months())
+
     @rule(which=st.integers(0, 1))
     def accept_all(self, which):
         """Accept every open cue: with the last one a bonus is due."""
@@ -183,17 +253,22 @@ class Lives(RuleBasedStateMachine):
         if not (life := self.running(which)):
             return
         of = {cue.cue_id: WorkState(states[place % 20]) for place, cue in enumerate(life.cues) if not cue.is_settled}
-        beside = DEPOSIT_MINOR
+        time = life.charge_months() + [entry for one in life.waiting for entry in life.approve_hours(*one)]
+        life.waiting = []
         statement = statement_of(
-            life.book, life.cues, of, life.rules, beside_cues_minor=beside, deposit_is_set_off=life.is_set_off
+            *(life.book, life.cues, of, life.rules),
+            beside_cues_minor=BESIDE_MINOR,
+            deposit_is_set_off=life.is_set_off,
+            time=time,
         )
         before = len(life.lines)
         life.write(list(statement.entries))
         life.cues = [cue if cue.is_settled else replace(cue, cut_in=of[cue.cue_id]) for cue in life.cues]
         life.is_ended = True
-        assert figures_of(life.book, life.cues, beside, is_ended=True) == statement.figures
+        assert figures_of(life.book, life.cues, BESIDE_MINOR, is_ended=True) == statement.figures
         parts = (statement.cues_minor, statement.deposit_minor, statement.rounds_minor, statement.extra_minor)
-        assert sum(parts) == statement.figures.accepted_minor
+        assert statement.hours_minor + statement.retainer_minor == life.owed_time()
+        assert sum(parts) + life.owed_time() == statement.figures.accepted_minor
         assert [one.owed_minor for one in statement.cues] == [life._share(cue) for cue in life.cues]
         life.settle()
         assert len(life.lines) == before + len(statement.entries), "settled once, there is nothing more to write"
@@ -208,9 +283,9 @@ class Lives(RuleBasedStateMachine):
     @invariant()
     def every_cent_is_somewhere(self):
         for life in self.lives:
-            figures = figures_of(life.book, life.cues, DEPOSIT_MINOR, is_ended=life.is_ended)
+            figures = figures_of(life.book, life.cues, BESIDE_MINOR, is_ended=life.is_ended)
             together = figures.paid_minor + figures.due_minor + figures.open_minor + figures.saved_minor
-            whole = DEPOSIT_MINOR + sum(cue.amount_minor for cue in life.cues) + sum(life.extras) + life.owed_bonus()
+            whole = BESIDE_MINOR + sum(cue.amount_minor for cue in life.cues) + sum(life.extras) + life.owed_bonus()
             assert together == figures.agreed_minor == whole
             assert figures.open_minor >= 0
             assert figures.saved_minor >= 0

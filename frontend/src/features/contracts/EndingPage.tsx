@@ -171,6 +171,12 @@ function Statement({ ending }: { ending: Ending }) {
             {ending.days_minor !== 0 && (
               <Sum head="Days" note="worked and agreed" minor={ending.days_minor} one={one} />
             )}
+            {ending.hours_minor !== 0 && (
+              <Sum head="Hours" note="agreed, or logged and not refused" minor={ending.hours_minor} one={one} />
+            )}
+            {ending.retainer_minor !== 0 && (
+              <Sum head="Retainer" note="months that have begun" minor={ending.retainer_minor} one={one} />
+            )}
             <Sum head="Paid so far" note="" minor={-figures.paid_minor} one={one} />
           </tbody>
           <tfoot>

@@ -41,6 +41,8 @@ const ENDING = {
   rounds_minor: 0,
   extra_minor: 0,
   days_minor: 0,
+  hours_minor: 0,
+  retainer_minor: 0,
   due_now_minor: 28_000,
   figures: {
     agreed_minor: 82_000,

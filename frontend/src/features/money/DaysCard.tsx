@@ -4,18 +4,17 @@ import { type FormEvent, useState } from 'react'
 
 import { ApiProblem } from '@/api'
 import { useDraft } from '@/app/drafts'
-import { type ContractMoney, daysQuery, useLogDay, useSettleDay, type WorkedDay } from '@/money/api'
+import { type ContractMoney, daysQuery, useLogDay } from '@/money/api'
 import { amount, money } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
-import { FieldError } from '@/ui/FieldError'
-import { day } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
-import { Row, Rows } from '@/ui/Rows'
+import { Rows } from '@/ui/Rows'
 
 import classes from './Page.module.css'
 import { today } from './today'
+import { WorkRow } from './WorkRow'
 
 const QUARTERS = ['Quarter day', 'Half day', 'Three quarters of a day', 'Full day']
 const CHOICES = QUARTERS.map((label, place) => ({ value: String(place + 1), label })).toReversed()
@@ -29,8 +28,9 @@ interface DaysCardProps {
 /** The days of a contract by the day: its designer logs them, a producer agrees, and they are due up to the cap. */
 export function DaysCard({ contract, side, isProducer }: DaysCardProps) {
   const { by_day: byDay, currency, title, contract_id: contractId } = contract
-  const { data: days = [] } = useQuery({ ...daysQuery(contractId), enabled: byDay !== null })
+  const { data: logged = [] } = useQuery({ ...daysQuery(contractId), enabled: byDay !== null })
   if (byDay === null) return null
+  const days = logged.filter(({ quarters }) => quarters !== null)
   const { day_rate_minor: rate, days_cap: cap, agreed_minor: agreed, cap_minor: most } = byDay
   return (
     <Card aria-label={`Days, ${title}`}>
@@ -51,53 +51,18 @@ export function DaysCard({ contract, side, isProducer }: DaysCardProps) {
       )}
       <Rows>
         {days.toReversed().map((one) => (
-          <DayRow key={one.id} day={one} currency={currency} side={side} isProducer={isProducer} />
+          <WorkRow
+            key={one.id}
+            work={one}
+            length={QUARTERS[(one.quarters ?? 1) - 1]?.toLowerCase() ?? ''}
+            currency={currency}
+            side={side}
+            isProducer={isProducer}
+          />
         ))}
       </Rows>
       {side === 'designer' && <LogForm contract={contract} />}
     </Card>
-  )
-}
-
-interface DayRowProps {
-  day: WorkedDay
-  currency: string
-  side: 'team' | 'designer'
-  isProducer: boolean
-}
-
-function DayRow({ day: one, currency, side, isProducer }: DayRowProps) {
-  const settle = useSettleDay(one.id)
-  const named = day(one.worked_on)
-  const isAgreed = one.agreed_at !== null
-  return (
-    <Row>
-      <span className="grow">
-        <span className={isAgreed ? undefined : 'strong'}>{named}</span>
-        <span className="small mid">
-          {' '}
-          {QUARTERS[one.quarters - 1]?.toLowerCase()}
-          {one.note && `, ${one.note}`}
-          {isAgreed ? ', agreed' : ', waiting for the studio'}
-        </span>
-        {settle.error instanceof ApiProblem && <FieldError>{settle.error.detail}</FieldError>}
-      </span>
-      <span className="nowrap">{amount(one.amount_minor, currency)}</span>
-      {!isAgreed && side === 'team' && isProducer && (
-        <Button
-          aria-busy={settle.isPending}
-          onClick={() => settle.mutate('agree')}
-          aria-label={`Agree to ${named}, ${amount(one.amount_minor, currency)}`}
-        >
-          Agree
-        </Button>
-      )}
-      {!isAgreed && side === 'designer' && (
-        <Button variant="quiet" onClick={() => settle.mutate('take back')} aria-label={`Remove ${named}`}>
-          Remove
-        </Button>
-      )}
-    </Row>
   )
 }
 

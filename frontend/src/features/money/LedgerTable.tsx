@@ -11,6 +11,8 @@ const KINDS = {
   cut: 'Cut',
   extra_round: 'Extra round',
   worked_day: 'Day worked',
+  worked_hours: 'Hours worked',
+  retainer: 'Retainer',
   extra_work: 'Extra work',
   late_interest: 'Late interest',
   bonus: 'Bonus',

@@ -15,6 +15,7 @@ import { BonusCard } from './BonusCard'
 import { CalendarCard } from './CalendarCard'
 import { DaysCard } from './DaysCard'
 import { EstimatesCard } from './EstimatesCard'
+import { HoursCard } from './HoursCard'
 import { InvoicesCard } from './InvoicesCard'
 import { LedgerCard } from './LedgerCard'
 import classes from './Page.module.css'
@@ -99,6 +100,7 @@ function Contract({ contract, projectId, side, isProducer, withCalendar }: Contr
     <section className="columns" aria-label={`${contract.title}, ${contract.designer.name}`}>
       <div className="stack">
         <DaysCard contract={contract} side={side} isProducer={isProducer} />
+        <HoursCard contract={contract} projectId={projectId} side={side} isProducer={isProducer} />
         <InvoicesCard contract={contract} side={side} isProducer={isProducer} />
         <LedgerCard contractId={contract.contract_id} title={contract.title} />
       </div>

@@ -61,6 +61,7 @@ function aContract(id: string, title: string): ContractMoney {
     release: 'per_cue',
     kill_fee_in_work_bp: 5_000,
     by_day: null,
+    by_hour: null,
     figures: figures(),
     milestones: [
       {
@@ -138,9 +139,14 @@ const WORKED = {
   id: 'day-1',
   worked_on: '2026-11-12',
   quarters: 2,
+  minutes: null,
+  cue: null,
   note: 'Servo recordings',
+  state: 'waiting',
   amount_minor: 20_000,
   agreed_at: null,
+  refused_at: null,
+  refusal: '',
 }
 const byTheDay = () =>
   tell({
@@ -298,7 +304,7 @@ describe('a producer', () => {
     const card = within(await screen.findByRole('region', { name: 'Days, Effects' }))
     expect(card.getByText(/400.00 of \$4,000.00; \$400.00 a day, 10 at most/)).toBeVisible()
     expect(await card.findByText(/half day, Servo recordings, waiting for the studio/)).toBeVisible()
-    await userEvent.click(card.getByRole('button', { name: /Agree to .*12 November.*, 200.00/ }))
+    await userEvent.click(card.getByRole('button', { name: /Agree to half day on .*12 November.*, 200.00/ }))
     expect(await card.findByRole('alert')).toHaveTextContent('the 10 days agreed to are used up')
     expect(card.queryByRole('form')).toBeNull()
   })
@@ -381,7 +387,7 @@ describe('a designer', () => {
         note: 'Doors',
       }),
     )
-    await userEvent.click(await card.findByRole('button', { name: /^Remove .*12 November/ }))
+    await userEvent.click(await card.findByRole('button', { name: /^Remove half day on .*12 November/ }))
     await waitFor(() => expect(server.of('DELETE /v1/worked-days/day-1')).toHaveLength(1))
     expect(await faults()).toEqual([])
   })

@@ -1,0 +1,146 @@
+import { TextInput } from '@mantine/core'
+import { type FormEvent, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { useDraft } from '@/app/drafts'
+import { useRefuseDay, useSettleDay, type WorkedDay } from '@/money/api'
+import { amount } from '@/money/words'
+import { Button } from '@/ui/Button'
+import { day } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+import { Row } from '@/ui/Rows'
+import { useFocusOnMount } from '@/ui/useFocusOnMount'
+
+import classes from './Page.module.css'
+
+const STATES = { agreed: 'agreed', waiting: 'waiting for the studio', refused: 'refused' }
+
+interface WorkRowProps {
+  work: WorkedDay
+  /** How much of the day: "half day", "1 h 30 min". */
+  length: string
+  currency: string
+  side: 'team' | 'designer'
+  isProducer: boolean
+  /** Opens a form in which the designer corrects it; without one, logging the day again does. */
+  onCorrect?: () => void
+}
+
+/** One logged day or some hours of it: the studio agrees or refuses, the designer corrects or removes. */
+export function WorkRow({ work, length, currency, side, isProducer, onCorrect }: WorkRowProps) {
+  const settle = useSettleDay(work.id)
+  const [isRefusing, setIsRefusing] = useState(false)
+  const named = day(work.worked_on)
+  const sum = amount(work.amount_minor, currency)
+  const what = [length, work.cue?.name, work.note].filter(Boolean).join(', ')
+  const isWaiting = work.state === 'waiting'
+  return (
+    <Row className={classes.work}>
+      <span className="grow">
+        <span className={work.state === 'agreed' ? undefined : 'strong'}>{named}</span>
+        <span className="small mid">
+          {' '}
+          {what}, {STATES[work.state]}
+        </span>
+        {work.state === 'refused' && (
+          <span className={`small ${classes.refusal}`}>
+            The studio refused it: {work.refusal}
+            {side === 'designer' && (onCorrect ? ' Correct it to send it again.' : ' Log the day again to correct it.')}
+          </span>
+        )}
+      </span>
+      <span className="nowrap">{sum}</span>
+      {isWaiting && side === 'team' && isProducer && (
+        <>
+          <Button
+            aria-busy={settle.isPending}
+            onClick={() => settle.mutate('agree')}
+            aria-label={`Agree to ${length} on ${named}, ${sum}`}
+          >
+            Agree
+          </Button>
+          <Button
+            variant="quiet"
+            aria-expanded={isRefusing}
+            onClick={() => setIsRefusing(!isRefusing)}
+            aria-label={`Refuse ${length} on ${named}`}
+          >
+            Refuse…
+          </Button>
+        </>
+      )}
+      {work.state !== 'agreed' && side === 'designer' && (
+        <>
+          {onCorrect && (
+            <Button onClick={onCorrect} aria-label={`Correct ${length} on ${named}`}>
+              Correct
+            </Button>
+          )}
+          <Button
+            variant="quiet"
+            onClick={() => settle.mutate('take back')}
+            aria-label={`Remove ${length} on ${named}`}
+          >
+            Remove
+          </Button>
+        </>
+      )}
+      {settle.error instanceof ApiProblem && (
+        <div className={classes.problem}>
+          <ProblemNote detail={settle.error.detail} fix={settle.error.fix} />
+        </div>
+      )}
+      {isRefusing && isWaiting && (
+        <RefuseForm work={work} name={`Refuse ${length} on ${named}`} onDone={() => setIsRefusing(false)} />
+      )}
+    </Row>
+  )
+}
+
+function RefuseForm({ work, name, onDone }: { work: WorkedDay; name: string; onDone: () => void }) {
+  const refuse = useRefuseDay(work.id)
+  const [reason, setReason, draft] = useDraft(`refusal:${work.id}`, '')
+  const [isEmpty, setIsEmpty] = useState(false)
+  const field = useFocusOnMount<HTMLInputElement>()
+  const send = (event: FormEvent) => {
+    event.preventDefault()
+    setIsEmpty(reason.trim() === '')
+    if (reason.trim() === '' || refuse.isPending) return
+    refuse.mutate(
+      { reason: reason.trim() },
+      {
+        onSuccess: () => {
+          draft.discard()
+          onDone()
+        },
+      },
+    )
+  }
+  return (
+    <form className={`${classes.form} ${classes.inRow}`} onSubmit={send} noValidate aria-label={name}>
+      <TextInput
+        className={classes.wide}
+        label="Why"
+        description="The designer reads it, and can correct the entry and send it again."
+        value={reason}
+        maxLength={2000}
+        ref={field}
+        onChange={({ currentTarget }) => setReason(currentTarget.value)}
+        error={isEmpty ? 'Say why.' : undefined}
+      />
+      {refuse.error instanceof ApiProblem && (
+        <div className={classes.wide}>
+          <ProblemNote detail={refuse.error.detail} fix={refuse.error.fix} />
+        </div>
+      )}
+      <div className={classes.foot}>
+        <Button variant="quiet" onClick={onDone}>
+          Cancel
+        </Button>
+        <Button type="submit" aria-busy={refuse.isPending}>
+          Refuse
+        </Button>
+      </div>
+    </form>
+  )
+}
