@@ -65,6 +65,7 @@ from app.sound_lists.kit_endpoints import router as kits
 from app.sound_lists.matrix_endpoints import router as matrices
 from app.sound_lists.own_column_endpoints import router as own_columns
 from app.sound_lists.people_endpoints import router as cue_people
+from app.sound_lists.spoken_endpoints import router as spoken_placeholders
 from app.voice_lines.endpoints import router as voice_lines
 from app.voice_lines.release_endpoints import router as voice_releases
 from app.webhooks.endpoints import router as webhooks
@@ -84,6 +85,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     briefs,
     sound_lists,
     category_guess,
+    spoken_placeholders,
     coverage,
     kits,
     matrices,
@@ -165,6 +167,8 @@ JOB_MODULES = (
 PARSERS = (
     "app.deliveries.game_projects",
     "app.sound_lists.sheets",
+    "app.sound_lists.spoken_rules",
+    "audio_checks.placeholders.recorded",
     "app.voice_lines.script_text",
     "app.hiring.roster_files",
     "app.agreements.template_files",
@@ -188,6 +192,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "take.waived": ("renders.make_renders",),
     "spec.changed": ("conformance.recheck_takes", "renders.update_renders"),
     "cue.changed": ("conformance.recheck_takes", "renders.update_renders"),
+    "placeholder.said": ("builds.make_spoken_placeholders",),
     "placeholders.asked": ("builds.make_placeholder_files",),
     "pack.asked": ("builds.seal_pack",),
     "pack.made": (),

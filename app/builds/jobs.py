@@ -1,7 +1,7 @@
 """The jobs of this room: packs put together, placeholder files made, game files listened to."""
 
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from uuid import UUID
 
@@ -69,22 +69,44 @@ def seal_pack(runtime: Runtime, payload: Payload) -> None:
 @job("builds.make_placeholder_files")
 def make_placeholder_files(runtime: Runtime, payload: Payload) -> None:
     """Make what the pack of a target lacks, each on record before the next."""
-    target = payload["target"]
     with runtime.database.reading() as session:
-        project, slots = placeholders.slots_to_make(session, UUID(payload["project_id"]), target)
+        project, slots = placeholders.slots_to_make(session, UUID(payload["project_id"]), payload["target"])
+    _make_placeholders(runtime, project, payload["target"], slots)
+
+
+@job("builds.make_spoken_placeholders")
+def make_spoken_placeholders(runtime: Runtime, payload: Payload) -> None:
+    """Make the placeholder files of one cue for every target, after a person said one or removed it."""
+    project_id, cue_id = UUID(payload["project_id"]), UUID(payload["cue_id"])
+    with runtime.database.reading() as session:
+        targets = placeholders.targets_of_project(session, project_id)
+    for target in targets:
+        with runtime.database.reading() as session:
+            project, slots = placeholders.slots_to_make(session, project_id, target, cue_id)
+        _make_placeholders(runtime, project, target, slots)
+
+
+def _make_placeholders(runtime: Runtime, project: Project, target: str, slots: Sequence[placeholders.Slot]) -> None:
     for slot in slots:
         blob, is_spoken, refusal = None, False, ""
         with tempfile.TemporaryDirectory(prefix="soundlist-") as folder:
             try:
-                made = make_placeholder(
-                    slot.facts, slot.variation, slot.view, Path(folder, f"placeholder{slot.view.ending}")
-                )
+                path = Path(folder, f"placeholder{slot.view.ending}")
+                said = _said(runtime, project, slot)
+                made = make_placeholder(slot.facts, slot.variation, slot.view, path, said=said)
                 blob, is_spoken = runtime.store.put_file(project.studio_id, made.path), made.is_spoken
             except RenderRefused as error:
                 refusal = f"{error}; {error.fix}"
         kill_points.point("builds.before_placeholder_file")
         with runtime.database.writing() as session:
             placeholders.keep(session, project, target, slot, blob, is_spoken=is_spoken, refusal=refusal)
+
+
+def _said(runtime: Runtime, project: Project, slot: placeholders.Slot) -> bytes | None:
+    if slot.said_sha256 is None:
+        return None
+    with runtime.store.local_copy(project.studio_id, slot.said_sha256) as path:
+        return path.read_bytes()
 
 
 @job("builds.fingerprint_take")

@@ -23,7 +23,7 @@ from app.projects.queries import current_spec
 from app.projects.service import project_access
 from app.renders.queries import parsed_spec
 from app.sound_lists.models import Cue
-from app.sound_lists.queries import cues_of
+from app.sound_lists.queries import cues_of, spoken_sha256s
 from app.sound_lists.rules import CueState, label
 from app.sound_lists.service import cue_facts
 from app.voice_lines.queries import languages_by_cue
@@ -43,6 +43,7 @@ class Slot:
     facts: CueFacts
     view: DeliverySpec
     key: str  # of everything that its placeholder file is made from
+    said_sha256: str | None = None  # what a person said for the cue
 
 
 def open_slots(session: Session, pack: Pack) -> Iterator[Slot]:
@@ -50,6 +51,7 @@ def open_slots(session: Session, pack: Pack) -> Iterator[Slot]:
     spec = parsed_spec(current_spec(session, pack.project.id).toml)
     there = {(sound.cue.id, sound.variation) for sound in pack.sounds if sound.made}
     languages = languages_by_cue(session, pack.project.id)
+    said = spoken_sha256s(session, pack.project.id)
     views: dict[str, DeliverySpec] = {}
     for cue in cues_of(session, pack.project.id):
         if cue.state is CueState.CUT:
@@ -62,12 +64,15 @@ def open_slots(session: Session, pack: Pack) -> Iterator[Slot]:
             if (cue.id, stem.variation) not in there and view.target is not None:
                 named = view.target.path_of(stem.stem + view.ending, cue.category)
                 path = game_path(languages.get(cue.id), named)
-                yield Slot(cue, stem.variation, path, facts, view, _key(facts, stem.variation, view))
+                key = _key(facts, stem.variation, view, said.get(cue.id))
+                yield Slot(cue, stem.variation, path, facts, view, key, said.get(cue.id))
 
 
-def _key(facts: CueFacts, variation: int, view: DeliverySpec) -> str:
+def _key(facts: CueFacts, variation: int, view: DeliverySpec, said_sha256: str | None) -> str:
     inputs = {name: value for name, value in asdict(facts).items() if name != "more"}
     made_of = [TOOL_VERSION, inputs, variation, view.sha256, view.category, view.target and view.target.name]
+    if said_sha256 is not None:
+        made_of.append(said_sha256)
     return hashlib.sha256(json.dumps(made_of, sort_keys=True, default=str).encode()).hexdigest()
 
 
@@ -154,15 +159,23 @@ def request_placeholder_files(session: Session, actor: Actor, project_id: UUID, 
     )
 
 
-def slots_to_make(session: Session, project_id: UUID, target: str) -> tuple[Project, list[Slot]]:
-    """Return the slots whose placeholder file is not there, or is not what it should be."""
+def slots_to_make(
+    session: Session, project_id: UUID, target: str, cue_id: UUID | None = None
+) -> tuple[Project, list[Slot]]:
+    """Return the slots, or those of one cue, whose placeholder file is not there, or is not what it should be."""
     pack = pack_of(session, session.get_one(Project, project_id), target)
     made = queries.placeholder_files_of(session, project_id, target)
     return pack.project, [
         slot
         for slot in open_slots(session, pack)
+        if cue_id is None or slot.cue.id == cue_id
         if (known := made.get((slot.cue.id, slot.variation))) is None or known.key != slot.key
     ]
+
+
+def targets_of_project(session: Session, project_id: UUID) -> list[str]:
+    """Return the names of the targets that a project's spec has."""
+    return list(parsed_spec(current_spec(session, project_id).toml).targets)
 
 
 def keep(

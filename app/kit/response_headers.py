@@ -10,7 +10,8 @@ HASHED = "/assets/"  # named after what is in them
 FOR_EVER = "public, max-age=31536000, immutable"
 NO_STORE = "no-store"
 ASK_AGAIN = "no-cache"
-UNUSED = ("accelerometer", "camera", "display-capture", "geolocation", "gyroscope", "microphone", "payment", "usb")
+UNUSED = ("accelerometer", "camera", "display-capture", "geolocation", "gyroscope", "payment", "usb")
+OWN = ("microphone",)  # placeholders are said into it
 
 
 def content_security_policy(store_origin: str | None) -> str:
@@ -32,7 +33,7 @@ def security_headers(store_origin: str | None, *, is_https: bool) -> dict[str, s
         "Referrer-Policy": "same-origin",
         "Cross-Origin-Opener-Policy": "same-origin",
         "Cross-Origin-Resource-Policy": "same-origin",
-        "Permissions-Policy": ", ".join(f"{feature}=()" for feature in UNUSED),
+        "Permissions-Policy": ", ".join([f"{one}=()" for one in UNUSED] + [f"{one}=(self)" for one in OWN]),
     }
     if is_https:
         headers["Strict-Transport-Security"] = "max-age=31536000"

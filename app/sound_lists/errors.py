@@ -43,6 +43,14 @@ class SheetUnreadable(Invalid):
     """The file is no readable sheet, or it is too large."""
 
 
+class RecordingInvalid(Invalid):
+    """The recording is no WAV file, is too long, or nothing is heard in it."""
+
+
+class NothingSaid(NotFound):
+    """No person said a placeholder for this cue."""
+
+
 class ColumnUnknown(Invalid):
     """The mapping names a column that the sheet does not have, or one field twice."""
 

@@ -4,7 +4,7 @@ from datetime import date, datetime
 from typing import Any
 from uuid import UUID
 
-from sqlalchemy import CheckConstraint, ForeignKey, Index, UniqueConstraint, text
+from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, UniqueConstraint, text
 from sqlalchemy.engine.default import DefaultExecutionContext
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
@@ -134,6 +134,28 @@ class CueChange(Base):
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     before: Mapped[dict[str, Any]]  # empty: the cue was added
     after: Mapped[dict[str, Any]]
+
+
+class SpokenPlaceholder(Base):
+    """A word that a person of the team said for a cue, heard in its placeholder files until the sound comes."""
+
+    __tablename__ = "sound_lists_spoken_placeholders"
+    __table_args__ = (
+        UniqueConstraint("cue_id"),
+        CheckConstraint("file_bytes > 0", name="not_empty"),
+        Index("ix_sound_lists_spoken_placeholders_kept", "studio_id", "sha256", "file_bytes"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"))
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"))
+    sha256: Mapped[str]
+    file_bytes: Mapped[int] = mapped_column(BigInteger)
+    duration_s: Mapped[float]
+    recorded_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    recorded_at: Mapped[datetime] = mapped_column(default=clock.now)
+    speaker: Mapped[Person] = relationship(lazy="raise")
 
 
 class Question(Base):

@@ -11,7 +11,7 @@ from sqlalchemy.orm import Session, joinedload, selectinload
 from app.accounts.models import Membership, Person
 from app.kit.in_array import in_array
 from app.projects.models import Engagement, Project
-from app.sound_lists.models import Cue, CueChange, OwnColumn, Question, Revision, Stem
+from app.sound_lists.models import Cue, CueChange, OwnColumn, Question, Revision, SpokenPlaceholder, Stem
 from app.sound_lists.own_column_rules import Column
 from app.sound_lists.rules import CueState, Need, folded
 
@@ -263,3 +263,16 @@ def question_by_id(session: Session, question_id: UUID) -> Question | None:
         .options(joinedload(Question.cue), joinedload(Question.asker), joinedload(Question.answerer))
         .execution_options(populate_existing=True)
     )
+
+
+def spoken_placeholder(session: Session, cue_id: UUID) -> SpokenPlaceholder | None:
+    """Return what was said for a cue, with the person who said it."""
+    of_cue = select(SpokenPlaceholder).where(SpokenPlaceholder.cue_id == cue_id)
+    return session.scalar(of_cue.options(joinedload(SpokenPlaceholder.speaker)))
+
+
+def spoken_sha256s(session: Session, project_id: UUID) -> dict[UUID, str]:
+    """Return the files of what was said for the cues of a project, by cue."""
+    said = select(SpokenPlaceholder.cue_id, SpokenPlaceholder.sha256)
+    found = session.execute(said.where(SpokenPlaceholder.project_id == project_id))
+    return {row.cue_id: row.sha256 for row in found}

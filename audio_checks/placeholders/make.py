@@ -17,6 +17,7 @@ from audio_checks.measure.loudness import Loudness
 from audio_checks.metadata.layouts import LAYOUTS
 from audio_checks.metadata.mark import broadcast_chunk, comment_chunk, marked_comment
 from audio_checks.placeholders.pattern import pattern
+from audio_checks.placeholders.recorded import read_recording
 from audio_checks.placeholders.speech import synthesize_speech
 from audio_checks.render.channels import ensure_codable
 from audio_checks.render.coding import Coder
@@ -121,7 +122,7 @@ def make_placeholders(
 
 
 def make_placeholder(
-    cue: CueFacts, variation: int, view: DeliverySpec, path: Path, *, voice: bool = True
+    cue: CueFacts, variation: int, view: DeliverySpec, path: Path, *, voice: bool = True, said: bytes | None = None
 ) -> Placeholder:
     """Write one placeholder: as long as its cue, within the limits of the view, and marked.
 
@@ -137,6 +138,8 @@ def make_placeholder(
         Where to. An existing placeholder is rewritten only where something changed.
     voice : bool
         Speak where an engine is installed.
+    said : bytes, optional
+        What a person said for the cue, as `tidy_recording` returns it; heard in place of the engine.
 
     Returns
     -------
@@ -150,8 +153,14 @@ def make_placeholder(
     """
     _ensure_free(path)
     form = _Form.of(view)
-    frames = _frames(cue, view, form.sample_rate_hz)
-    word = _word(cue, variation, form.sample_rate_hz, frames) if voice else None
+    recording = read_recording(said, form.sample_rate_hz) if said is not None else None
+    frames = _frames(
+        cue, view, form.sample_rate_hz, DURATION_S if recording is None else len(recording) / form.sample_rate_hz
+    )
+    if recording is not None:
+        word: NDArray[np.float64] | None = _fitted(recording, frames)
+    else:
+        word = _word(cue, variation, form.sample_rate_hz, frames) if voice else None
     samples = pattern(cue.number, variation, frames, form.sample_rate_hz) if word is None else word
     leveled = _leveled(samples, view, form)
     scratch = path.with_name(f".{path.name}.{os.getpid()}.part")
@@ -254,9 +263,16 @@ class _Form:
         )
 
 
-def _frames(cue: CueFacts, view: DeliverySpec, sample_rate_hz: int) -> int:
+def _fitted(recording: NDArray[np.float64], frames: int) -> NDArray[np.float64]:
+    """Return a recording as long as its cue: cut, or with silence after it."""
+    fitted = np.zeros(frames)
+    fitted[: len(recording)] = recording[:frames]
+    return fitted
+
+
+def _frames(cue: CueFacts, view: DeliverySpec, sample_rate_hz: int, usual_s: float) -> int:
     bounds = view.accept.duration_s
-    duration_s = max(cue.duration_s or DURATION_S, bounds.min or 0.0)
+    duration_s = max(cue.duration_s or usual_s, bounds.min or 0.0)
     if bounds.max is not None:
         duration_s = min(duration_s, bounds.max)
     return max(1, round(duration_s * sample_rate_hz))

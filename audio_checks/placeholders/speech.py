@@ -68,10 +68,10 @@ def _said(program: str, text: str, words_a_minute: int, sample_rate_hz: int) -> 
     edges.add(sound)
     head, tail = (round(ms * layout.sample_rate_hz / 1000) for ms in edges.edges(SILENCE_DBFS))
     heard = sound[head : len(sound) - tail, 0]
-    return _at_rate(heard / np.abs(heard).max(), layout.sample_rate_hz, sample_rate_hz) if len(heard) else None
+    return at_rate(heard / np.abs(heard).max(), layout.sample_rate_hz, sample_rate_hz) if len(heard) else None
 
 
-def _at_rate(sound: NDArray[np.float64], sample_rate_hz: int, to_hz: int) -> NDArray[np.float64]:
+def at_rate(sound: NDArray[np.float64], sample_rate_hz: int, to_hz: int) -> NDArray[np.float64]:
     """Return speech at another rate, a higher one too: a placeholder is no master, and says that it is none."""
     frames = max(1, round(len(sound) * to_hz / sample_rate_hz))
     moved = np.fft.irfft(np.fft.rfft(sound)[: frames // 2 + 1], frames) * (frames / len(sound))

@@ -51,7 +51,7 @@ from app.projects.service import create_project
 from app.renders.models import Batch, MasterExport, Picture, Reel, Render, RenderSet
 from app.renders.rules import RenderState
 from app.reviews.models import ChangeRequest, Comment
-from app.sound_lists.models import Cue, Question, Stem
+from app.sound_lists.models import Cue, Question, SpokenPlaceholder, Stem
 from tests.house.audit_objects import add_audit
 from tests.house.posting_objects import add_posting
 from tests.house.reference_objects import add_reference
@@ -222,6 +222,16 @@ class House(World):
                 "answered_at": clock.now().isoformat(),
             }
         }
+        session.add(
+            SpokenPlaceholder(
+                **of,
+                cue_id=cue.id,
+                sha256=self.sha256,
+                file_bytes=len(FILE),
+                duration_s=1,
+                recorded_by=self.producer_id,
+            )
+        )
         answered = Brief(**of, revision=1, answers=answers, changed_by=self.producer_id)
         version = BriefVersion(**of, number=1, answers=answers, published_by=self.producer_id)
         session.add_all([follow_up, answered, version])

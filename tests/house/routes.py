@@ -203,6 +203,7 @@ ADJUSTED: dict[str, dict[str, Any]] = {
     "invite_from_roster": {"entry_ids": [Named("roster_entry_id")]},
     "add_reel_sound": {"upload_id": Named("reel_upload_id")},
     "read_roster_calendar": {"content_base64": base64.b64encode(b"BEGIN:VCALENDAR\nEND:VCALENDAR\n").decode()},
+    "record_spoken_placeholder": {"content_base64": base64.b64encode(b"RIFF\x04\x00\x00\x00WAVE").decode()},
     "change_cue": {"name": "Shield hit"},
     "add_bid_sample": {"line_key": "", "content_base64": base64.b64encode(b"RIFF\x04\x00\x00\x00WAVE").decode()},
 }

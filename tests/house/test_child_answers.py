@@ -17,6 +17,7 @@ from app.references.drawing import draw_previews
 from app.renders import drawing, reel_sound, timbre
 from app.scenes import listening
 from app.sound_lists.sheets import parse_bytes, parse_text
+from app.sound_lists.spoken_rules import read_said
 from audio_checks import (
     FileReport,
     FixedMaster,
@@ -36,7 +37,7 @@ DOORS: tuple[Callable[..., Any], ...] = (
     check_file, decode, drawing.draw, drawing.prepare, export_master, fingerprint_files, fixing.fix, parse_bytes,
     parse_spec, parse_text, parse_toml, reel_sound.make_reel, compare_reverb_of_takes, timbre.measure,
     draw_previews, typesetting.compile_pdf, unpack, listening.compare, listening.measure_preview,
-    listening.prepare_part,
+    listening.prepare_part, read_said,
 )  # fmt: skip
 PLAIN = {int, float, str, bytes, bool, type(None), None}
 UNDECLARED: tuple[Any, ...] = (Any, object, dict, list, tuple, set)

@@ -56,6 +56,7 @@ export const queryKeys = {
   categories: family<[projectId: string, nameOfNew?: string]>('categories'),
   comparedRevisions: family<[projectId: string, from: number, to: number]>('revisions'),
   cue: family<[cueId: string]>('cue'),
+  spokenPlaceholder: family<[cueId: string]>('spoken-placeholder'),
   kits: family('kits'),
   kit: family<[projectId: string, key?: string]>('kit'),
   importPlan: family<[projectId: string, sheet: unknown]>('import-plan'),

@@ -15,6 +15,7 @@ const JOBS: Partial<Record<string, string>> = {
   'amendments.settle_ended': 'Settle contracts whose notice is over',
   'builds.fingerprint_pack': 'Analyse sounds missing from a manifest',
   'builds.fingerprint_take': 'Analyse an approved version',
+  'builds.make_spoken_placeholders': 'Make placeholders of what was said for a cue',
   'builds.seal_pack': 'Seal a pack',
   'conformance.check_take': 'Check a version',
   'conformance.recheck_takes': 'Recheck versions affected by a change',

@@ -35,6 +35,7 @@ import { AskForm, QuestionLine } from './Questions'
 import { cuePeopleQuery, namesOf, TASKS } from '../people'
 import { categoriesOf, rowsOf } from '../rows'
 import { Versions } from './Versions'
+import { SpokenPlaceholder } from '../spoken/SpokenPlaceholder'
 import { REVERBS, SETTLED } from '../words'
 
 const NO_VERSIONS: Version[] = []
@@ -184,6 +185,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
             {doing !== 'edit' && <Facts cue={cue} projectId={projectId} />}
             <div className={classes.inside}>
               <VoiceLineWhereAny projectId={projectId} cueId={cue.id} />
+              <SpokenPlaceholder cueId={cue.id} cueName={cue.name} projectId={projectId} mayEdit={mayEdit} />
               <ReferenceStrip projectId={projectId} cueId={cue.id} mayAdd={mayEdit} />
             </div>
           </Card>
@@ -227,7 +229,12 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
           keys={[
             { keys: ['j', 'k'], label: 'next, previous cue' },
             { keys: ['Space'], label: 'play' },
-            ...(mayEdit ? [{ keys: ['e'], label: 'edit' }] : []),
+            ...(mayEdit
+              ? [
+                  { keys: ['e'], label: 'edit' },
+                  { keys: ['v'], label: 'say a placeholder' },
+                ]
+              : []),
             { keys: ['q'], label: 'ask a question' },
             { keys: ['Escape'], label: 'back to the list' },
           ]}

@@ -10,9 +10,10 @@ import { CutCue } from '../cue/CutCue'
 import { EditCue } from '../cue/EditCue'
 import classes from '../cue/Panel.module.css'
 import { AskForm, QuestionLine } from '../cue/Questions'
+import { SpokenPlaceholder } from '../spoken/SpokenPlaceholder'
 import { ClarifyPanel } from './ClarifyPanel'
 
-export type PanelKind = 'edit' | 'ask' | 'cut' | 'clarify'
+export type PanelKind = 'edit' | 'ask' | 'cut' | 'clarify' | 'say'
 
 interface CuePanelProps {
   kind: PanelKind
@@ -31,6 +32,7 @@ export function CuePanel({ kind, cue, projectId, categories, rights, unclear, on
   if (kind === 'cut') return <CutCue cue={cue} projectId={projectId} onClose={onClose} />
   if (kind === 'clarify') return <ClarifyPanel cue={cue} projectId={projectId} questions={unclear} onClose={onClose} />
   if (kind === 'ask') return <AskPanel cue={cue} projectId={projectId} mayAnswer={rights.edits} onClose={onClose} />
+  if (kind === 'say') return <SayPanel cue={cue} projectId={projectId} mayEdit={rights.edits} onClose={onClose} />
   return (
     <EditCue
       cue={cue}
@@ -45,6 +47,26 @@ export function CuePanel({ kind, cue, projectId, categories, rights, unclear, on
         )
       }
     />
+  )
+}
+
+interface SayPanelProps {
+  cue: Cue
+  projectId: string
+  mayEdit: boolean
+  onClose: () => void
+}
+
+function SayPanel({ cue, projectId, mayEdit, onClose }: SayPanelProps) {
+  return (
+    <div className={classes.panel}>
+      <SpokenPlaceholder cueId={cue.id} cueName={cue.name} projectId={projectId} mayEdit={mayEdit} />
+      <div className={classes.acts}>
+        <Button className="end" keys="Escape" onClick={onClose}>
+          Close
+        </Button>
+      </div>
+    </div>
   )
 }
 

@@ -1,0 +1,103 @@
+import { useQuery } from '@tanstack/react-query'
+import { useRef, useState } from 'react'
+
+import { sentence } from '@/app/Form'
+import { useHotkeys } from '@/app/keys'
+import { Button } from '@/ui/Button'
+import { ago, length } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import { problemIn } from '../api'
+import { saidQuery, useRemoveSaid, useSay } from './api'
+import classes from './Spoken.module.css'
+import { useRecorder } from './useRecorder'
+
+interface SpokenPlaceholderProps {
+  cueId: string
+  cueName: string
+  projectId: string
+  /** Whether the person may say one. */
+  mayEdit: boolean
+}
+
+/** A word that is said for a cue: heard here, and in its placeholder files until the sound comes. */
+export function SpokenPlaceholder({ cueId, cueName, projectId, mayEdit }: SpokenPlaceholderProps) {
+  const { data: said } = useQuery(saidQuery(cueId))
+  const say = useSay(projectId, cueId)
+  const remove = useRemoveSaid(projectId, cueId)
+  const [unsent, setUnsent] = useState<File | null>(null)
+  const audio = useRef<HTMLAudioElement>(null)
+  const send = (file: File) => {
+    setUnsent(file)
+    say.mutate(file, { onSuccess: () => setUnsent(null) })
+  }
+  const recorder = useRecorder(send)
+  useHotkeys([
+    {
+      keys: 'v',
+      label: 'Say a placeholder, while held',
+      group: 'Cue',
+      run: recorder.start,
+      release: recorder.stop,
+      disabled: !mayEdit,
+    },
+  ])
+  if (!said && !mayEdit) return null
+  const problem = problemIn(say.error) ?? problemIn(remove.error)
+  return (
+    <section className={classes.said} aria-label={`Spoken placeholder of ${cueName}`}>
+      <p className="small strong">Spoken placeholder</p>
+      {said ? (
+        <p className="small mid">{`${length(said.duration_s)}, said by ${said.recorded_by.name} ${ago(said.recorded_at)}. The game plays it until a sound is approved.`}</p>
+      ) : (
+        <p className="small dim">
+          Hold v and say what the sound does, as in “bonk”. The game plays it until a sound is approved.
+        </p>
+      )}
+      <div className={classes.acts}>
+        {said && (
+          <>
+            {/* A word or two, whose text is the name of the cue. */}
+            {/* eslint-disable-next-line jsx-a11y/media-has-caption */}
+            <audio
+              ref={audio}
+              src={`/v1/cues/${cueId}/spoken-placeholder/file?v=${said.sha256.slice(0, 12)}`}
+              preload="none"
+            />
+            <Button icon="play" onClick={() => void audio.current?.play().catch(() => undefined)}>
+              Play placeholder
+            </Button>
+          </>
+        )}
+        {mayEdit && (
+          <Button
+            keys="v"
+            pressed={recorder.isRecording}
+            aria-busy={say.isPending}
+            onClick={recorder.isRecording ? recorder.stop : recorder.start}
+          >
+            {recorder.isRecording ? 'Stop' : said ? 'Say it again' : 'Say a placeholder'}
+          </Button>
+        )}
+        {mayEdit && said && (
+          <Button variant="quiet" aria-busy={remove.isPending} onClick={() => remove.mutate()}>
+            Remove
+          </Button>
+        )}
+      </div>
+      <p role="status" className="small">
+        {recorder.isRecording ? 'Recording, 10 s at most.' : say.isPending ? 'Sending.' : ''}
+      </p>
+      {recorder.trouble && <ProblemNote {...recorder.trouble} />}
+      {problem && (
+        <ProblemNote
+          detail={sentence(problem.detail)}
+          fix={problem.fix && sentence(problem.fix)}
+          action={
+            unsent && problem.status !== 422 ? <Button onClick={() => send(unsent)}>Send it again</Button> : undefined
+          }
+        />
+      )}
+    </section>
+  )
+}
