@@ -24,7 +24,7 @@ def upgrade() -> None:
         *(sa.Column(name, sa.Uuid(), nullable=False) for name in KEYS),
         sa.Column("sha256", sa.String(), nullable=False),
         sa.Column("file_bytes", sa.BigInteger(), nullable=False),
-        sa.Column("duration_s", sa.Float(), nullable=False),
+        sa.Column("duration_s", sa.Double(), nullable=False),
         sa.Column("recorded_at", sa.DateTime(timezone=True), nullable=False),
         *(
             sa.ForeignKeyConstraint([name], [f"{table}.id"], name=op.f(f"fk_{SAID}_{name}"))
