@@ -112,6 +112,9 @@ class _Reading:
                     continue  # timelines and parameters list the same instruments once more
                 for id_ in one.relations.get(name, ()):
                     self._holders.setdefault(id_, []).append(one)
+            for id_ in one.relations.get("masters", ()):  # its VCAs, where the strip names them
+                if (vca := self._objects.get(id_)) is not None and vca.kind == "MixerVCA":
+                    self._strips.setdefault(one.id, []).append(vca)
             if one.kind == "EventSound":
                 self._nested.setdefault(one.first("event"), []).append(one)
             elif one.kind == "Event":
@@ -244,7 +247,8 @@ class _Reading:
     def _own(self, one: _Object, place: str) -> Found:
         parts = gain(place, "volume", number(one.properties.get("volume")), one.file, _anchor(one))
         depends = [Dependency(place, "volume", by.on, by.what) for by in self._moved.get(one.id, ())]
-        for vca in self._strips.get(one.id, ()):
+        for vca in {vca.id: vca for vca in self._strips.get(one.id, ())}.values():
+            depends += self._automated(vca, "volume", f"vca:/{vca.properties.get('name', '')}")
             vca_place = f"vca:/{vca.properties.get('name', '')}"
             parts += gain(vca_place, "volume", number(vca.properties.get("volume")), vca.file, _anchor(vca))
         depends += self._automated(one, "volume", place)

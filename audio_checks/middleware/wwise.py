@@ -21,7 +21,16 @@ from audio_checks.middleware.reading import (
     xml_root,
 )
 from audio_checks.middleware.values import Conversion, Dependency, Part, PlayedSound, Project, gain, in_order, number
-from audio_checks.middleware.wwise_text import GAINS, changes_of, harms_of, properties_of, states_of, value_of
+from audio_checks.middleware.wwise_text import (
+    GAINS,
+    changes_of,
+    curves_of,
+    effects_of,
+    harms_of,
+    properties_of,
+    states_of,
+    value_of,
+)
 
 CATEGORIES = (
     "AudioObjects", "Containers", "InteractiveMusic", "Busses", "Events", "Conversions", "DynamicDialogue",
@@ -338,7 +347,7 @@ def _object(element: ET.Element, parent: str, file: str) -> _Object:
         if name.startswith("Effect") and name[6:].isdigit():
             what = meant.get("Name", "") if meant is not None else reference.get("PluginName", "")
             one.depends.append(Dependency("", name, "effect", f'effect "{what}"'))
-    one.depends += states_of(element)
+    one.depends += [*states_of(element), *curves_of(element), *effects_of(element)]
     for track in element.iterfind("BlendTrackList/BlendTrack"):
         for name, property_ in properties_of(track):
             if name in GAINS:

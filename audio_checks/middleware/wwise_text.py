@@ -56,6 +56,27 @@ def states_of(element: ET.Element) -> Iterator[Dependency]:
                     yield Dependency("", name, "state", what)
 
 
+def curves_of(element: ET.Element) -> Iterator[Dependency]:
+    """Yield the gains that game parameters move, as Wwise writes them since 2022.1: in a list beside the properties."""
+    for rtpc in element.iterfind("ObjectLists/ObjectList[@Name='RTPC']//RTPC"):
+        name = next((value_of(one) for name, one in properties_of(rtpc) if name == "PropertyName"), "")
+        if name in GAINS:
+            meant = rtpc.find("ReferenceList/Reference[@Name='ControlInput']/ObjectRef")
+            what = f'game parameter "{meant.get("Name", "")}"' if meant is not None else "a modulator"
+            yield Dependency("", name, "state", what)
+
+
+def effects_of(element: ET.Element) -> Iterator[Dependency]:
+    """Yield the effects in an object's slots, as Wwise writes them since 2022.1; one that is bypassed does nothing."""
+    for slot in element.iterfind("ObjectLists/ObjectList//EffectSlot"):
+        if any(name == "Bypass" and value_of(one) == "True" for name, one in properties_of(slot)):
+            continue
+        for reference in slot.iterfind("ReferenceList/Reference[@Name='Effect']"):
+            meant = reference.find("ObjectRef")
+            what = meant.get("Name", "") if meant is not None else reference.get("PluginName", "")
+            yield Dependency("", "Effect", "effect", f'effect "{what}"')
+
+
 def harms_of(conversion: ET.Element, file: str) -> tuple[Conversion, ...]:
     """Return the settings of a conversion that change a sound."""
     name = conversion.get("Name", "")

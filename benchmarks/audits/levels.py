@@ -22,6 +22,7 @@ from audio_checks.audit.played import with_plays, with_project
 from audio_checks.audit.report import Audit, Entry
 from audio_checks.middleware.project import read_project
 from audio_checks.middleware.values import Project
+from benchmarks.audits.apart import APART
 from benchmarks.audits.projects import KINDS
 from benchmarks.audits.real_projects import BY_DB, PLANTS
 
@@ -34,6 +35,7 @@ SOUNDS, PROJECTS = 70, 4  # of each engine; the first half were looked at while 
 PLANTS_OF_A_LEVEL = 6
 MOST_PLANTS = 60  # of one real project
 WITHIN_DB = 0.05
+BY_DB_APART = -5.0
 WANTED = 0.98
 SUFFIXES = (".wproj", ".fspro")
 
@@ -55,6 +57,7 @@ def main() -> int:
         for number in range(PROJECTS):
             _generated(engine, counts[engine, "generated"], np.random.default_rng(number))
         sys.stdout.write(f"{engine}: {len(kind.levels)} levels planted\n")
+        apart(engine, counts[engine, "kept apart"])
     folder = os.environ.get("MIDDLEWARE_DIR", "")
     for path in sorted(_projects(Path(folder))) if folder else []:
         _real(path, counts)
@@ -95,6 +98,30 @@ def _generated(engine: str, count: Count, rng: np.random.Generator) -> None:
                 audit = _audit(approved, read_project(kind.write(place_now, SOUNDS, changed)))
                 moved = {kind.file.format(one) for one in kind.reached(place, SOUNDS)}
                 _count(count, audit, moved, by_db, f"{level} {number}")
+
+
+def apart(engine: str, count: Count) -> None:
+    """Plant each gain of the project of an engine that was kept apart from its reader."""
+    kind = APART[engine]
+    with tempfile.TemporaryDirectory() as folder:
+        approved = _approved(read_project(kind.write(Path(folder, "before"), {})))
+        for number, (place, moved) in enumerate(kind.moved.items()):
+            gains = {place: kind.standing.get(place, 0.0) + BY_DB_APART}
+            audit = _audit(approved, read_project(kind.write(Path(folder, f"after {number}"), gains)))
+            _count(count, audit, set(moved), BY_DB_APART, place)
+
+
+def undeclared(engine: str) -> list[str]:
+    """Return the sounds of that project whose level is said to depend on something else than it does."""
+    kind = APART[engine]
+    with tempfile.TemporaryDirectory() as folder:
+        project = read_project(kind.write(Path(folder), {}))
+    wrong = []
+    for file, wanted in kind.depends.items():
+        found = {by.on for one in project.played if one.file == file for by in one.depends}
+        if not (found & set(wanted) if any(wanted) else not found):
+            wrong.append(f"{file}: {sorted(found)}, wanted {wanted}")
+    return wrong
 
 
 def _real(path: Path, counts: dict[tuple[str, str], Count]) -> None:
