@@ -175,3 +175,14 @@ def find(
 ) -> schemas.FindResult:
     """Return what holds the typed words: cues first, then files, people, contracts, comments and questions."""
     return finding.find(session, actor, project_id, q)
+
+
+@router.get("/find")
+def find_elsewhere(
+    q: Annotated[str, Query(min_length=1, max_length=100)],
+    session: DbSession,
+    except_in: Annotated[UUID | None, Query(description="A project to leave out: the one that is open.")] = None,
+    actor: Actor = allows(Audience.PERSON),
+) -> schemas.FindElsewhereResult:
+    """Return the cues and files that hold the typed words in all projects that the caller sees."""
+    return finding.find_elsewhere(session, actor, q, except_in=except_in)

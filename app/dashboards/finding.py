@@ -9,7 +9,9 @@ from app.accounts.rules import Actor
 from app.agreements.queries import contracts_in
 from app.dashboards import queries, schemas
 from app.dashboards.questions import brief
+from app.deliveries.models import Take
 from app.kit.http import number_in
+from app.projects.models import Project
 from app.projects.service import ProjectAccess, project_access
 from app.sound_lists.models import Cue
 
@@ -33,16 +35,47 @@ def find(session: Session, actor: Actor, project_id: UUID, typed: str) -> schema
     return schemas.FindResult(hits=[*cues[: max(OF_A_KIND, queries.HITS - len(others))], *others][: queries.HITS])
 
 
+def find_elsewhere(
+    session: Session, actor: Actor, typed: str, *, except_in: UUID | None
+) -> schemas.FindElsewhereResult:
+    """Return the cues and files that hold the typed words in all projects that the caller sees, but one."""
+    words = typed.split()
+    if not words:
+        return schemas.FindElsewhereResult(hits=[])
+    files = [
+        schemas.FoundElsewhere(
+            **_file(project, take, cue).model_dump(), project_id=project.id, project_name=project.name
+        )
+        for take, cue, project in queries.find_files_elsewhere(session, actor, words, except_in=except_in)
+    ][:OF_A_KIND]
+    cues = [
+        schemas.FoundElsewhere(**_cue(project, cue).model_dump(), project_id=project.id, project_name=project.name)
+        for cue, project in queries.find_cues_elsewhere(session, actor, words, except_in=except_in)
+    ]
+    return schemas.FindElsewhereResult(hits=[*cues[: queries.HITS - len(files)], *files])
+
+
+def _cue(project: Project, cue: Cue) -> schemas.Found:
+    return schemas.Found(kind="cue", title=cue.name, cue=brief(project, cue), text=cue.use or cue.description)
+
+
+def _file(project: Project, take: Take, cue: Cue | None) -> schemas.Found:
+    return schemas.Found(
+        kind="file",
+        title=take.file_name,
+        text=take.state.value,
+        cue=brief(project, cue) if cue else None,
+        take_id=take.id,
+    )
+
+
 def _cues(session: Session, access: ProjectAccess, words: Sequence[str], phrase: str) -> list[schemas.Found]:
     project = access.project
     found = _by_nearness(queries.find_cues(session, project.id, words), phrase)
     number = number_in(phrase.upper().removeprefix(f"{project.cue_prefix.upper()}-"))
     if number is not None and (cue := queries.cue_by_number(session, project.id, number)):
         found = [cue, *(other for other in found if other.id != cue.id)]
-    return [
-        schemas.Found(kind="cue", title=cue.name, cue=brief(project, cue), text=cue.use or cue.description)
-        for cue in found
-    ]
+    return [_cue(project, cue) for cue in found]
 
 
 def _by_nearness(cues: Sequence[Cue], phrase: str) -> list[Cue]:
@@ -51,16 +84,7 @@ def _by_nearness(cues: Sequence[Cue], phrase: str) -> list[Cue]:
 
 def _files(session: Session, access: ProjectAccess, words: Sequence[str]) -> list[schemas.Found]:
     rows = queries.find_files(session, access.project.id, access.only_designer_id, words, limit=OF_A_KIND)
-    return [
-        schemas.Found(
-            kind="file",
-            title=take.file_name,
-            text=take.state.value,
-            cue=brief(access.project, cue) if cue else None,
-            take_id=take.id,
-        )
-        for take, cue in rows
-    ]
+    return [_file(access.project, take, cue) for take, cue in rows]
 
 
 def _people(session: Session, access: ProjectAccess, phrase: str) -> list[schemas.Found]:

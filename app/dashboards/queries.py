@@ -8,6 +8,7 @@ from sqlalchemy import Row, and_, exists, func, or_, select
 from sqlalchemy.orm import Session, aliased, joinedload, selectinload
 
 from app.accounts.models import Membership, Person, Studio
+from app.accounts.rules import Actor
 from app.builds.models import Build
 from app.conformance.models import CheckRun
 from app.deliveries.models import CueSums, Delivery, Take
@@ -18,6 +19,7 @@ from app.kit.in_array import in_array
 from app.notifications.models import Mail
 from app.projects.models import Engagement, Liaison, Project
 from app.projects.rules import ApprovalScope
+from app.projects.visibility import visible_list, visible_work
 from app.reviews.models import Acknowledgement, ChangeRequest, Comment, Feedback, Round, Verdict
 from app.reviews.rules import VerdictKind
 from app.sound_lists.models import Cue, Question
@@ -26,6 +28,7 @@ from app.sound_lists.rules import CueState
 LATELY = 12
 BUILDS = 24
 HITS = 20
+CUE_TEXTS = (Cue.name, Cue.use, Cue.description, Cue.category)  # which the search reads
 WITH_OTHERS = 200  # shown at once; the oldest first
 
 
@@ -232,9 +235,7 @@ def find_cues(session: Session, project_id: UUID, words: Sequence[str]) -> Seque
     """Return the cues whose name, use or description holds every word."""
     found = select(Cue).where(Cue.project_id == project_id)
     for word in words:
-        found = found.where(
-            or_(*(icontains(text, word) for text in (Cue.name, Cue.use, Cue.description, Cue.category)))
-        )
+        found = found.where(or_(*(icontains(text, word) for text in CUE_TEXTS)))
     return session.scalars(found.order_by(Cue.number).limit(HITS)).all()
 
 
@@ -300,6 +301,38 @@ def find_files(
     if designer_id is not None:
         found = found.where(Take.designer_id == designer_id)
     return session.execute(found.order_by(Take.id.desc()).limit(limit)).all()
+
+
+def find_cues_elsewhere(
+    session: Session, actor: Actor, words: Sequence[str], *, except_in: UUID | None
+) -> Sequence[Row[Cue, Project]]:
+    """Return cues that have every word in their texts, of all projects that the caller sees but one, newest first."""
+    found = (
+        select(Cue, Project)
+        .join(Project, Project.id == Cue.project_id)
+        .where(visible_list(actor, studio_id=Cue.studio_id, project_id=Cue.project_id))
+        .where(*(or_(*(icontains(text, word) for text in CUE_TEXTS)) for word in words))
+    )
+    if except_in is not None:
+        found = found.where(Cue.project_id != except_in)
+    return session.execute(found.order_by(Cue.project_id.desc(), Cue.number).limit(HITS)).all()
+
+
+def find_files_elsewhere(
+    session: Session, actor: Actor, words: Sequence[str], *, except_in: UUID | None
+) -> Sequence[Row[Take, Cue | None, Project]]:
+    """Return takes that have every word in their file name, of all projects that the caller sees but one."""
+    is_visible = visible_work(actor, studio_id=Take.studio_id, project_id=Take.project_id, designer_id=Take.designer_id)
+    found = (
+        select(Take, Cue, Project)
+        .join(Project, Project.id == Take.project_id)
+        .join(Cue, Cue.id == Take.cue_id, isouter=True)
+        .where(is_visible, Take.discarded_at.is_(None))
+        .where(*(icontains(Take.file_name, word) for word in words))
+    )
+    if except_in is not None:
+        found = found.where(Take.project_id != except_in)
+    return session.execute(found.order_by(Take.id.desc()).limit(HITS)).all()
 
 
 def find_people(session: Session, studio_id: UUID, project_id: UUID, phrase: str, *, limit: int) -> Sequence[Person]:

@@ -305,6 +305,19 @@ class FindResult(Schema):
     hits: list[Found]
 
 
+class FoundElsewhere(Found):
+    """One hit in another project."""
+
+    project_id: UUID
+    project_name: str
+
+
+class FindElsewhereResult(Schema):
+    """The results of a search through all other projects, those of the newest project first."""
+
+    hits: list[FoundElsewhere]
+
+
 class MilestoneSlip(Schema):
     """The delay of a milestone in whole days, split by the party that caused it."""
 

@@ -817,6 +817,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/budget": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Set Project Budget
+         * @description Set what the project may cost in one currency, or remove that; return the budgets of all its currencies.
+         */
+        put: operations["set_project_budget"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/category-approvers": {
         parameters: {
             query?: never;
@@ -7847,6 +7867,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/find": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Find Elsewhere
+         * @description Return the cues and files that hold the typed words in all projects that the caller sees.
+         */
+        get: operations["find_elsewhere"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/credits": {
         parameters: {
             query?: never;
@@ -10076,6 +10116,29 @@ export interface components {
             total: number;
         };
         /**
+         * BudgetRead
+         * @description A budget of a project.
+         */
+        BudgetRead: {
+            /** Currency */
+            currency: string;
+            /** Amount Minor */
+            amount_minor: number;
+        };
+        /**
+         * BudgetSet
+         * @description What a project may cost in one currency.
+         */
+        BudgetSet: {
+            /** Currency */
+            currency: string;
+            /**
+             * Amount Minor
+             * @description In whole minor units; null removes the budget of this currency.
+             */
+            amount_minor: number | null;
+        };
+        /**
          * BuildAdd
          * @description The report of a game's CI on one build.
          */
@@ -11687,21 +11750,66 @@ export interface components {
             name: string;
         };
         /**
-         * CostPerSound
-         * @description What a sound that was kept has cost so far, and what the rest would come to; in whole minor units.
+         * CostsRead
+         * @description What a project costs in one currency, in whole minor units; figures of two currencies are never added.
          */
-        CostPerSound: {
+        CostsRead: {
             /** Currency */
             currency: string;
-            /** Accepted Minor */
-            accepted_minor: number;
-            /** Per Kept Minor */
+            /**
+             * Budget Minor
+             * @description As producers set it; null where none is set, and for designers.
+             */
+            budget_minor: number | null;
+            /**
+             * Committed Minor
+             * @description Agreed with change orders and extras, less what was saved.
+             */
+            committed_minor: number;
+            /**
+             * Spent Minor
+             * @description Paid and due.
+             */
+            spent_minor: number;
+            /** Paid Minor */
+            paid_minor: number;
+            /** Due Minor */
+            due_minor: number;
+            /**
+             * Kept
+             * @description Ordered cues that were accepted and are not cut.
+             */
+            kept: number;
+            /**
+             * Per Kept Minor
+             * @description Spent money by kept sounds.
+             */
             per_kept_minor: number | null;
             /**
              * To Finish Minor
-             * @description What is agreed and not yet accepted or saved.
+             * @description What is agreed and neither due nor saved.
              */
-            to_finish_minor: number | null;
+            to_finish_minor: number;
+            /**
+             * Ordered
+             * @description Cues under agreed contracts.
+             */
+            ordered: number;
+            /**
+             * Churned
+             * @description Ordered cues that were cut or described anew after work began.
+             */
+            churned: number;
+            /**
+             * Churn
+             * @description The share of the ordered cues; null for fewer than three.
+             */
+            churn: number | null;
+            /**
+             * Churned Minor
+             * @description What was agreed for the churned cues.
+             */
+            churned_minor: number;
         };
         /**
          * CoverageRead
@@ -13134,6 +13242,23 @@ export interface components {
             adds: string[];
         };
         /**
+         * EstimateErrorRead
+         * @description The estimates of accepted cues against the time that was logged for them.
+         */
+        EstimateErrorRead: {
+            /** Cues */
+            cues: number;
+            /** Estimated Min */
+            estimated_min: number;
+            /** Logged Min */
+            logged_min: number;
+            /**
+             * Error Percent
+             * @description Above zero it took longer than estimated.
+             */
+            error_percent: number;
+        };
+        /**
          * EstimateRead
          * @description An estimate of a cue in minutes, or of a milestone in days; the actual is None until it is done.
          */
@@ -13324,6 +13449,14 @@ export interface components {
             open_minor: number;
             /** Saved Minor */
             saved_minor: number;
+        };
+        /**
+         * FindElsewhereResult
+         * @description The results of a search through all other projects, those of the newest project first.
+         */
+        FindElsewhereResult: {
+            /** Hits */
+            hits: components["schemas"]["FoundElsewhere"][];
         };
         /**
          * FindResult
@@ -13622,6 +13755,39 @@ export interface components {
             contract_id?: string | null;
             /** Start S */
             start_s?: number | null;
+        };
+        /**
+         * FoundElsewhere
+         * @description One hit in another project.
+         */
+        FoundElsewhere: {
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "cue" | "file" | "person" | "contract" | "comment" | "question";
+            /** Title */
+            title: string;
+            /**
+             * Text
+             * @description Its use, its state, an address, or the words in which the typed ones were found.
+             */
+            text: string;
+            /** @description Null for people, contracts and files without a cue. */
+            cue?: components["schemas"]["CueBrief"] | null;
+            /** Take Id */
+            take_id?: string | null;
+            /** Contract Id */
+            contract_id?: string | null;
+            /** Start S */
+            start_s?: number | null;
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /** Project Name */
+            project_name: string;
         };
         /**
          * GameFile
@@ -17002,7 +17168,9 @@ export interface components {
              * Costs
              * @description Of the contracts that the caller is a party to.
              */
-            costs: components["schemas"]["CostPerSound"][];
+            costs: components["schemas"]["CostsRead"][];
+            /** @description For producers, and for designers of their own work. */
+            estimates: components["schemas"]["EstimateErrorRead"] | null;
         };
         /**
          * PackAdd
@@ -26106,6 +26274,59 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    set_project_budget: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["BudgetSet"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BudgetRead"][];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
                 };
             };
         };
@@ -47221,6 +47442,39 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    find_elsewhere: {
+        parameters: {
+            query: {
+                q: string;
+                /** @description A project to leave out: the one that is open. */
+                except_in?: string | null;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FindElsewhereResult"];
                 };
             };
             /** @description Validation Error */

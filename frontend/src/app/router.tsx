@@ -9,6 +9,7 @@ import { briefRoutes } from '@/features/brief/routes'
 import { buildRoutes } from '@/features/builds/routes'
 import { checkRoutes } from '@/features/checks/routes'
 import { contractRoutes, verifyRoutes } from '@/features/contracts/routes'
+import { deliveryRoutes } from '@/features/deliveries/routes'
 import { deskRoutes } from '@/features/desk/routes'
 import { gameFilesRoutes } from '@/features/game-files/routes'
 import { hiringRoutes, postingLinkRoutes } from '@/features/hiring/routes'
@@ -59,6 +60,7 @@ const pages = [
     ...adoptionRoutes,
     ...deskRoutes,
     ...contractRoutes,
+    ...deliveryRoutes,
     ...takeRoutes,
     ...accountRoutes,
     ...operationRoutes,

@@ -1,6 +1,7 @@
 """The joining screens over HTTP: who sees what, and that a longer list costs no more queries."""
 
 import pytest
+from fastapi.testclient import TestClient
 
 from tests.support.deliver import add_cues, deliver
 from tests.support.server import World
@@ -92,6 +93,29 @@ def test_a_search_shows_a_designer_no_people_and_no_work_of_others(begun: World)
     assert [hit["kind"] for hit in found] == ["cue", "file"]
     people = begun.designer.get(f"/v1/projects/{begun.project_id}/find", params={"q": "producer"}).json()["hits"]
     assert people == []
+
+
+def elsewhere(client: TestClient, typed: str, **more: str) -> set[tuple[str, str, str]]:
+    hits = client.get("/v1/find", params={"q": typed, **more}).json()["hits"]
+    return {(hit["kind"], hit["title"], hit["project_id"]) for hit in hits}
+
+
+def test_a_search_through_all_projects_that_one_may_see(begun: World):
+    here = ("cue", "laser_fire", str(begun.project_id))
+    file = ("file", "laser_fire_01.wav", str(begun.project_id))
+    assert elsewhere(begun.producer, "laser") == {here, file}
+    assert elsewhere(begun.designer, "LASER fire") == {here, file}
+    assert elsewhere(begun.producer, "laser", except_in=str(begun.project_id)) == set()
+    for client in (begun.stranger, begun.other_designer):
+        assert elsewhere(client, "laser") == set()
+    assert elsewhere(begun.producer, "   ") == set()
+    assert begun.nobody.get("/v1/find?q=laser").status_code == 401
+
+
+def test_a_search_shows_no_project_whose_nda_is_open(begun: World):
+    begun.producer.patch(f"/v1/projects/{begun.project_id}", json={"nda_needed": True}).raise_for_status()
+    assert elsewhere(begun.designer, "laser") == set()
+    assert elsewhere(begun.producer, "laser") != set()
 
 
 def test_a_designer_sees_their_own_takes_only(begun: World):

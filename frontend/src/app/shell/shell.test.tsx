@@ -5,6 +5,7 @@ import userEvent from '@testing-library/user-event'
 import { expect, test, vi } from 'vitest'
 
 import { draw } from '@/test/draw'
+import { serve } from '@/test/server'
 
 import { nowhereRoute, rootRoute, shellRoute } from '../roots'
 import type { ShellData } from '../session'
@@ -52,6 +53,7 @@ async function open(data: ShellData, at = '/projects/p1/today', ensureSignedIn =
       page('/projects/$projectId/today', 'Today'),
       page('/projects/$projectId/sound-list', 'Sound list'),
       page('/projects/$projectId/builds', 'Builds'),
+      page('/projects/$projectId/sound-list/cues/$cueId', 'Cue'),
       page('/desk', 'Desk'),
       createRoute({
         getParentRoute: () => shellRoute,
@@ -131,6 +133,23 @@ test('the palette goes to another project', async () => {
   await userEvent.type(await screen.findByRole('combobox', { name: 'Search or run a command' }), 'deep')
   await userEvent.keyboard('{Enter}')
   await waitFor(() => expect(router.state.location.pathname).toBe('/projects/p2'))
+})
+
+test('the palette finds a cue of another project and says which', async () => {
+  const cue = { id: 'c9', label: 'DF-009', name: 'coolant_splash' }
+  const hit = { kind: 'cue', title: cue.name, text: '', cue, project_id: 'p2', project_name: 'Deep Field' }
+  const server = serve({
+    'GET /v1/projects/p1/find': { hits: [] },
+    'GET /v1/find': { hits: [{ ...hit, take_id: null, contract_id: null, start_s: null }] },
+  })
+  const router = await open(PRODUCER)
+  await userEvent.keyboard('{Control>}k{/Control}')
+  await userEvent.type(await screen.findByRole('combobox', { name: 'Search or run a command' }), 'splash')
+  const found = await screen.findByRole('group', { name: 'In other projects' })
+  await userEvent.click(within(found).getByRole('option', { name: /DF-009.*coolant_splash.*Deep Field/ }))
+  await waitFor(() => expect(router.state.location.pathname).toBe('/projects/p2/sound-list/cues/c9'))
+  const last = server.asked.findLast(({ path }) => path === '/v1/find')
+  expect(last?.query.toString()).toBe('q=splash&except_in=p1')
 })
 
 test('the menu says who one is, and lets one out', async () => {

@@ -2,7 +2,8 @@ import type { ReactNode } from 'react'
 
 import { answered, api } from '@/api'
 import type { components } from '@/api/schema.gen'
-import { State, type StateKind } from '@/ui/State'
+import { STATE_OF_TAKE } from '@/judging/stateOfTake'
+import { State } from '@/ui/State'
 
 import { type Found, useSearchProvider } from '../palette'
 
@@ -45,16 +46,6 @@ function addressOf(hit: Hit, project: string): string {
   }
 }
 
-const STATE_OF_TAKE: Record<string, StateKind> = {
-  received: 'checking',
-  conforming: 'to_review',
-  returned: 'returned',
-  unjudged: 'unjudged',
-  approved: 'approved',
-  change_requested: 'change_requested',
-  set_aside: 'set_aside',
-}
-
 /** The part of a text round the typed words. */
 function around(text: string, typed: string): string {
   const at = Math.max(0, text.toLowerCase().indexOf(typed.toLowerCase()) - CUT_AT / 3)
@@ -66,7 +57,7 @@ function shown(hit: Hit, typed: string): Pick<Found, 'title' | 'number' | 'detai
   const quiet = (words: ReactNode) => <span className="small dim cut-text">{words}</span>
   switch (hit.kind) {
     case 'file': {
-      const state = hit.cue ? STATE_OF_TAKE[hit.text] : 'unmatched'
+      const state = hit.cue ? STATE_OF_TAKE[hit.text as keyof typeof STATE_OF_TAKE] : 'unmatched'
       return { title: hit.title, number: hit.cue?.label, detail: state && <State kind={state} /> }
     }
     case 'comment':
@@ -77,7 +68,7 @@ function shown(hit: Hit, typed: string): Pick<Found, 'title' | 'number' | 'detai
   }
 }
 
-/** Let the palette find cues, files, people, contracts and what was said, on every page of a project. */
+/** Let the palette find cues, files, people, contracts and what was said in a project, and cues and files in all others. */
 export function useFinding(projectId: string | undefined, designs: boolean, go: (path: string) => void): void {
   const search =
     (...kinds: Hit['kind'][]) =>
@@ -96,5 +87,18 @@ export function useFinding(projectId: string | undefined, designs: boolean, go: 
   useSearchProvider({ id: 'sounds', title: 'Sounds', search: search('cue') })
   useSearchProvider({ id: 'files', title: 'Files', search: search('file') })
   useSearchProvider({ id: 'people', title: 'People and contracts', search: search('person', 'contract') })
+  const elsewhere = async (typed: string, signal: AbortSignal): Promise<Found[]> => {
+    const query = { q: typed.slice(0, 100), except_in: projectId }
+    const { hits } = await answered(api.GET('/v1/find', { params: { query }, signal }))
+    return hits.map((hit) => ({
+      id: hit.take_id ?? hit.cue?.id ?? hit.title,
+      title: hit.title,
+      number: hit.cue?.label,
+      detail: <span className="small dim cut-text">{hit.project_name}</span>,
+      open: () => go(addressOf(hit, `/projects/${hit.project_id}`)),
+    }))
+  }
+  const title = projectId === undefined ? 'In your projects' : 'In other projects'
+  useSearchProvider({ id: 'elsewhere', title, search: elsewhere, last: true })
   useSearchProvider({ id: 'said', title: 'Comments and questions', search: search('comment', 'question'), last: true })
 }

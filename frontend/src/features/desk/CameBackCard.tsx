@@ -16,6 +16,7 @@ import { spotOf, wordsOf, worstFirst } from '@/judging/findings'
 import { MentionedText } from '@/judging/MentionedText'
 import { usePeaks } from '@/judging/peaks'
 import { FixPanel, type Fixing, useFixing } from '@/fixing'
+import { Refusal } from '@/judging/Refusal'
 import { ReferencesWhereAny } from '@/references/ReferencesWhereAny'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
@@ -31,7 +32,6 @@ import { Conversation } from './Conversation'
 import { FixAll } from './FixAll'
 import classes from './CameBack.module.css'
 import type { DeskList } from './pages'
-import { Refusal } from './Refusal'
 
 interface CameBackProps {
   projectId: string

@@ -1,5 +1,6 @@
 import { TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
+import { Link } from '@tanstack/react-router'
 import { type ReactNode, useEffect, useMemo, useState } from 'react'
 
 import { ApiProblem } from '@/api'
@@ -7,6 +8,7 @@ import { keepDraft, useDraft } from '@/app/drafts'
 import { HotkeyButton } from '@/app/keys'
 import { showToast } from '@/app/toast'
 import { ended } from '@/judging/findings'
+import { Refusal } from '@/judging/Refusal'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { bytesOf, plural, remaining } from '@/ui/format'
@@ -17,7 +19,6 @@ import classes from './Delivery.module.css'
 import { DeliveryLines } from './DeliveryLines'
 import { DeliverySources } from './DeliverySources'
 import type { DeliveryUploads } from './deliveryUploads'
-import { Refusal } from './Refusal'
 import { type DeliveryRows, isGoing, type LabelOf, receivedRows, rowsOf } from './rows'
 
 interface DeliveryCardProps {
@@ -63,6 +64,9 @@ export function DeliveryCard({
         end={
           <>
             {!empty && <span className="wide-only">drop files, folders or a ZIP anywhere</span>}
+            <Link className="link small" to="/projects/$projectId/deliveries" params={{ projectId }}>
+              All deliveries
+            </Link>
             {going && (
               <Button
                 variant="quiet"

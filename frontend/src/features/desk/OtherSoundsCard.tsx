@@ -1,12 +1,12 @@
 import { useState } from 'react'
 
 import { type usePlayer, WaveThumb } from '@/audio'
+import { Refusal } from '@/judging/Refusal'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { State } from '@/ui/State'
 
 import { type OtherSound, useOtherSounds } from './otherSounds'
-import { Refusal } from './Refusal'
 import classes from './Side.module.css'
 
 type Playing = ReturnType<typeof usePlayer>

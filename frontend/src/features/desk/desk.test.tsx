@@ -714,7 +714,7 @@ describe('delivering', () => {
     const list = await screen.findByRole('list', { name: 'Files in this delivery' })
     expect(within(list).getByText('Returned')).toBeInTheDocument()
     expect(screen.getByText('1 file checked')).toBeInTheDocument()
-    await user.click(screen.getByRole('button', { name: 'Show' }))
+    await user.click(within(screen.getByRole('region', { name: 'Delivery 4' })).getByRole('button', { name: 'Show' }))
     expect(await screen.findByText('warp_in.wav')).toBeInTheDocument()
     await user.type(screen.getByLabelText('Note on delivery 4'), 'Doors.')
     await user.click(screen.getByRole('button', { name: 'Close delivery' }))

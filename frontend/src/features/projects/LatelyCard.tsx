@@ -1,3 +1,5 @@
+import { Link } from '@tanstack/react-router'
+
 import { Card, CardHead } from '@/ui/Card'
 import { age } from '@/ui/format'
 import { Icon, type IconName } from '@/ui/Icon'
@@ -39,11 +41,19 @@ const said = ({ kind, who, text, times }: Happening & { times: number }) => {
 }
 
 /** What happened last, the newest first. */
-export function LatelyCard({ happened }: { happened: readonly Happening[] }) {
+export function LatelyCard({ projectId, happened }: { projectId: string; happened: readonly Happening[] }) {
   const entries = once(happened).slice(0, SHOWN)
   return (
     <Card aria-labelledby="lately" className={classes.lately}>
-      <CardHead id="lately" title="Recent activity" />
+      <CardHead
+        id="lately"
+        title="Recent activity"
+        end={
+          <Link className="link small" to="/projects/$projectId/deliveries" params={{ projectId }}>
+            Deliveries
+          </Link>
+        }
+      />
       {entries.length === 0 && <p className={`mid ${classes.quiet}`}>No activity yet.</p>}
       <ul>
         {entries.map((one) => {

@@ -89,6 +89,12 @@ export function ProjectPage() {
         ]
       : []),
     {
+      id: 'deliveries',
+      label: 'Deliveries, open and closed',
+      icon: 'tray' as const,
+      run: () => void navigate({ to: '/projects/$projectId/deliveries', params: { projectId } }),
+    },
+    {
       id: 'spec-versions',
       label: 'Versions of the delivery spec',
       icon: 'file' as const,
@@ -105,7 +111,9 @@ export function ProjectPage() {
           <div className="stack">
             {project.mine.is_producer && <HandoverCard projectId={projectId} />}
             <StepsCard project={project} overview={overview} />
-            {(maySpeak || !isTeam) && <PaceCard projectId={projectId} />}
+            {(maySpeak || !isTeam) && (
+              <PaceCard projectId={projectId} isProducer={project?.mine.is_producer ?? false} />
+            )}
             <SpecCard project={project} />
             <PaletteCard projectId={projectId} palette={overview.palette} cues={overview.cues} />
             {isTeam && <PlaceholdersCard projectId={projectId} />}
@@ -113,7 +121,7 @@ export function ProjectPage() {
           <aside className="stack" aria-label="Builds, pack and what happened">
             {isTeam && <BuildsCard project={project} builds={overview.builds} />}
             {isTeam && <PackCard projectId={projectId} />}
-            <LatelyCard happened={overview.lately} />
+            <LatelyCard projectId={projectId} happened={overview.lately} />
           </aside>
         </div>
       )}

@@ -7,6 +7,7 @@ import type { CueReview, ReviewTake } from '@/judging/api'
 import { useDraftCount } from '@/judging/Drafts'
 import { inOrder, MASTER, variationName } from '@/judging/hearing'
 import { asked, capital } from '@/judging/words'
+import { STATE_OF_TAKE } from '@/judging/stateOfTake'
 import { Button } from '@/ui/Button'
 import { plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
@@ -17,7 +18,6 @@ import { State, type StateKind } from '@/ui/State'
 
 import { useCut } from './api'
 import classes from './Review.module.css'
-import { STATE_OF_TAKE } from './stateOfTake'
 
 interface CueHeadProps {
   review: CueReview

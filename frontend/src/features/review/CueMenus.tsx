@@ -2,12 +2,11 @@ import { Menu } from '@mantine/core'
 import { useNavigate } from '@tanstack/react-router'
 
 import type { ReviewTake } from '@/judging/api'
+import { STATE_OF_TAKE } from '@/judging/stateOfTake'
 import { shortDay } from '@/ui/format'
 import type { MenuProps } from '@/ui/LazyMenu'
 import { OpenedMenu } from '@/ui/OpenedMenu'
 import { State } from '@/ui/State'
-
-import { STATE_OF_TAKE } from './stateOfTake'
 
 interface MoreMenuProps extends MenuProps {
   projectId: string

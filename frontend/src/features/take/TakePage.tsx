@@ -259,7 +259,11 @@ function Head({ take, check, isTeam, fix }: HeadProps) {
           <time dateTime={take.received_at} title={day(take.received_at)}>
             {ago(take.received_at)}
           </time>
-          {take.late && ', after its delivery was closed'}.
+          in its{' '}
+          <Link className="link" to="/deliveries/$deliveryId" params={{ deliveryId: take.delivery_id }}>
+            delivery
+          </Link>
+          {take.late && ', after it was closed'}.
         </p>
         {origin && (
           <p className="mid">

@@ -1,5 +1,5 @@
 import { ApiProblem } from '@/api'
-import { ended } from '@/judging/findings'
+import { ended } from './findings'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 interface RefusalProps {

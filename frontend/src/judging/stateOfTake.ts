@@ -1,7 +1,8 @@
-import type { ReviewTake } from '@/judging/api'
+import type { components } from '@/api/schema.gen'
 import type { StateKind } from '@/ui/State'
 
-export const STATE_OF_TAKE: Record<ReviewTake['state'], StateKind> = {
+/** How a take stands, as every page shows it. */
+export const STATE_OF_TAKE: Record<components['schemas']['TakeState'], StateKind> = {
   received: 'checking',
   conforming: 'to_review',
   returned: 'returned',

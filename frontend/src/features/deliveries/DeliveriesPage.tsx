@@ -1,0 +1,73 @@
+import { useQuery } from '@tanstack/react-query'
+import { Link, useParams } from '@tanstack/react-router'
+
+import { projectQuery } from '@/api/project'
+import { useTitle } from '@/app/title'
+import { Refusal } from '@/judging/Refusal'
+import { Button } from '@/ui/Button'
+import { Card } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { Person } from '@/ui/Person'
+import { Row, Rows } from '@/ui/Rows'
+
+import { type Delivery, useDeliveries } from './api'
+import classes from './Deliveries.module.css'
+import { daysOf, filesOf } from './words'
+
+/** Every delivery of a project, open and closed, the newest first. */
+export function DeliveriesPage() {
+  useTitle('Deliveries')
+  const { projectId } = useParams({ from: '/shell/projects/$projectId/deliveries' })
+  const { data: project } = useQuery(projectQuery(projectId))
+  const { data, error, hasNextPage, isFetchingNextPage, fetchNextPage } = useDeliveries(projectId)
+  const deliveries = data?.pages.flatMap(({ items }) => items)
+  const isTeam = project?.mine.is_team ?? false
+  return (
+    <div className="page stack">
+      <header>
+        <h1>Deliveries</h1>
+        <p className="mid">
+          <Link className="link" to="/projects/$projectId" params={{ projectId }}>
+            {project?.name ?? 'Project'}
+          </Link>
+        </p>
+      </header>
+      <Refusal error={error} />
+      {deliveries?.length === 0 && (
+        <EmptyState head="No deliveries yet">
+          {isTeam ? 'A delivery begins with the first file that a designer uploads.' : 'Your first upload begins one.'}
+        </EmptyState>
+      )}
+      {deliveries !== undefined && deliveries.length > 0 && (
+        <Card aria-label="Deliveries">
+          <Rows aria-label="Deliveries">
+            {deliveries.map((one) => (
+              <Line key={one.id} delivery={one} showsDesigner={isTeam} />
+            ))}
+          </Rows>
+          {hasNextPage && (
+            <div className={classes.more}>
+              <Button disabled={isFetchingNextPage} onClick={() => void fetchNextPage()}>
+                Earlier deliveries
+              </Button>
+            </div>
+          )}
+        </Card>
+      )}
+    </div>
+  )
+}
+
+function Line({ delivery, showsDesigner }: { delivery: Delivery; showsDesigner: boolean }) {
+  return (
+    <Row className={classes.line}>
+      <Link className="link strong nowrap" to="/deliveries/$deliveryId" params={{ deliveryId: delivery.id }}>
+        Delivery {delivery.number}
+      </Link>
+      <span className={classes.note}>{delivery.note}</span>
+      {showsDesigner && <Person name={delivery.designer.name} />}
+      <span className="small mid num nowrap">{filesOf(delivery.takes_count)}</span>
+      <span className="small dim">{daysOf(delivery)}</span>
+    </Row>
+  )
+}

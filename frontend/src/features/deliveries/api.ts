@@ -1,0 +1,36 @@
+import { queryOptions, useInfiniteQuery } from '@tanstack/react-query'
+
+import { answered, api } from '@/api'
+import { queryKeys } from '@/api/queryKeys'
+import type { components } from '@/api/schema.gen'
+
+type Schemas = components['schemas']
+export type Delivery = Schemas['DeliveryRead']
+export type DeliveryDetail = Schemas['DeliveryDetail']
+export type Take = Schemas['TakeRead']
+export type Archive = Schemas['ArchiveRead']
+
+const POLL_MS = 2000
+
+/** One delivery with everything that came in it; asked again while something of it is being checked. */
+export const deliveryQuery = (deliveryId: string) =>
+  queryOptions({
+    queryKey: queryKeys.delivery(deliveryId),
+    queryFn: () => answered(api.GET('/v1/deliveries/{delivery_id}', { params: { path: { delivery_id: deliveryId } } })),
+    refetchInterval: ({ state: { data } }) =>
+      data?.takes.some(({ state }) => state === 'received') ? POLL_MS + 10 * data.takes.length : false,
+  })
+
+/** A project's deliveries, the newest first; a designer's own. */
+export const useDeliveries = (projectId: string) =>
+  useInfiniteQuery({
+    queryKey: queryKeys.deliveryList(projectId),
+    queryFn: ({ pageParam: cursor }) =>
+      answered(
+        api.GET('/v1/projects/{project_id}/deliveries', {
+          params: { path: { project_id: projectId }, query: { cursor } },
+        }),
+      ),
+    initialPageParam: undefined as string | undefined,
+    getNextPageParam: ({ next }) => next ?? undefined,
+  })

@@ -1,0 +1,45 @@
+import { day, plural } from '@/ui/format'
+import type { StateKind } from '@/ui/State'
+import { STATE_OF_TAKE } from '@/judging/stateOfTake'
+
+import type { Delivery, DeliveryDetail, Take } from './api'
+
+/** When a delivery was begun and closed. */
+export function daysOf({ created_at, closed_at }: Pick<Delivery, 'created_at' | 'closed_at'>): string {
+  return closed_at === null ? `begun ${day(created_at)}, open` : `begun ${day(created_at)}, closed ${day(closed_at)}`
+}
+
+/** How a file of a delivery stands; one without a cue waits for it. */
+export const standOf = ({ state, cue }: Take): StateKind =>
+  cue === null && state !== 'received' ? 'unmatched' : STATE_OF_TAKE[state]
+
+const ORDER: readonly StateKind[] = [
+  'checking',
+  'unjudged',
+  'returned',
+  'unmatched',
+  'change_requested',
+  'to_review',
+  'approved',
+  'set_aside',
+]
+
+/** How many files stand how, what needs someone first; discarded ones are not counted. */
+export function countsOf({ takes }: DeliveryDetail): { kind: StateKind; files: number }[] {
+  const kept = takes.filter(({ discarded_at }) => discarded_at === null)
+  return ORDER.map((kind) => ({ kind, files: kept.filter((take) => standOf(take) === kind).length })).filter(
+    ({ files }) => files > 0,
+  )
+}
+
+/** "version 2, 03, 1.2 MB": what a file is besides its cue. */
+export function versionOf({ number, alternate, variation, cue }: Take): string {
+  if (cue === null) return ''
+  const parts = [
+    number === null ? '' : `version ${number}${alternate === null ? '' : ` ${String.fromCharCode(64 + alternate)}`}`,
+    variation > 1 ? `variation ${variation}` : '',
+  ]
+  return parts.filter(Boolean).join(', ')
+}
+
+export const filesOf = (count: number): string => plural(count, 'file')
