@@ -46,6 +46,7 @@ from app.notifications.notice_endpoints import router as notices
 from app.notifications.preference_endpoints import router as mail_preferences
 from app.operations.endpoints import router as operations
 from app.projects.approval_endpoints import router as approval
+from app.projects.budget_endpoints import router as budgets
 from app.projects.endpoints import router as projects
 from app.projects.spec_endpoints import router as specs
 from app.references.endpoints import router as references
@@ -80,6 +81,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     calendars,
     invoice_details,
     projects,
+    budgets,
     approval,
     specs,
     briefs,

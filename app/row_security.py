@@ -44,6 +44,7 @@ TEAMS_OWN = frozenset(  # no designer reads them
         *("shares_guest_copies", "shares_playlists", "shares_playlist_entries", "shares_playlist_positions"),
         *("shares_live_sessions", "shares_live_listeners"),
         *("webhooks_webhooks", "webhooks_calls"),
+        "projects_budgets",
     }
 )
 READ_ONLY = frozenset({"accounts_operators", "accounts_quotas"})  # set on the command line only

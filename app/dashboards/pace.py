@@ -11,6 +11,7 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.dashboards import money, pace_queries
+from app.dashboards.pace_costs import costs
 from app.dashboards.pace_rules import (
     LATELY,
     MANY_ROUNDS,
@@ -22,7 +23,7 @@ from app.dashboards.pace_rules import (
     mean_rounds,
     median_hours,
 )
-from app.dashboards.pace_schemas import CostPerSound, Pace, StudioPace, WornCue
+from app.dashboards.pace_schemas import Pace, StudioPace, WornCue
 from app.dashboards.schemas import ProjectMoney
 from app.kit import clock
 from app.projects.service import project_access
@@ -51,6 +52,7 @@ def pace(session: Session, actor: Actor, project_id: UUID) -> Pace:
     accepted = sum(cue.accepted_at is not None for cue in every)
     before, lately = decided_before_and_since(every, now - LATELY)
     paid = money.project_money(session, actor, project_id)
+    spent, estimates = costs(session, access, paid)
     return Pace(
         cues=len(every),
         accepted=accepted,
@@ -64,17 +66,8 @@ def pace(session: Session, actor: Actor, project_id: UUID) -> Pace:
         needed_on=max(still_due, default=None),
         worn=sorted(worn, key=lambda cue: -cue.rounds)[:WORN_SHOWN],
         studio=_studio_pace(session, project_id, designer_id, paid),
-        costs=[
-            CostPerSound(
-                currency=total.currency,
-                accepted_minor=total.figures.accepted_minor,
-                per_kept_minor=round(total.figures.accepted_minor / accepted)
-                if accepted and len(paid.totals) == 1
-                else None,
-                to_finish_minor=total.figures.open_minor,
-            )
-            for total in paid.totals
-        ],
+        costs=spent,
+        estimates=estimates,
     )
 
 

@@ -27,13 +27,31 @@ class StudioPace(Schema):
     late_invoices: int
 
 
-class CostPerSound(Schema):
-    """What a sound that was kept has cost so far, and what the rest would come to; in whole minor units."""
+class CostsRead(Schema):
+    """What a project costs in one currency, in whole minor units; figures of two currencies are never added."""
 
     currency: str
-    accepted_minor: int
-    per_kept_minor: int | None
-    to_finish_minor: int | None = Field(description="What is agreed and not yet accepted or saved.")
+    budget_minor: int | None = Field(description="As producers set it; null where none is set, and for designers.")
+    committed_minor: int = Field(description="Agreed with change orders and extras, less what was saved.")
+    spent_minor: int = Field(description="Paid and due.")
+    paid_minor: int
+    due_minor: int
+    kept: int = Field(description="Ordered cues that were accepted and are not cut.")
+    per_kept_minor: int | None = Field(description="Spent money by kept sounds.")
+    to_finish_minor: int = Field(description="What is agreed and neither due nor saved.")
+    ordered: int = Field(description="Cues under agreed contracts.")
+    churned: int = Field(description="Ordered cues that were cut or described anew after work began.")
+    churn: float | None = Field(description="The share of the ordered cues; null for fewer than three.")
+    churned_minor: int = Field(description="What was agreed for the churned cues.")
+
+
+class EstimateErrorRead(Schema):
+    """The estimates of accepted cues against the time that was logged for them."""
+
+    cues: int
+    estimated_min: int
+    logged_min: int
+    error_percent: float = Field(description="Above zero it took longer than estimated.")
 
 
 class Pace(Schema):
@@ -51,4 +69,5 @@ class Pace(Schema):
     needed_on: date | None = Field(description="The last day on which a cue that is not accepted is needed.")
     worn: list[WornCue]
     studio: StudioPace
-    costs: list[CostPerSound] = Field(description="Of the contracts that the caller is a party to.")
+    costs: list[CostsRead] = Field(description="Of the contracts that the caller is a party to.")
+    estimates: EstimateErrorRead | None = Field(description="For producers, and for designers of their own work.")

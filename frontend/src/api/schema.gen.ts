@@ -7867,26 +7867,6 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/v1/find": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        /**
-         * Find Elsewhere
-         * @description Return the cues and files that hold the typed words in all projects that the caller sees.
-         */
-        get: operations["find_elsewhere"];
-        put?: never;
-        post?: never;
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
     "/v1/projects/{project_id}/credits": {
         parameters: {
             query?: never;
@@ -13451,14 +13431,6 @@ export interface components {
             saved_minor: number;
         };
         /**
-         * FindElsewhereResult
-         * @description The results of a search through all other projects, those of the newest project first.
-         */
-        FindElsewhereResult: {
-            /** Hits */
-            hits: components["schemas"]["FoundElsewhere"][];
-        };
-        /**
          * FindResult
          * @description The results of a search, best first.
          */
@@ -13755,39 +13727,6 @@ export interface components {
             contract_id?: string | null;
             /** Start S */
             start_s?: number | null;
-        };
-        /**
-         * FoundElsewhere
-         * @description One hit in another project.
-         */
-        FoundElsewhere: {
-            /**
-             * Kind
-             * @enum {string}
-             */
-            kind: "cue" | "file" | "person" | "contract" | "comment" | "question";
-            /** Title */
-            title: string;
-            /**
-             * Text
-             * @description Its use, its state, an address, or the words in which the typed ones were found.
-             */
-            text: string;
-            /** @description Null for people, contracts and files without a cue. */
-            cue?: components["schemas"]["CueBrief"] | null;
-            /** Take Id */
-            take_id?: string | null;
-            /** Contract Id */
-            contract_id?: string | null;
-            /** Start S */
-            start_s?: number | null;
-            /**
-             * Project Id
-             * Format: uuid
-             */
-            project_id: string;
-            /** Project Name */
-            project_name: string;
         };
         /**
          * GameFile
@@ -47442,39 +47381,6 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Problem"];
-                };
-            };
-            /** @description Validation Error */
-            422: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["HTTPValidationError"];
-                };
-            };
-        };
-    };
-    find_elsewhere: {
-        parameters: {
-            query: {
-                q: string;
-                /** @description A project to leave out: the one that is open. */
-                except_in?: string | null;
-            };
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description Successful Response */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["FindElsewhereResult"];
                 };
             };
             /** @description Validation Error */

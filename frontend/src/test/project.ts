@@ -175,6 +175,7 @@ export const aPace = (facts: Partial<Schemas['Pace']> = {}): Schemas['Pace'] => 
   worn: [],
   studio: { review_hours: null, answer_hours: null, open_questions: 0, days_to_pay: null, late_invoices: 0 },
   costs: [],
+  estimates: null,
   ...facts,
 })
 

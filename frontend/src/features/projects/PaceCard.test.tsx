@@ -1,12 +1,29 @@
-import { screen, within } from '@testing-library/react'
+import { screen, waitFor, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
 import { beforeEach, expect, test, vi } from 'vitest'
 
 import { HandContext } from '@/test/audioContext'
 import { openApp } from '@/test/openApp'
 import { aPace, inProject } from '@/test/project'
-import { serve } from '@/test/server'
+import { serve, wrote } from '@/test/server'
 
 beforeEach(() => vi.stubGlobal('AudioContext', HandContext))
+
+const COSTS = {
+  currency: 'USD',
+  budget_minor: 30_000,
+  committed_minor: 37_500,
+  spent_minor: 27_500,
+  paid_minor: 10_000,
+  due_minor: 17_500,
+  kept: 2,
+  per_kept_minor: 13_750,
+  to_finish_minor: 10_000,
+  ordered: 4,
+  churned: 2,
+  churn: 0.5,
+  churned_minor: 20_000,
+}
 
 const valueOf = (card: HTMLElement, word: string) => within(card).getByText(word).nextElementSibling
 
@@ -25,7 +42,8 @@ test('what both sides had better talk about stands out, with the figures', async
       needed_on: '2026-12-05',
       worn: [{ cue_id: 'c1', label: 'SW-001', name: 'shield_hit', rounds: 4 }],
       studio: { review_hours: 70, answer_hours: 3, open_questions: 2, days_to_pay: 12, late_invoices: 1 },
-      costs: [{ currency: 'USD', accepted_minor: 4500, per_kept_minor: 4500, to_finish_minor: 63000 }],
+      costs: [COSTS, { ...COSTS, currency: 'EUR', budget_minor: null, churn: null }],
+      estimates: { cues: 3, estimated_min: 300, logged_min: 390, error_percent: 30 },
     }),
   })
   openApp('/projects/p1')
@@ -35,7 +53,14 @@ test('what both sides had better talk about stands out, with the figures', async
   expect(valueOf(card, 'Done at this pace')).toHaveTextContent('9 December; needed by 5 December')
   expect(valueOf(card, 'Time to a verdict')).toHaveTextContent('3 days')
   expect(valueOf(card, 'Time to an answer')).toHaveTextContent('3 hours')
-  expect(valueOf(card, 'Cost of a kept sound')).toHaveTextContent('$45.00')
+  expect(within(card).getByText('$300.00; $75.00 over')).toHaveClass('tone-warn')
+  expect(within(card).getByText('$275.00; $175.00 due')).toBeVisible()
+  expect(within(card).getByText('$137.50; 2 kept')).toBeVisible()
+  expect(within(card).getByText('50 %, 2 of 4 cues; $200.00')).toHaveClass('tone-warn')
+  expect(within(card).getByText('€375.00')).toBeVisible()
+  expect(within(card).getAllByText('Budget')).toHaveLength(1)
+  expect(valueOf(card, 'Against estimates')).toHaveTextContent('30 % longer')
+  expect(valueOf(card, 'Logged, estimated')).toHaveTextContent('6 h 30 min, 5 h; 3 cues')
   expect(within(card).getByRole('link', { name: 'SW-001 shield_hit' })).toHaveAttribute(
     'href',
     '/projects/p1/sound-list/cues/c1',
@@ -49,4 +74,37 @@ test('what has no figure yet has no line, and nothing warns', async () => {
   expect(await within(card).findByText('0 of 2')).toBeVisible()
   expect(within(card).getAllByRole('definition')).toHaveLength(1)
   expect(within(card).queryByText(/Three rounds/)).not.toBeInTheDocument()
+})
+
+test('a producer sets a budget, and a mistyped amount stays to be put right', async () => {
+  const { asked } = serve({
+    ...inProject(),
+    'PUT /v1/projects/p1/budget': [{ currency: 'EUR', amount_minor: 1_200_000 }],
+  })
+  openApp('/projects/p1')
+  await userEvent.click(await screen.findByRole('button', { name: 'Set a budget' }))
+  const form = within(screen.getByRole('form', { name: 'Budget' }))
+  await userEvent.clear(form.getByLabelText('Currency'))
+  await userEvent.type(form.getByLabelText('Currency'), 'eur')
+  await userEvent.type(form.getByLabelText('Budget'), 'much')
+  await userEvent.click(form.getByRole('button', { name: 'Save budget' }))
+  expect(form.getByText('An amount above zero, such as 12000.')).toBeVisible()
+  expect(form.getByLabelText('Budget')).toHaveValue('much')
+  await userEvent.clear(form.getByLabelText('Budget'))
+  await userEvent.type(form.getByLabelText('Budget'), '12,000')
+  await userEvent.click(form.getByRole('button', { name: 'Save budget' }))
+  await waitFor(() =>
+    expect(wrote(asked, 'PUT /v1/projects/p1/budget').map(({ body }) => body)).toEqual([
+      { currency: 'EUR', amount_minor: 1_200_000 },
+    ]),
+  )
+  expect(await screen.findByText('The budget is €12,000.00.')).toBeVisible()
+})
+
+test('a designer sets no budget', async () => {
+  serve({ ...inProject('designer'), 'GET /v1/projects/p1/pace': aPace() })
+  openApp('/projects/p1')
+  const card = await screen.findByRole('region', { name: 'Pace' })
+  expect(await within(card).findByText('0 of 2')).toBeVisible()
+  expect(within(card).queryByRole('button', { name: 'Set a budget' })).toBeNull()
 })

@@ -4,18 +4,20 @@ import { Link } from '@tanstack/react-router'
 import { answered, api } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
-import { money } from '@/money/words'
+import { hours, money } from '@/money/words'
 import { Card, CardHead } from '@/ui/Card'
 import { figure, plural, shortDay } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 
-import { Refusal } from './Refusal'
+import { BudgetForm } from './BudgetForm'
 import classes from './Pace.module.css'
+import { Refusal } from './Refusal'
 
 type Pace = components['schemas']['Pace']
 
 const DAY_HOURS = 24
 const FEWER_BY = 0.1 // of the share: less is chance
+const HIGH_CHURN = 0.2 // of the ordered cues
 
 const paceQuery = (projectId: string) =>
   queryOptions({
@@ -82,24 +84,74 @@ function ofStudio({ studio }: Pace): Line[] {
   ]
 }
 
-const ofCosts = ({ costs }: Pace): Line[] =>
-  costs.flatMap(({ currency, per_kept_minor: each, to_finish_minor: rest }) => [
-    ...(each === null ? [] : [{ word: 'Cost of a kept sound', value: money(each, currency) }]),
-    ...(rest === null || rest === 0 ? [] : [{ word: 'Left to accept', value: money(rest, currency) }]),
-  ])
+type Costs = Pace['costs'][number]
+
+function ofCosts(costs: Costs): Line[] {
+  const { currency, budget_minor: budget, committed_minor: committed, per_kept_minor: each, churn } = costs
+  const said = (minor: number) => money(minor, currency)
+  const left = (budget ?? 0) - committed
+  return [
+    ...(budget === null
+      ? []
+      : [
+          {
+            word: 'Budget',
+            value: `${said(budget)}; ${left < 0 ? `${said(-left)} over` : `${said(left)} not committed`}`,
+            warns: left < 0,
+          },
+        ]),
+    { word: 'Committed', value: said(committed) },
+    {
+      word: 'Spent',
+      value:
+        costs.due_minor === 0 ? said(costs.spent_minor) : `${said(costs.spent_minor)}; ${said(costs.due_minor)} due`,
+    },
+    ...(each === null ? [] : [{ word: 'Cost of a kept sound', value: `${said(each)}; ${figure(costs.kept)} kept` }]),
+    ...(costs.to_finish_minor === 0 ? [] : [{ word: 'Left to accept', value: said(costs.to_finish_minor) }]),
+    ...(churn === null
+      ? []
+      : [
+          {
+            word: 'Changed after work began',
+            value: `${percent(churn)}, ${figure(costs.churned)} of ${plural(costs.ordered, 'cue')}; ${said(costs.churned_minor)}`,
+            warns: churn > HIGH_CHURN,
+          },
+        ]),
+  ]
+}
+
+function ofEstimates({ estimates }: Pace): Line[] {
+  if (estimates === null) return []
+  const { error_percent: error, estimated_min: estimated, logged_min: logged, cues } = estimates
+  const off = Math.round(Math.abs(error))
+  return [
+    {
+      word: 'Against estimates',
+      value: off === 0 ? 'as estimated' : `${figure(off)} % ${error > 0 ? 'longer' : 'shorter'}`,
+    },
+    { word: 'Logged, estimated', value: `${hours(logged)}, ${hours(estimated)}; ${plural(cues, 'cue')}` },
+  ]
+}
 
 /** Early warning, the same for both sides: how the work goes, and how the studio does its own part. */
-export function PaceCard({ projectId }: { projectId: string }) {
+export function PaceCard({ projectId, isProducer }: { projectId: string; isProducer: boolean }) {
   const { data: pace, error } = useQuery(paceQuery(projectId))
   return (
     <Card aria-labelledby="pace">
-      <CardHead id="pace" title="Pace" note="both sides see this" />
+      <CardHead
+        id="pace"
+        title="Pace"
+        note={isProducer ? 'both sides see this, but for the budget' : 'both sides see this'}
+      />
       <Refusal error={error} />
       {pace && (
         <div className={classes.parts}>
           <Part head="The work" lines={ofWork(pace)} />
           <Part head="The studio’s part" lines={ofStudio(pace)} />
-          <Part head="Money" lines={ofCosts(pace)} />
+          {pace.costs.map((costs) => (
+            <Part key={costs.currency} head={`Money in ${costs.currency}`} lines={ofCosts(costs)} />
+          ))}
+          <Part head="Estimates" lines={ofEstimates(pace)} />
           {pace.worn.length > 0 && (
             <section className={classes.worn} aria-label="Cues with many rounds">
               <h3 className="small mid">Three rounds or more, not accepted</h3>
@@ -120,6 +172,7 @@ export function PaceCard({ projectId }: { projectId: string }) {
               <p className="small dim">Talk before another round: the brief may be unclear, or the price too low.</p>
             </section>
           )}
+          {isProducer && <BudgetForm projectId={projectId} currencies={pace.costs.map(({ currency }) => currency)} />}
         </div>
       )}
     </Card>

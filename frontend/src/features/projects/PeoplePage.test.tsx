@@ -222,7 +222,7 @@ describe('what designers hear of each other', () => {
   test('a producer chooses, and takes it back by Undo', async () => {
     const { asked } = serve({
       ...inProject(),
-      'PATCH /v1/projects/p1': ({ body }) => aProject('producer', body as object),
+      'PATCH /v1/projects/p1': ({ body }: Asked) => aProject('producer', body as Record<string, unknown>),
     })
     openApp('/projects/p1/people')
     const group = await screen.findByRole('radiogroup', { name: 'Designers can play' })

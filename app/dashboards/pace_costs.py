@@ -1,0 +1,120 @@
+"""What a project costs by currency: budget, committed, spent, a kept sound, churn; and how good estimates were."""
+
+from collections import defaultdict
+from collections.abc import Collection, Sequence
+from datetime import datetime
+from uuid import UUID
+
+from sqlalchemy import Row
+from sqlalchemy.orm import Session
+
+from app.agreements.models import ContractCue
+from app.agreements.rules import WorkState
+from app.dashboards import pace_cost_queries
+from app.dashboards.pace_cost_rules import (
+    OrderedCue,
+    churn,
+    churned_since,
+    estimate_error,
+    is_described_anew,
+    kept_sounds,
+    per_kept_minor,
+)
+from app.dashboards.pace_schemas import CostsRead, EstimateErrorRead
+from app.dashboards.schemas import ProjectMoney
+from app.money.queries import worked_minutes
+from app.projects.budget_queries import budgets_of
+from app.projects.service import ProjectAccess
+from app.sound_lists.rules import CueState
+
+Ordered = Sequence[Row[ContractCue, str, CueState]]
+
+
+def costs(
+    session: Session, access: ProjectAccess, paid: ProjectMoney
+) -> tuple[list[CostsRead], EstimateErrorRead | None]:
+    """Return the costs of the contracts in `paid`, by currency, and the error of their estimates.
+
+    Budgets are for those who act for the studio; estimates for its producers and for the designer who made them.
+    """
+    contract_ids = [one.contract_id for one in paid.contracts]
+    rows = pace_cost_queries.ordered(session, contract_ids)
+    by_currency: dict[str, list[OrderedCue]] = defaultdict(list)
+    for cue in _ordered_cues(session, rows):
+        by_currency[cue.currency].append(cue)
+    figures = {total.currency: total.figures for total in paid.totals}
+    budgets = (
+        {one.currency: one.amount_minor for one in budgets_of(session, access.project.id)} if access.is_team else {}
+    )
+    read = []
+    for currency in sorted(figures.keys() | budgets.keys()):
+        of, total = by_currency[currency], figures.get(currency)
+        spent_minor, kept, churned = total.accepted_minor if total else 0, kept_sounds(of), churn(of)
+        read.append(
+            CostsRead(
+                currency=currency,
+                budget_minor=budgets.get(currency),
+                committed_minor=total.agreed_minor - total.saved_minor if total else 0,
+                spent_minor=spent_minor,
+                paid_minor=total.paid_minor if total else 0,
+                due_minor=total.due_minor if total else 0,
+                kept=kept,
+                per_kept_minor=per_kept_minor(spent_minor, kept),
+                to_finish_minor=total.open_minor if total else 0,
+                ordered=churned.ordered,
+                churned=churned.churned,
+                churn=churned.share,
+                churned_minor=churned.churned_minor,
+            )
+        )
+    sees_estimates = access.is_producer or access.only_designer_id is not None
+    return read, _estimate_error(session, contract_ids, rows) if sees_estimates else None
+
+
+def _ordered_cues(session: Session, rows: Ordered) -> list[OrderedCue]:
+    cue_ids = {cue.cue_id for cue, _, _ in rows}
+    began, anew = _began(session, cue_ids), _described_anew(session, cue_ids)
+    return [
+        OrderedCue(
+            cue_id=cue.cue_id,
+            currency=currency,
+            amount_minor=cue.amount_minor or 0,
+            is_kept=cue.accepted_at is not None and cue.cut_at is None and state is not CueState.CUT,
+            is_churned=cue.cut_in not in (None, WorkState.NOT_BEGUN)
+            or churned_since(began.get(cue.cue_id), anew.get(cue.cue_id, ())),
+        )
+        for cue, currency, state in rows
+    ]
+
+
+def _began(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, datetime]:
+    began = pace_cost_queries.first_takes(session, cue_ids)
+    for cue_id, at in pace_cost_queries.first_logs(session, cue_ids).items():
+        began[cue_id] = min(at, began.get(cue_id, at))
+    return began
+
+
+def _described_anew(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, list[datetime]]:
+    anew: dict[UUID, list[datetime]] = defaultdict(list)
+    for cue_id, at, before, after in pace_cost_queries.changes(session, cue_ids):
+        if is_described_anew(before, after):
+            anew[cue_id].append(at)
+    return anew
+
+
+def _estimate_error(session: Session, contract_ids: Collection[UUID], rows: Ordered) -> EstimateErrorRead | None:
+    logged = worked_minutes(session, contract_ids)
+    pairs = [
+        (cue.estimate_min, minutes)
+        for cue, _, _ in rows
+        if cue.estimate_min and cue.accepted_at and (minutes := logged.get((cue.contract_id, cue.cue_id)))
+    ]
+    error = estimate_error(pairs)
+    if error is None:
+        return None
+    return EstimateErrorRead(
+        cues=error.cues,
+        estimated_min=error.estimated_min,
+        logged_min=error.logged_min,
+        error_percent=error.percent,
+    )

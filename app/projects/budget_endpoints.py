@@ -1,0 +1,21 @@
+"""The endpoint of budgets; how much of them is used is read with the pace of a project."""
+
+from uuid import UUID
+
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience
+from app.kit.http import DbSession, Route, Router, problems
+from app.projects.budgets import set_budget
+from app.projects.errors import ProducerNeeded, ProjectNotFound
+from app.projects.schemas import BudgetRead, BudgetSet
+
+router = Router(prefix="/v1", tags=["projects"], route_class=Route)
+
+
+@router.put("/projects/{project_id}/budget", responses=problems(ProjectNotFound, ProducerNeeded))
+def set_project_budget(
+    project_id: UUID, body: BudgetSet, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> list[BudgetRead]:
+    """Set what the project may cost in one currency, or remove that; return the budgets of all its currencies."""
+    budgets = set_budget(session, actor, project_id, currency=body.currency, amount_minor=body.amount_minor)
+    return [BudgetRead.model_validate(budget) for budget in budgets]
