@@ -18,6 +18,7 @@ from itertools import pairwise
 MAX_QUESTIONS = 3
 SHORTEST_THING = 4  # letters of a word that is not known; shorter ones abbreviate
 ENOUGH_WORDS = 5  # that say something of their own: such a request is asked only for what its kind cannot do without
+TERSE_WORDS = 3  # of a description; so few name a thing only where the lexicon knows it
 MAX_CHARS = 4_000  # of one request; what follows is not read
 CACHED = 20_000
 
@@ -108,6 +109,11 @@ def lexicon() -> Lexicon:
 
 
 NAMELESS = (Question(Fact.SOURCE, "Of what?", ("a tool", "a stone", "a person")),)  # of neither a kind nor a thing
+TERSE = (  # a few words, none of which speaks of a kind
+    *NAMELESS,
+    Question(Fact.SIZE, "How big?", ("small", "as big as a person", "huge"), "vague"),
+    Question(Fact.INTENSITY, "How hard?", ("gently", "firmly", "with full force"), "vague"),
+)
 VOICE_CATEGORIES = frozenset({"dialogue", "narration", "vo", "voice", "voice-over", "voiceover", "voices", "vox"})
 VOICE_WORDS = frozenset({"vo", "voice", "voiceover", "vox"})  # that say of a cue only that it is a line
 VOICE_LINE = (  # what is spoken needs these, and no size and no place
@@ -145,7 +151,8 @@ def questions(name: str, category: str, description: str, loop: bool, has_length
     place = _place_of_kind(named, said, category)
     kind = None if place is None else lexicon().kinds[place]
     every = [*named, *said]
-    things = [word for word in said if _is_thing(word, place)]
+    is_terse = 0 < len(WORD.findall(description)) <= TERSE_WORDS
+    things = [word for word in said if _is_thing(word, place) and not (is_terse and _is_unknown(word))]
     if not any("unsaid" in word.lists for word in said):
         things += [word for word in named if ("things" in word.lists or not said) and _is_thing(word, place)]
     found = {Fact(match[1].lower()) for match in STATED.finditer(description)}
@@ -167,7 +174,7 @@ def questions(name: str, category: str, description: str, loop: bool, has_length
         found |= {Fact.PLACE, Fact.MOOD} if len(things) > 1 else {Fact.PLACE}
     if len({word.forms for word in every if _is_informative(word, place)}) >= ENOUGH_WORDS:
         return ()
-    needs = kind.needs if kind else () if things or found else NAMELESS
+    needs = kind.needs if kind else TERSE if is_terse else () if things or found else NAMELESS
     needless = "vague" if things else "named"
     return tuple(one for one in needs if one.fact not in found and one.only_if != needless)[:MAX_QUESTIONS]
 
@@ -218,6 +225,11 @@ def _is_thing(word: Word, place: int | None) -> bool:
     if "any_size" in word.lists:
         return True
     return not (place in word.kinds or word.facts or any(form.endswith(("ing", "ed")) for form in word.forms))
+
+
+def _is_unknown(word: Word) -> bool:
+    """Whether the lexicon knows nothing of a word, so that it may be what happens as well as a thing."""
+    return not (word.lists or word.facts or word.kinds)
 
 
 def _is_informative(word: Word, place: int | None) -> bool:

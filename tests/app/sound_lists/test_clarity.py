@@ -31,7 +31,12 @@ def rates(file_name: str) -> tuple[float, float]:
 
 @pytest.mark.parametrize(
     ("file_name", "least_asked", "most_needless"),
-    [("worked_on.txt", 0.9, 0.15), ("by_others.txt", 0.7, 0.2)],
+    [
+        ("worked_on.txt", 0.9, 0.15),
+        ("by_others.txt", 0.7, 0.2),
+        ("set_aside_60.txt", 0.45, 0.25),
+        ("set_aside_40.txt", 0.4, 0.2),
+    ],
 )
 def test_most_of_what_is_missing_is_asked_and_little_else(
     file_name: str, least_asked: float, most_needless: float
@@ -48,6 +53,11 @@ def facts_of(name: str, description: str = "", *, category: str = "", loop: bool
 def test_a_splash_is_asked_for_what_the_field_asks() -> None:
     assert facts_of("splash", "A splash") == [Fact.SOURCE, Fact.SIZE, Fact.PLACE]
     assert facts_of("splash", "A man of 400 pounds falls into the sea") == []
+
+
+def test_a_few_words_that_say_nothing_known_leave_everything_open() -> None:
+    assert facts_of("blorp_01", "Blorps twice") == [Fact.SOURCE, Fact.SIZE, Fact.INTENSITY]
+    assert facts_of("blorp_01", "The blorp of a thick brown glimmering flurf over its edge") == []
 
 
 def test_the_category_speaks_where_the_words_do_not() -> None:
