@@ -6,16 +6,16 @@ from collections.abc import Callable, Iterable
 from datetime import timedelta
 from typing import Any, Self
 
-import httpx
 from sqlalchemy import select
 
-from app.accounts.authentication import CSRF_HEADER, DEMO_COOKIE, DEMO_SECRET, csrf_token
 from app.accounts.models import Membership, Person, Studio
 from app.accounts.rules import Role, Scope
 from app.demo import brief, cues, voice
 from app.demo.game_ci import GameCi
-from app.demo.references import DemoReference, demo_references
+from app.demo.hiring import Hiring
+from app.demo.references import demo_references
 from app.demo.sounds import DemoSound, demo_sounds, warp_in_stem
+from app.demo.visitors import Visitor, signed_in_visitor
 from app.kit import clock
 from app.kit.runtime import Runtime
 from app.settings import Settings
@@ -23,12 +23,14 @@ from app.settings import Settings
 CHECKED_WITHIN_S = 180.0
 POLL_EVERY_S = 0.25
 DONE_FILE = "demo.json"
+SECOND_DESIGNER = "Second designer"  # who bids too, and is not chosen
 PEOPLE: tuple[tuple[str | None, str, list[Role]], ...] = (
     ("producer", "Producer", [Role.PRODUCER]),
     ("approver", "Audio director", [Role.LIAISON]),
     (None, "Composer", [Role.REVIEWER]),
     (None, "Programmer", [Role.REVIEWER, Role.IMPLEMENTER]),
     ("designer", "Sound designer", []),
+    (None, SECOND_DESIGNER, []),
 )
 Report = Callable[[str], None]
 
@@ -46,7 +48,8 @@ def make_demo_project(runtime: Runtime, *, report: Report, keep_going: Callable[
     report("  Making the demo project: 36 cues, every sound by our own generators. The page is open already.")
     people = _create_studio(runtime)
     try:
-        with _Maker(runtime.settings, people, keep_going) as maker:
+        second = signed_in_visitor(runtime, people[SECOND_DESIGNER])
+        with _Maker(runtime.settings, people, second, keep_going) as maker:
             project, token = maker.make()
     except DemoStopped:
         return "", ""
@@ -80,52 +83,18 @@ def _asking(toml: str) -> str:
     return toml.replace("adds = [] ", 'adds = ["reverb"] ').replace(warned, warned + asked, 1)
 
 
-class _Visitor:
-    """One part's browser."""
-
-    def __init__(self, settings: Settings, part: str) -> None:
-        self._client = httpx.Client(
-            base_url=settings.base_url,
-            cookies={DEMO_COOKIE: part},
-            headers={CSRF_HEADER: csrf_token(settings, DEMO_SECRET)},
-            timeout=60,
-        )
-
-    def ask(self, method: str, path: str, *, once: str | None = None, **more: Any) -> Any:
-        """Send a request and return its body; with `once`, a second run of the demo does not repeat it."""
-        headers = {"Idempotency-Key": once} if once else {}
-        answer = self._client.request(method, f"/v1{path}", headers=headers, **more)
-        if answer.is_error:
-            raise RuntimeError(f"{method} {path}: {answer.status_code} {answer.text}")
-        if not answer.content:
-            return None
-        return answer.json() if "json" in answer.headers.get("content-type", "") else answer.content
-
-    def send_reference(self, project_id: str, reference: DemoReference) -> str:
-        """Send a file for the board of a project, and return the id of its upload."""
-        headers = {
-            "Tus-Resumable": "1.0.0",
-            "Content-Type": "application/offset+octet-stream",
-            "Upload-Length": str(len(reference.content)),
-            "Upload-Metadata": reference.metadata(project_id),
-        }
-        sent = self._client.post("/v1/uploads", headers=headers, content=reference.content).raise_for_status()
-        return str(sent.headers["location"].rpartition("/")[2])
-
-    def close(self) -> None:
-        """Close the connections."""
-        self._client.close()
-
-
 class _Maker:
     """Plays the parts one after the other."""
 
-    def __init__(self, settings: Settings, people: dict[str, str], keep_going: Callable[[], bool]) -> None:
+    def __init__(
+        self, settings: Settings, people: dict[str, str], second_designer: Visitor, keep_going: Callable[[], bool]
+    ) -> None:
         self._people = people
+        self._second_designer = second_designer
         self._keep_going = keep_going
-        self._producer = _Visitor(settings, "producer")
-        self._approver = _Visitor(settings, "approver")
-        self._designer = _Visitor(settings, "designer")
+        self._producer = Visitor(settings, "producer")
+        self._approver = Visitor(settings, "approver")
+        self._designer = Visitor(settings, "designer")
         self._settings = settings
         self._sounds = demo_sounds()
 
@@ -133,7 +102,7 @@ class _Maker:
         return self
 
     def __exit__(self, *_error: object) -> None:
-        for visitor in (self._producer, self._approver, self._designer):
+        for visitor in (self._producer, self._approver, self._designer, self._second_designer):
             visitor.close()
 
     def make(self) -> tuple[str, str]:
@@ -316,11 +285,9 @@ class _Maker:
         return {one["text"] for one in self._approver.ask("GET", path, params=params)["items"]}
 
     def _agree_on_contract(self) -> None:
-        """Begin, plan and send the contract as the producer, and have both say yes to the same text."""
-        path = f"/projects/{self._project}"
-        (engagement,) = self._producer.ask("GET", path)["engagements"]
-        body = {"engagement_id": engagement["id"], "kind": "single", "title": "Effects", "currency": "USD"}
-        self._contract = self._producer.ask("POST", f"{path}/contracts", once="demo-contract", json=body)["id"]
+        """Award the work by a posting, plan and send the draft, and have both say yes to the same text."""
+        hiring = Hiring(self._producer, self._approver, self._people["studio"], self._project, self._await)
+        self._contract = hiring.award(self._designer, [self._designer, self._second_designer])
         contract = f"/contracts/{self._contract}"
         if self._producer.ask("GET", contract)["state"] == "draft":
             self._producer.ask("PUT", f"{contract}/milestones", json={"milestones": self._plan()})

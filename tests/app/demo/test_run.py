@@ -123,6 +123,7 @@ def test_the_demo_is_made_kept_and_stopped(tmp_path: Path):
         queue = client.get("/v1/review-queue", params={"project_id": project["id"]}).json()["items"]
         assert {item["cue"]["name"]: item["last_change"] for item in queue}["suit_hit"] == "Add a dull metallic clank"
         ensure_money(client, path, next(item["cue"]["id"] for item in queue if item["cue"]["name"] == "shield_hit"))
+        ensure_hired(client, path)
         builds = client.get(f"{path}/builds").json()["items"]
         assert [(build["label"], build["rejected"]) for build in builds] == [("482", 1), ("481", 0)]
         audits = client.get(f"{path}/audits").json()["items"]
@@ -166,6 +167,22 @@ def ensure_money(client: httpx.Client, path: str, shield_id: str) -> None:
     assert (mine["cut_in"], mine["owed_minor"]) == ("in_work", 15_750)
     shield = client.get(f"/v1/cues/{shield_id}/money").json()
     assert (shield["accepted_then"], shield["wanted"], shield["would_owe_minor"]) == (5, 10, 18_000)
+
+
+def ensure_hired(client: httpx.Client, path: str) -> None:
+    """Hold the demo to one posting with two bids that were compared, whose award opened its only contract."""
+    as_producer = {"Cookie": f"{DEMO_COOKIE}=producer"}
+    (posting,) = client.get(f"{path}/postings", headers=as_producer).json()
+    assert (posting["title"], posting["state"], posting["bids"]) == ("Effects", "awarded", 2)
+    compared = client.get(f"/v1/postings/{posting['id']}/bids", headers=as_producer).json()
+    chosen, other = compared["bids"]
+    assert (chosen["designer"]["name"], other["designer"]["name"]) == ("Sound designer", "Second designer")
+    assert compared["awarded_bid_id"] == chosen["id"]
+    assert (chosen["is_shortlisted"], chosen["missing"], other["missing"]) == (True, [], [])
+    assert chosen["over_budget_minor"] <= 0 < other["over_budget_minor"]
+    assert [chosen["scored_by"], other["scored_by"]] == [2, 2]
+    (contract,) = client.get(f"{path}/contracts", headers=as_producer).json()
+    assert (contract["id"], contract["title"]) == (compared["contract_id"], "Effects")
 
 
 @pytest.fixture
