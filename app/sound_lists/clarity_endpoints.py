@@ -1,5 +1,6 @@
 """The endpoints of the clarity check."""
 
+from functools import cache
 from uuid import UUID
 
 from fastapi import APIRouter
@@ -10,7 +11,7 @@ from app.kit.http import DbSession, Route, problems
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.projects.service import project_access
 from app.sound_lists import clarity
-from app.sound_lists.clarity_rules import Fact
+from app.sound_lists.clarity_rules import Fact, Question
 from app.sound_lists.errors import CueIsCut, CueNotFound, RowsInvalid
 from app.sound_lists.schemas import ClarityRead, FactAnswer, FactDismissal, FactQuestion, UnclearCue
 
@@ -22,10 +23,16 @@ def check_clarity(project_id: UUID, session: DbSession, actor: Actor = allows(Au
     """Return the cues whose words leave something open, with a question for each fact; it blocks nothing."""
     access = project_access(session, actor, project_id)
     unclear = [
-        UnclearCue(cue_id=cue_id, questions=[FactQuestion.model_validate(one) for one in left])
+        UnclearCue(cue_id=cue_id, questions=[_shown(one) for one in left])
         for cue_id, left in clarity.unclear_cues(session, access)
     ]
     return ClarityRead(unclear=unclear)
+
+
+@cache
+def _shown(question: Question) -> FactQuestion:
+    """Return a question as it is answered; the lexicon has a few dozen, and a large list asks thousands."""
+    return FactQuestion.model_validate(question)
 
 
 @router.post(

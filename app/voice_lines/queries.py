@@ -13,6 +13,7 @@ from app.deliveries.rules import TakeState
 from app.kit.in_array import in_array
 from app.renders.models import Picture
 from app.reviews.models import ChangeRequest
+from app.sound_lists.models import Cue
 from app.voice_lines.models import (
     Casting,
     Character,
@@ -90,7 +91,8 @@ def texts_of(
     line_ids: Collection[UUID] | None = None,
 ) -> Sequence[VoiceText]:
     """Return the texts of a project with their cues: of all lines and languages, or of those named."""
-    found = select(VoiceText).where(VoiceText.project_id == project_id).options(joinedload(VoiceText.cue))
+    of_cue = joinedload(VoiceText.cue).load_only(Cue.number, Cue.name, Cue.state)  # a cue has much that no line shows
+    found = select(VoiceText).where(VoiceText.project_id == project_id).options(of_cue)
     if languages is not None:
         found = found.where(VoiceText.language.in_(languages))
     if line_ids is not None:

@@ -54,6 +54,7 @@ class ScriptReader:
     def __init__(self, session: Session, access: ProjectAccess, *, around: VoiceLine | None = None) -> None:
         self._session = session
         self._around = around
+        self._read_texts: dict[str, dict[UUID, VoiceText]] = {}
         self._access = access
         self._project = access.project
         settings = queries.settings_of(session, access.project.id)
@@ -68,10 +69,13 @@ class ScriptReader:
         return queries.lines_of(self._session, self._project.id)
 
     def _texts(self, language: str) -> dict[UUID, VoiceText]:
-        """Return the texts in one language by their lines."""
+        """Return the texts in one language by their lines, read once."""
+        if language in self._read_texts:
+            return self._read_texts[language]
         only = [line.id for line in self.lines] if self._around is not None else None
         texts = queries.texts_of(self._session, self._project.id, {language}, only)
-        return {text.line_id: text for text in texts}
+        self._read_texts[language] = {text.line_id: text for text in texts}
+        return self._read_texts[language]
 
     @cached_property
     def languages(self) -> list[str]:
@@ -81,20 +85,23 @@ class ScriptReader:
 
     def in_language(self, language: str) -> list[VoiceLineRead]:
         """Return every line in one language."""
-        said = self._said(language)
-        wanted = [standing.take.id for standing in said.standings.values() if standing.take]
-        requested = queries.requested_changes(self._session, wanted)
-        returned = [one.take.id for one in said.standings.values() if one.take and one.state is LineState.RETURNED]
+        return self._reads(language, self._said(language), self.lines)
+
+    def _reads(self, language: str, said: _Said, lines: Sequence[VoiceLine]) -> list[VoiceLineRead]:
+        """Return some lines in one language."""
+        standings = [said.standings.get(line.id, NOT_TRANSLATED) for line in lines]
+        requested = queries.requested_changes(self._session, [one.take.id for one in standings if one.take])
+        returned = [one.take.id for one in standings if one.take and one.state is LineState.RETURNED]
         errors = queries.first_errors(self._session, returned)
         reads = []
-        for line, (before, after) in zip(self.lines, _neighbours(self.lines), strict=True):
-            standing = said.standings.get(line.id, NOT_TRANSLATED)
+        for line, standing in zip(lines, standings, strict=True):
             take_id = standing.take.id if standing.take else None
             reason = reason_of(
                 standing,
                 requested=requested.get(take_id, "") if take_id else "",
                 error=errors.get(take_id, "") if take_id else "",
             )
+            before, after = self._neighbours[line.id]
             reads.append(
                 self._read(line, language, said.texts.get(line.id), standing, reason, before=before, after=after)
             )
@@ -104,34 +111,65 @@ class ScriptReader:
         self, language: str, *, state: LineState | None, character_id: UUID | None, search: str, start: int
     ) -> VoiceLines:
         """Return the lines of one language that fit a filter, from a place on."""
-        every = self.in_language(language)
-        counts = Counter(one.state for one in every)
+        said = self._said(language)
+        states = {line.id: said.standings.get(line.id, NOT_TRANSLATED).state for line in self.lines}
+        counts = Counter(states.values())
         words = search.casefold().split()
         found = [
-            one
-            for one in every
-            if (state is None or one.state is state)
-            and (character_id is None or one.character.id == character_id)
-            and all(word in _searched(one) for word in words)
+            line
+            for line in self.lines
+            if (state is None or states[line.id] is state)
+            and (character_id is None or line.character_id == character_id)
+            and (not words or self._has_words(line, said.texts.get(line.id), words))
         ]
         return VoiceLines(
             language=language,
-            lines=found[start : start + PAGE],
+            lines=self._reads(language, said, found[start : start + PAGE]),
             next=start + PAGE if len(found) > start + PAGE else None,
             total=len(found),
             counts=[StateCount(state=one, lines=counts[one]) for one in LineState if counts[one]],
             may_change=may_change(self._access),
         )
 
+    def _has_words(self, line: VoiceLine, text: VoiceText | None, words: Sequence[str]) -> bool:
+        original = self._original.get(line.id)
+        said = (
+            line.key,
+            line.character.name,
+            line.scene,
+            text and text.text,
+            original and original.text,
+            line.direction,
+        )
+        searched = " ".join(part for part in said if part).casefold()
+        return all(word in searched for word in words)
+
     def pick_ups(self, language: str | None, character_id: UUID | None) -> PickUpsRead:
         """Return what the next session records: by language, then character, in the order of the script."""
         languages = [language] if language else self.languages
-        found = [one for each in languages for one in self.in_language(each) if one.state in PICK_UPS]
-        if character_id is not None:
-            found = [one for one in found if one.character.id == character_id]
+        found: list[VoiceLineRead] = []
+        for each in languages:
+            said = self._said(each)
+            wanted = [
+                line
+                for line in self.lines
+                if said.standings.get(line.id, NOT_TRANSLATED).state in PICK_UPS
+                and (character_id is None or line.character_id == character_id)
+            ]
+            found += self._reads(each, said, wanted)
         order = {language: place for place, language in enumerate(languages)}
         found.sort(key=lambda one: (order[one.language], one.character.name.casefold()))  # stable: keeps the script's
         return PickUpsRead(lines=found, languages=list(dict.fromkeys(one.language for one in found)))
+
+    @cached_property
+    def _neighbours(self) -> dict[UUID, tuple[VoiceLine | None, VoiceLine | None]]:
+        """The lines before and after each line, where they are in its scene."""
+        found: dict[UUID, tuple[VoiceLine | None, VoiceLine | None]] = {}
+        for place, line in enumerate(self.lines):
+            before = self.lines[place - 1] if place and self.lines[place - 1].scene == line.scene else None
+            after = self.lines[place + 1] if place + 1 < len(self.lines) else None
+            found[line.id] = (before, after if after and after.scene == line.scene else None)
+        return found
 
     @cached_property
     def _original(self) -> dict[UUID, VoiceText]:
@@ -231,18 +269,3 @@ def _take(take: TakeFacts | None) -> LineTake | None:
     if take is None:
         return None
     return LineTake(id=take.id, number=take.number, state=take.state, duration_s=take.duration_s)
-
-
-def _searched(line: VoiceLineRead) -> str:
-    said = (line.key, line.character.name, line.scene, line.text, line.original_text, line.direction)
-    return " ".join(part for part in said if part).casefold()
-
-
-def _neighbours(lines: Sequence[VoiceLine]) -> list[tuple[VoiceLine | None, VoiceLine | None]]:
-    """Return the lines before and after each line, where they are in its scene."""
-    found = []
-    for place, line in enumerate(lines):
-        before = lines[place - 1] if place and lines[place - 1].scene == line.scene else None
-        after = lines[place + 1] if place + 1 < len(lines) and lines[place + 1].scene == line.scene else None
-        found.append((before, after))
-    return found
