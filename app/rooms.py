@@ -27,6 +27,7 @@ from app.builds.listening_endpoints import router as listening
 from app.builds.manifest_endpoints import router as manifests
 from app.conformance.endpoints import router as conformance
 from app.dashboards.credit_endpoints import router as credit_lists
+from app.dashboards.due_endpoints import router as due_calendars
 from app.dashboards.endpoints import router as dashboards
 from app.dashboards.event_endpoints import router as events
 from app.dashboards.hours_endpoints import router as project_hours
@@ -130,6 +131,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     manifests,
     game_files,
     dashboards,
+    due_calendars,
     credit_lists,
     project_hours,
     events,

@@ -27,7 +27,6 @@ from app.money import (
     shipping,
 )
 from app.money.errors import (
-    CalendarNotFound,
     CueNotInContract,
     DayInFuture,
     ExtraRoundNotFound,
@@ -44,12 +43,11 @@ from app.money.errors import (
     RoundAlreadySettled,
 )
 from app.money.invoice_numbers import file_part
-from app.projects.errors import ProducerNeeded, ProjectNotFound, TeamNeeded
+from app.projects.errors import ProducerNeeded, ProjectNotFound
 from app.sound_lists.errors import CueNotFound
 
 router = Router(prefix="/v1", tags=["money"], route_class=Route)
 _unsaved_router = APIRouter(route_class=SingleThreadRoute)  # answers that hold a secret are kept for no Idempotency-Key
-CALENDAR_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {calendar.ICALENDAR: {}}, "description": "Dates"}}
 PDF_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {documents.PDF: {}}, "description": "The invoice"}}
 
 
@@ -305,9 +303,7 @@ def log_work(
     estimates.log_work(session, actor, contract_id, cue_id=body.cue_id, minutes=body.minutes, worked_on=body.worked_on)
 
 
-@_unsaved_router.post(
-    "/projects/{project_id}/calendar", status_code=201, responses=problems(ProjectNotFound, TeamNeeded)
-)
+@_unsaved_router.post("/projects/{project_id}/calendar", status_code=201, responses=problems(ProjectNotFound))
 def make_calendar(
     project_id: UUID, runtime: CurrentRuntime, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> schemas.CalendarLinkMade:
@@ -320,14 +316,6 @@ def make_calendar(
 def withdraw_calendar(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> None:
     """Revoke the addresses of the caller's calendar."""
     calendar.withdraw_links(session, actor, project_id)
-
-
-@_unsaved_router.get(
-    "/calendars/{secret}", response_class=Response, responses=CALENDAR_ANSWER | problems(CalendarNotFound)
-)
-def read_calendar(secret: str, session: DbSession, _actor: Actor = allows(Audience.ANYONE)) -> Response:
-    """Return the dates of contracts as iCalendar, for the holder of the address."""
-    return Response(calendar.feed(session, secret), media_type=calendar.ICALENDAR)
 
 
 router.include_router(_unsaved_router)

@@ -61,6 +61,11 @@ class ProjectAccess:
         """The designer whose work alone the caller sees; None: the whole project's."""
         return None if self.is_team or self.actor.is_build else self.actor.person
 
+    @property
+    def is_party(self) -> bool:
+        """Whether the caller sees contracts and money: acts for the team, or is a designer, who sees their own."""
+        return not self.is_team or self.is_producer or self.is_liaison or self.is_approver
+
     def ensure_team(self) -> None:
         """Raise TeamNeeded unless the caller is a member of the studio."""
         if not self.is_team:
@@ -81,7 +86,7 @@ class ProjectAccess:
 
         Designers pass: they see their own.
         """
-        if self.is_team:
+        if not self.is_party:
             self.ensure_may_speak()
 
     def ensure_designer(self) -> Engagement:

@@ -3145,26 +3145,6 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/v1/calendars/{secret}": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        /**
-         * Read Calendar
-         * @description Return the dates of contracts as iCalendar, for the holder of the address.
-         */
-        get: operations["read_calendar"];
-        put?: never;
-        post?: never;
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
     "/v1/contracts/{contract_id}/worked-days": {
         parameters: {
             query?: never;
@@ -7867,6 +7847,46 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/find": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Find Elsewhere
+         * @description Return the cues and files that hold the typed words in all projects that the caller sees.
+         */
+        get: operations["find_elsewhere"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/calendars/{secret}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Calendar
+         * @description Return what is due in a project as iCalendar, for the holder of the address.
+         */
+        get: operations["read_calendar"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/credits": {
         parameters: {
             query?: never;
@@ -8525,6 +8545,11 @@ export interface components {
              * @description The digits mailed to the caller; needed where the server sends mail.
              */
             code?: string | null;
+            /**
+             * Drawing
+             * @description The name as it was drawn: strokes of points (x, y) in a box of 1000 by 300, from its upper left; at most 100 strokes and 3000 points.
+             */
+            drawing?: number[][][] | null;
         };
         /**
          * AcceptRead
@@ -8567,6 +8592,11 @@ export interface components {
              * @description When the code mailed to that address was typed; null: never.
              */
             code_entered_at: string | null;
+            /**
+             * Drawing
+             * @description The name as it was drawn; null: it was not.
+             */
+            drawing: number[][][] | null;
             /**
              * Accepted At
              * Format: date-time
@@ -11777,7 +11807,7 @@ export interface components {
             ordered: number;
             /**
              * Churned
-             * @description Ordered cues that were cut or described anew after work began.
+             * @description Ordered cues that were cut or rewritten after work began.
              */
             churned: number;
             /**
@@ -13431,6 +13461,14 @@ export interface components {
             saved_minor: number;
         };
         /**
+         * FindElsewhereResult
+         * @description The results of a search through all other projects, those of the newest project first.
+         */
+        FindElsewhereResult: {
+            /** Hits */
+            hits: components["schemas"]["FoundElsewhere"][];
+        };
+        /**
          * FindResult
          * @description The results of a search, best first.
          */
@@ -13729,6 +13767,39 @@ export interface components {
             start_s?: number | null;
         };
         /**
+         * FoundElsewhere
+         * @description One hit in another project.
+         */
+        FoundElsewhere: {
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "cue" | "file" | "person" | "contract" | "comment" | "question";
+            /** Title */
+            title: string;
+            /**
+             * Text
+             * @description Its use, its state, an address, or the words in which the typed ones were found.
+             */
+            text: string;
+            /** @description Null for people, contracts and files without a cue. */
+            cue?: components["schemas"]["CueBrief"] | null;
+            /** Take Id */
+            take_id?: string | null;
+            /** Contract Id */
+            contract_id?: string | null;
+            /** Start S */
+            start_s?: number | null;
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /** Project Name */
+            project_name: string;
+        };
+        /**
          * GameFile
          * @description One approved game file of a target.
          */
@@ -13945,6 +14016,8 @@ export interface components {
             where: string;
             /** Text */
             text: string;
+            /** @description Where it was heard, in a recording. */
+            recording: components["schemas"]["RecordedMoment"] | null;
             asked_by: components["schemas"]["PersonBrief"];
             /**
              * Asked At
@@ -15490,6 +15563,8 @@ export interface components {
              * @description When the key was pressed, where it is sent later.
              */
             written_at?: string | null;
+            /** @description Where it was heard, in a recording. Such a note replaces no other one of its cue. */
+            recording?: components["schemas"]["RecordedMoment"] | null;
         };
         /**
          * ListeningNoteRead
@@ -15515,6 +15590,8 @@ export interface components {
             written_at: string;
             /** Is Mine */
             is_mine: boolean;
+            /** @description Where it was heard, in a recording. */
+            recording: components["schemas"]["RecordedMoment"] | null;
             /** Task Id */
             task_id: string | null;
             /** @description Whose task it became. */
@@ -19100,6 +19177,19 @@ export interface components {
             faults: string[];
             /** Entries */
             entries: components["schemas"]["RecordEntryRead"][];
+        };
+        /**
+         * RecordedMoment
+         * @description A moment of a screen recording: a clip or a sound among the references of the project.
+         */
+        RecordedMoment: {
+            /**
+             * Reference Version Id
+             * Format: uuid
+             */
+            reference_version_id: string;
+            /** At S */
+            at_s: number;
         };
         /**
          * RecordingAdd
@@ -33130,15 +33220,6 @@ export interface operations {
                     "application/json": components["schemas"]["CalendarLinkMade"];
                 };
             };
-            /** @description `team-needed` */
-            403: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Problem"];
-                };
-            };
             /** @description `project-not-found` */
             404: {
                 headers: {
@@ -33178,46 +33259,6 @@ export interface operations {
                 content?: never;
             };
             /** @description `project-not-found` */
-            404: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Problem"];
-                };
-            };
-            /** @description Validation Error */
-            422: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["HTTPValidationError"];
-                };
-            };
-        };
-    };
-    read_calendar: {
-        parameters: {
-            query?: never;
-            header?: never;
-            path: {
-                secret: string;
-            };
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description Dates */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "text/calendar": unknown;
-                };
-            };
-            /** @description `calendar-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -34929,13 +34970,13 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Validation Error */
+            /** @description `bad-drawing` */
             422: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["HTTPValidationError"];
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };
@@ -36028,13 +36069,13 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Validation Error */
+            /** @description `bad-drawing` */
             422: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["HTTPValidationError"];
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };
@@ -36375,13 +36416,13 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Validation Error */
+            /** @description `bad-drawing` */
             422: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["HTTPValidationError"];
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };
@@ -45730,7 +45771,7 @@ export interface operations {
                     "application/json": components["schemas"]["ListeningNoteRead"];
                 };
             };
-            /** @description `listening-pass-not-found`, `cue-not-found` */
+            /** @description `listening-pass-not-found`, `cue-not-found`, `reference-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -47375,6 +47416,79 @@ export interface operations {
                 };
             };
             /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    find_elsewhere: {
+        parameters: {
+            query: {
+                q: string;
+                /** @description A project to leave out: the one that is open. */
+                except_in?: string | null;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FindElsewhereResult"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    read_calendar: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                secret: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Dates */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/calendar": unknown;
+                };
+            };
+            /** @description `calendar-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;

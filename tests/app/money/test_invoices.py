@@ -4,7 +4,6 @@ import io
 from typing import Any
 
 import pytest
-from icalendar import Calendar
 from pypdf import PdfReader
 
 from tests.app.money.agreed import TODAY, Agreed, day, deposit, milestone
@@ -204,22 +203,6 @@ def test_a_steady_habit_forecasts_the_open_milestone(agreed: Agreed) -> None:
     read = body_of(agreed.world.producer.get(f"/v1/contracts/{agreed.contract_id}/estimates"))
     (forecast,) = read["forecasts"]
     assert (forecast["milestone"], forecast["due_on"], forecast["forecast_on"]) == ("Beta", day(20), day(30))
-
-
-def test_a_calendar_behind_a_secret_address(agreed: Agreed) -> None:
-    accept_alpha(agreed)
-    world = agreed.world
-    made = world.designer.post(f"/v1/projects/{world.project_id}/calendar").json()
-    path = made["url"][made["url"].index("/v1/") :]
-    answer = world.nobody.get(path)
-    assert answer.headers["content-type"].startswith("text/calendar")
-    events = Calendar.from_ical(answer.content).walk("VEVENT")
-    assert [str(event["SUMMARY"]) for event in events] == ["Shield Wing: Alpha due, 1 of 1 accepted"]
-    assert events[0]["DTSTART"].dt.isoformat() == day(14)
-    newer = world.designer.post(f"/v1/projects/{world.project_id}/calendar").json()["url"]
-    assert refused(world.nobody.get(path)) == (404, "calendar-not-found")
-    world.designer.delete(f"/v1/projects/{world.project_id}/calendar")
-    assert refused(world.nobody.get(newer[newer.index("/v1/") :])) == (404, "calendar-not-found")
 
 
 def test_the_project_page_sums_up(agreed: Agreed) -> None:

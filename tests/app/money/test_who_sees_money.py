@@ -3,10 +3,10 @@
 from typing import Any
 
 import pytest
-from icalendar import Calendar
 
 from tests.app.money.agreed import TODAY, Agreed, day, milestone
 from tests.app.reviews.making import body_of, refused
+from tests.support.calendars import calendar_of, events_at, events_of
 from tests.support.server import World
 
 
@@ -56,7 +56,8 @@ def test_who_only_reviews_sees_the_project_and_none_of_its_money(invoiced: tuple
         assert refused(world.reviewer.get(path)) == (403, "team-needed")
         assert world.approver.get(path).status_code == 200
         assert world.stranger.get(path).status_code == 404
-    assert refused(world.reviewer.post(f"{project}/calendar")) == (403, "team-needed")
+    assert events_of(world, world.reviewer) == []
+    assert len(events_of(world, world.approver)) == 2
     (cue,) = body_of(world.producer.get(f"/v1/contracts/{agreed.contract_id}/milestones"))["milestones"][0]["cues"]
     assert world.reviewer.get(f"/v1/cues/{cue['cue']['id']}/money").json() is None
     assert body_of(world.approver.get(f"/v1/cues/{cue['cue']['id']}/money"))["milestone"] == "Alpha"
@@ -76,14 +77,10 @@ def test_a_calendar_is_empty_once_its_holder_no_longer_speaks_for_the_team(
     invoiced: tuple[Agreed, dict[str, Any]],
 ) -> None:
     world = invoiced[0].world
-    url = world.approver.post(f"/v1/projects/{world.project_id}/calendar").json()["url"]
-
-    def events() -> int:
-        return len(Calendar.from_ical(world.nobody.get(url[url.index("/v1/") :]).content).walk("VEVENT"))
-
-    assert events() == 1
+    path = calendar_of(world, world.approver)
+    assert len(events_at(world, path)) == 2  # the milestone and the invoice
     why = {"person_id": str(world.producer_id), "reason": "The audio director left."}
     assert world.producer.put(f"/v1/projects/{world.project_id}/approver", json=why).is_success
     gone = world.producer.delete(f"/v1/projects/{world.project_id}/liaisons/{world.approver_id}")
     assert gone.is_success, gone.text
-    assert events() == 0
+    assert events_at(world, path) == []

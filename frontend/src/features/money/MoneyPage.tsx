@@ -12,7 +12,6 @@ import { EmptyState } from '@/ui/EmptyState'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import { BonusCard } from './BonusCard'
-import { CalendarCard } from './CalendarCard'
 import { DaysCard } from './DaysCard'
 import { EstimatesCard } from './EstimatesCard'
 import { HoursCard } from './HoursCard'
@@ -70,14 +69,13 @@ export function MoneyPage() {
         {data?.totals.map(({ currency, figures }) => (
           <MoneyLine key={currency} currency={currency} figures={figures} side={side} />
         ))}
-        {data?.contracts.map((contract, place) => (
+        {data?.contracts.map((contract) => (
           <Contract
             key={contract.contract_id}
             contract={contract}
             projectId={projectId}
             side={side}
             isProducer={project?.is_producer ?? false}
-            withCalendar={place === 0}
           />
         ))}
       </div>
@@ -90,11 +88,9 @@ interface ContractProps {
   projectId: string
   side: 'team' | 'designer'
   isProducer: boolean
-  /** One calendar holds the dates of the whole project. */
-  withCalendar: boolean
 }
 
-function Contract({ contract, projectId, side, isProducer, withCalendar }: ContractProps) {
+function Contract({ contract, projectId, side, isProducer }: ContractProps) {
   const grows = contract.slip_growth_days ?? 0
   return (
     <section className="columns" aria-label={`${contract.title}, ${contract.designer.name}`}>
@@ -118,7 +114,6 @@ function Contract({ contract, projectId, side, isProducer, withCalendar }: Contr
         {(isProducer || side === 'designer') && (
           <EstimatesCard contractId={contract.contract_id} title={contract.title} />
         )}
-        {withCalendar && <CalendarCard projectId={projectId} />}
       </aside>
     </section>
   )

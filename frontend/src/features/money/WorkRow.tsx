@@ -49,7 +49,9 @@ export function WorkRow({ work, length, currency, side, isProducer, onCorrect }:
           </span>
         )}
       </span>
-      <span className="nowrap">{sum}</span>
+      {work.state !== 'refused' && (
+        <span className="nowrap">{work.amount_minor === 0 ? <span className="small mid">included</span> : sum}</span>
+      )}
       {isWaiting && side === 'team' && isProducer && (
         <>
           <Button

@@ -7,7 +7,7 @@ import { HandContext } from '@/test/audioContext'
 import { build, REPORT } from '@/test/builds'
 import { openApp } from '@/test/openApp'
 import { anOverview, aProject, inProject } from '@/test/project'
-import { refusal, serve } from '@/test/server'
+import { answer, refusal, serve } from '@/test/server'
 
 beforeEach(() => vi.stubGlobal('AudioContext', HandContext))
 
@@ -82,6 +82,16 @@ describe('the project page', () => {
     serve(inProject('producer', { 'GET /v1/projects/p1': aProject('producer', { engagements: [] }) }))
     openApp('/projects/p1')
     expect(await screen.findByText('No designer yet')).toBeVisible()
+  })
+
+  test('a calendar link is made, and its address shown', async () => {
+    const url = 'https://soundlist.example/v1/calendars/secret'
+    serve(inProject('designer', { 'POST /v1/projects/p1/calendar': answer({ url }, 201) }))
+    openApp('/projects/p1')
+    const card = await screen.findByRole('region', { name: 'Calendar' })
+    await userEvent.click(within(card).getByRole('button', { name: 'Create calendar link' }))
+    expect(await within(card).findByText(url)).toBeVisible()
+    expect(within(card).queryByRole('button')).toBeNull()
   })
 
   test('a project that is not there says so', async () => {

@@ -10,6 +10,7 @@ import { useTitle } from '@/app/title'
 
 import { overviewQuery } from './api'
 import { BuildsCard } from './BuildsCard'
+import { CalendarCard } from './CalendarCard'
 import { HandoverCard } from './HandoverCard'
 import { LatelyCard } from './LatelyCard'
 import { PaceCard } from './PaceCard'
@@ -121,6 +122,7 @@ export function ProjectPage() {
           <aside className="stack" aria-label="Builds, pack and what happened">
             {isTeam && <BuildsCard project={project} builds={overview.builds} />}
             {isTeam && <PackCard projectId={projectId} />}
+            <CalendarCard projectId={projectId} />
             <LatelyCard projectId={projectId} happened={overview.lately} />
           </aside>
         </div>
