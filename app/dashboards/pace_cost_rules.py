@@ -20,12 +20,12 @@ class OrderedCue:
     currency: str
     amount_minor: int
     is_kept: bool  # accepted, and not cut
-    is_churned: bool  # cut or described anew after work began
+    is_churned: bool  # cut or rewritten after work began
 
 
 @dataclass(frozen=True)
 class Churn:
-    """How much of what was ordered was cut or described anew after work began."""
+    """How much of what was ordered was cut or rewritten after work began."""
 
     ordered: int
     churned: int
@@ -51,7 +51,7 @@ class EstimateError:
         return 100 * (self.logged_min - self.estimated_min) / self.estimated_min
 
 
-def is_described_anew(before: Mapping[str, Any], after: Mapping[str, Any]) -> bool:
+def wants_another_sound(before: Mapping[str, Any], after: Mapping[str, Any]) -> bool:
     """Whether a change of a cue says that another sound is wanted; what was only added to its words does not."""
     if not before:  # the cue was added
         return False
@@ -65,7 +65,7 @@ def _begins_with(text: str | None, beginning: str | None) -> bool:
 
 
 def churned_since(began_at: datetime | None, changed_at: Collection[datetime]) -> bool:
-    """Whether a cue was described anew after work on it began; None: it has not begun."""
+    """Whether a cue was rewritten after work on it began; None: it has not begun."""
     return began_at is not None and any(at > began_at for at in changed_at)
 
 

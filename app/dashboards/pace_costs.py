@@ -16,9 +16,9 @@ from app.dashboards.pace_cost_rules import (
     churn,
     churned_since,
     estimate_error,
-    is_described_anew,
     kept_sounds,
     per_kept_minor,
+    wants_another_sound,
 )
 from app.dashboards.pace_schemas import CostsRead, EstimateErrorRead
 from app.dashboards.schemas import ProjectMoney
@@ -73,7 +73,7 @@ def costs(
 
 def _ordered_cues(session: Session, rows: Ordered) -> list[OrderedCue]:
     cue_ids = {cue.cue_id for cue, _, _ in rows}
-    began, anew = _began(session, cue_ids), _described_anew(session, cue_ids)
+    began, rewritten = _began(session, cue_ids), _rewritten(session, cue_ids)
     return [
         OrderedCue(
             cue_id=cue.cue_id,
@@ -81,7 +81,7 @@ def _ordered_cues(session: Session, rows: Ordered) -> list[OrderedCue]:
             amount_minor=cue.amount_minor or 0,
             is_kept=cue.accepted_at is not None and cue.cut_at is None and state is not CueState.CUT,
             is_churned=cue.cut_in not in (None, WorkState.NOT_BEGUN)
-            or churned_since(began.get(cue.cue_id), anew.get(cue.cue_id, ())),
+            or churned_since(began.get(cue.cue_id), rewritten.get(cue.cue_id, ())),
         )
         for cue, currency, state in rows
     ]
@@ -94,12 +94,12 @@ def _began(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, datetime]:
     return began
 
 
-def _described_anew(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, list[datetime]]:
-    anew: dict[UUID, list[datetime]] = defaultdict(list)
+def _rewritten(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, list[datetime]]:
+    rewritten: dict[UUID, list[datetime]] = defaultdict(list)
     for cue_id, at, before, after in pace_cost_queries.changes(session, cue_ids):
-        if is_described_anew(before, after):
-            anew[cue_id].append(at)
-    return anew
+        if wants_another_sound(before, after):
+            rewritten[cue_id].append(at)
+    return rewritten
 
 
 def _estimate_error(session: Session, contract_ids: Collection[UUID], rows: Ordered) -> EstimateErrorRead | None:

@@ -40,7 +40,7 @@ class CostsRead(Schema):
     per_kept_minor: int | None = Field(description="Spent money by kept sounds.")
     to_finish_minor: int = Field(description="What is agreed and neither due nor saved.")
     ordered: int = Field(description="Cues under agreed contracts.")
-    churned: int = Field(description="Ordered cues that were cut or described anew after work began.")
+    churned: int = Field(description="Ordered cues that were cut or rewritten after work began.")
     churn: float | None = Field(description="The share of the ordered cues; null for fewer than three.")
     churned_minor: int = Field(description="What was agreed for the churned cues.")
 

@@ -5,9 +5,9 @@ from uuid import UUID
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.kit.http import DbSession, Route, Router, problems
+from app.projects.budget_schemas import BudgetRead, BudgetSet
 from app.projects.budgets import set_budget
 from app.projects.errors import ProducerNeeded, ProjectNotFound
-from app.projects.schemas import BudgetRead, BudgetSet
 
 router = Router(prefix="/v1", tags=["projects"], route_class=Route)
 

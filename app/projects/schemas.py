@@ -16,7 +16,6 @@ Reason = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, m
 Category = Annotated[
     str, StringConstraints(strip_whitespace=True, to_lower=True, max_length=60, pattern=r"^[^\W_][\w-]*$")
 ]
-Currency = Annotated[str, StringConstraints(strip_whitespace=True, pattern="^[A-Z]{3}$")]
 Toml = Annotated[str, StringConstraints(strip_whitespace=False, max_length=200_000)]
 
 
@@ -91,22 +90,6 @@ class ProjectRead(Schema):
     engagements: list[EngagementRead]
     mine: Mine
     spec_version: int
-
-
-class BudgetSet(Schema):
-    """What a project may cost in one currency."""
-
-    currency: Currency
-    amount_minor: Annotated[int, Field(ge=1, le=LARGEST_NUMBER)] | None = Field(
-        description="In whole minor units; null removes the budget of this currency."
-    )
-
-
-class BudgetRead(Schema):
-    """A budget of a project."""
-
-    currency: str
-    amount_minor: int
 
 
 class ApproverAdd(Schema):

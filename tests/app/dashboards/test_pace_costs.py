@@ -14,9 +14,9 @@ from app.dashboards.pace_cost_rules import (
     churn,
     churned_since,
     estimate_error,
-    is_described_anew,
     kept_sounds,
     per_kept_minor,
+    wants_another_sound,
 )
 from app.kit.db import new_id
 from tests.app.money.agreed import Agreed, day, milestone
@@ -56,7 +56,7 @@ def test_a_cue_under_two_contracts_is_one_sound() -> None:
 
 
 @pytest.mark.parametrize(
-    ("before", "after", "anew"),
+    ("before", "after", "rewritten"),
     [
         ({}, {"description": "A bell"}, False),  # the cue was added
         ({"description": "A bell"}, {"description": "A gong"}, True),
@@ -71,8 +71,8 @@ def test_a_cue_under_two_contracts_is_one_sound() -> None:
         ({"name": "bell"}, {"name": "bell_big"}, False),
     ],
 )
-def test_which_changes_ask_for_another_sound(before: dict[str, Any], after: dict[str, Any], anew: bool) -> None:
-    assert is_described_anew(before, after) is anew
+def test_which_changes_ask_for_another_sound(before: dict[str, Any], after: dict[str, Any], rewritten: bool) -> None:
+    assert wants_another_sound(before, after) is rewritten
 
 
 def test_only_what_changes_after_work_began_is_churn() -> None:
@@ -159,7 +159,7 @@ def test_the_figures_of_two_contracts_by_hand(agreed: Agreed) -> None:
             "per_kept_minor": 13_750,
             "to_finish_minor": 10_000,  # the drum
             "ordered": 4,
-            "churned": 2,  # the horn was cut, the gong described anew
+            "churned": 2,  # the horn was cut, the gong rewritten
             "churn": 0.5,
             "churned_minor": 20_000,
         },
