@@ -13,7 +13,10 @@ def split(amount_minor: int, weights: Sequence[int]) -> list[int]:
     if amount_minor < 0 or any(weight < 0 for weight in weights):
         raise ValueError("only amounts and weights of zero or more are split")
     if not weights:
-        raise NothingToSplit(f"{amount_minor} cannot be split over no cues", fix="put cues into the milestone first")
+        raise NothingToSplit(
+            f"{amount_minor} cannot be split over no cues",
+            fix="the studio recalls the contract and puts cues into the milestone",
+        )
     if not any(weights):
         weights = [1] * len(weights)
     whole = sum(weights)

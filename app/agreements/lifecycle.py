@@ -35,6 +35,7 @@ from app.agreements.rules import (
     ensure_needs_contract,
     ensure_state,
     ensure_under_framework,
+    way_on,
 )
 from app.agreements.sealed_facts import sealed_terms
 from app.agreements.signing import signing_facts
@@ -161,7 +162,7 @@ def save_draft(
 ) -> ContractVersion:
     """Save a draft as its next version; the same text again is the version that it was."""
     contract = contract_to_change(session, actor, contract_id)
-    ensure_state(contract.state, {ContractState.DRAFT}, "recall it first; then change it and send it again")
+    ensure_state(contract.state, {ContractState.DRAFT}, way_on(contract.state, contract.kind))
     newest = newest_of(session, contract)
     if newest.number != based_on_version:
         raise DraftChanged(
@@ -212,7 +213,7 @@ def send(
 
 
 def _sendable(session: Session, contract: Contract) -> tuple[ContractVersion, list[Clause]]:
-    ensure_state(contract.state, {ContractState.DRAFT}, "recall it first; then change it and send it again")
+    ensure_state(contract.state, {ContractState.DRAFT}, way_on(contract.state, contract.kind))
     newest = newest_of(session, contract)
     clauses = [Clause.of(row) for row in newest.clauses]
     ensure_open_answers_are_said(session, contract, clauses)
@@ -223,9 +224,7 @@ def _sendable(session: Session, contract: Contract) -> tuple[ContractVersion, li
 def recall(session: Session, actor: Actor, contract_id: UUID, *, reason: str) -> None:
     """Make a sent contract a draft again, for the studio to change; what was accepted of it counts no more."""
     contract = contract_to_change(session, actor, contract_id)
-    ensure_state(
-        contract.state, {ContractState.SENT}, "only a sent contract that is not signed by both can be recalled"
-    )
+    ensure_state(contract.state, {ContractState.SENT}, way_on(contract.state, contract.kind))
     contract.state = ContractState.DRAFT
     record.append_by(session, actor, contract, "taken_back", reason=reason)
 
@@ -238,7 +237,7 @@ def request_change(
     if party_of(actor, contract) is not Party.DESIGNER:
         raise NotYourContract("only the contract's designer requests a change; a producer recalls and edits it")
     contract = queries.lock_contract(session, contract.id)
-    ensure_state(contract.state, {ContractState.SENT}, "a change can be requested while it needs your signature")
+    ensure_state(contract.state, {ContractState.SENT}, way_on(contract.state, contract.kind, Party.DESIGNER))
     contract.state = ContractState.DRAFT
     record.append_by(session, actor, contract, "change_requested", text=text, clause=clause_key or "")
     publish(session, "contract.change_requested", studio_id=contract.studio_id, contract_id=contract.id, text=text)
@@ -254,7 +253,9 @@ def end(session: Session, actor: Actor, contract_id: UUID, *, reason: str) -> No
         raise NotYourContract("only a producer of the studio and the contract's designer end it")
     contract = queries.lock_contract(session, contract.id)
     running = {ContractState.DRAFT, ContractState.SENT, ContractState.AGREED}
-    ensure_state(contract.state, running, "there is nothing left to end; its text and record stay readable")
+    ensure_state(
+        contract.state, running, "this is final: there is nothing left to end, and its text and record stay readable"
+    )
     ensure_ends_without_settlement(contract.kind, contract.state)
     mark_ended(session, contract, reason=reason)
     record.append_by(session, actor, contract, "ended", reason=reason)

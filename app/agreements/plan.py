@@ -18,7 +18,7 @@ from app.agreements.models import Contract, ContractCue, Milestone
 from app.agreements.plan_check import Advice, PlannedPayment, check_plan
 from app.agreements.plan_proposal import DEPOSIT_BP, ProposedMilestone, WantedCue, propose_milestones
 from app.agreements.plan_queries import terms_of
-from app.agreements.rules import ContractKind, ContractState
+from app.agreements.rules import KIND_WORDS, ContractKind, ContractState, way_on
 from app.agreements.sealed_facts import sealed_milestone
 from app.agreements.terms import PriceMode
 from app.kit.errors import FieldProblem
@@ -90,10 +90,13 @@ def save_plan(session: Session, actor: Actor, contract_id: UUID, plan: Sequence[
     if contract.state is not ContractState.DRAFT:
         raise PlanLocked(
             f"this contract is {contract.state.value}, so its plan can't be edited",
-            fix="recall it first, or create another statement of work",
+            fix=way_on(contract.state, contract.kind),
         )
     if contract.kind in (ContractKind.NDA, ContractKind.FRAMEWORK):
-        raise PlanLocked(f"a contract of the kind {contract.kind.value} has no milestones; its batches have")
+        raise PlanLocked(
+            f"a {KIND_WORDS[contract.kind]} has no milestones",
+            fix="plan the contract that orders the work",
+        )
     if faults := _faults(session, contract, plan):
         raise BadPlan("; ".join(fault["message"] for fault in faults[:5]), errors=faults)
     session.execute(delete(ContractCue).where(ContractCue.contract_id == contract.id))
@@ -199,7 +202,10 @@ def activate_plan(session: Session, contract: Contract, *, person_id: UUID) -> N
     taken = plan_queries.covered_elsewhere(session, contract.id, [cue.cue_id for cue in cues])
     if taken:
         named = ", ".join(f"{cue} ({title})" for cue, title in taken)
-        raise UnderContract(f"another contract covers {named}", fix="end that one, or take these cues out of this one")
+        raise UnderContract(
+            f"another contract covers {named}",
+            fix="the studio recalls this one and takes these cues out of its plan, or ends the other one",
+        )
     by_day = terms_of(session, contract).price_mode is PriceMode.DAY_RATE
     for milestone in milestones:
         own = [cue for cue in cues if cue.milestone_id == milestone.id]

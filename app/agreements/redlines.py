@@ -44,7 +44,7 @@ from app.agreements.redline_rules import (
     numbered,
     rounds_of,
 )
-from app.agreements.rules import ContractState, Party, ensure_state
+from app.agreements.rules import ContractState, Party, ensure_state, way_on
 from app.agreements.versions import add_version, newest_of
 from app.agreements.word_file import WordText
 from app.agreements.word_reading import MadeFrom, ReadChanges, changes_in
@@ -169,7 +169,7 @@ def answer(
     number that does not wait for that version, and BadRedlines for an answer that the draft could not have.
     """
     contract = contract_to_change(session, actor, contract_id)
-    ensure_state(contract.state, {ContractState.DRAFT}, "a redline is answered before the next version is sent")
+    ensure_state(contract.state, {ContractState.DRAFT}, way_on(contract.state, contract.kind))
     found = rounds(session, contract)
     redline = next((one for one in found[-1].redlines if one.number == number), None) if found else None
     if redline is None or found[-1].sent_version is not None:
@@ -249,7 +249,7 @@ def _to_propose(session: Session, actor: Actor, contract_id: UUID) -> Contract:
 
 
 def _sent_version(session: Session, contract: Contract) -> ContractVersion:
-    ensure_state(contract.state, {ContractState.SENT}, "changes can be proposed while it needs your signature")
+    ensure_state(contract.state, {ContractState.SENT}, way_on(contract.state, contract.kind, Party.DESIGNER))
     return newest_of(session, contract)
 
 

@@ -86,6 +86,24 @@ def ensure_state(now: ContractState, wanted: Collection[ContractState], fix: str
         raise WrongState(f"this contract {STATE_WORDS[now]}", fix=fix)
 
 
+def way_on(state: ContractState, kind: ContractKind, party: Party = Party.STUDIO) -> str:
+    """Return what a party can do where a contract's text or plan cannot be changed in its state."""
+    is_designer = party is Party.DESIGNER
+    match state:
+        case ContractState.DRAFT:
+            return "wait until the studio sends it again" if is_designer else "edit the draft, then send it"
+        case ContractState.SENT if is_designer:
+            return "request a change while it needs your signature"
+        case ContractState.SENT:
+            return "recall it first; then change it and send it again"
+        case ContractState.AGREED if kind in ORDERS:
+            return "propose a change order"
+        case ContractState.AGREED:
+            return "end it on its page; then the studio begins another contract"
+        case ContractState.ENDED:
+            return "this is final: the text stays readable, and the studio begins another contract for further work"
+
+
 def ensure_ends_without_settlement(kind: ContractKind, state: ContractState) -> None:
     """Raise NoticeNeeded for an agreed contract under which money may be owed."""
     if kind in ORDERS and state is ContractState.AGREED:
@@ -121,7 +139,9 @@ def ensure_under_framework(kind: ContractKind, *, has_framework: bool) -> None:
             if kind is ContractKind.STATEMENT_OF_WORK
             else f"a {KIND_WORDS[kind]} stands by itself"
         )
-        fix = "sign a framework agreement first, or use a single contract" if not has_framework else None
+        fix = (
+            "leave the framework out" if has_framework else "sign a framework agreement first, or use a single contract"
+        )
         raise FrameworkNeeded(message, errors=[{"where": "framework_id", "message": message}], fix=fix)
 
 

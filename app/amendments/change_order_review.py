@@ -91,7 +91,7 @@ class Reviewer:
             if milestone is None or milestone.is_deposit:
                 return ["there is no such milestone in this contract; name one that is no deposit"]
             if change.kind != "add_work" and self.is_done(milestone.id):
-                return [f"{milestone.name} is complete; name a milestone that is open"]
+                return [f"{milestone.name} is complete; {self._open_milestone()}"]
         if change.kind == "move_date":
             return self._problems_of_date(change)
         if change.kind == "add_cue":
@@ -103,7 +103,7 @@ class Reviewer:
             return ["the contract does not cover that cue; add it instead"]
         name = called(covered.cue, self.prefix)
         if covered.cut_at is not None:
-            return [f"{name} was cut under this contract; sign another contract for it"]
+            return [self._cut(covered.cue, name)]
         if covered.accepted_at is not None:
             return [f"{name} is accepted, and its price stands; add work to its milestone instead"]
         if change.kind == "add_round" and not self.round_minor(covered):
@@ -115,7 +115,7 @@ class Reviewer:
         if change.due_on < clock.now().date():
             return [f"{change.due_on} is over; give {name} a day to come"]
         if change.due_on == self.milestones[change.milestone_id].due_on:
-            return [f"{name} is due on {change.due_on} already; leave this change out"]
+            return [f"{name} is due on {change.due_on} already; give it another day"]
         return []
 
     def _problems_of_added(self, cue_id: UUID) -> list[str]:
@@ -124,16 +124,25 @@ class Reviewer:
             return [f"there is no cue {cue_id} in this project; put it on the sound list first"]
         name = called(cue, self.prefix)
         if cue.state is CueState.CUT:
-            return [f"{name} was cut from the list; put a new cue on it instead"]
-        if cue_id in self.covered:
-            is_cut = self.covered[cue_id].cut_at is not None
-            return [
-                f"{name} was cut under this contract; sign another contract for it"
-                if is_cut
-                else f"the contract covers {name} already; change its price instead"
-            ]
+            return [self._cut(cue, name)]
+        covered = self.covered.get(cue_id)
+        if covered is not None and covered.cut_at is not None:
+            return [self._cut(cue, name)]
+        if covered is not None and covered.accepted_at is not None:
+            return [f"the contract covers {name}, which is accepted; add work to its milestone instead"]
+        if covered is not None:
+            return [f"the contract covers {name} already; change its price instead"]
         taken = plan_queries.covered_elsewhere(self.session, self.contract.id, [cue_id])
         return [f"{title} covers {name}; take it out of that one first" for _, title in taken]
+
+    def _open_milestone(self) -> str:
+        is_any_open = any(not one.is_deposit and not self.is_done(one.id) for one in self.milestones.values())
+        return "name a milestone that is open" if is_any_open else "sign another contract for more cues"
+
+    def _cut(self, cue: Cue, name: str) -> str:
+        if cue.state is CueState.CUT:
+            return f"{name} was cut from the list; put a new cue on it instead"
+        return f"{name} was cut under this contract; sign another contract for it"
 
     def _difference(self, changes: Sequence[schemas.Change]) -> schemas.DifferenceRead:
         before = self.plan()

@@ -13,7 +13,7 @@ from app.agreements.documents import TextPdf, sha256_of
 from app.agreements.errors import NotYourContract
 from app.agreements.models import Contract
 from app.agreements.queries import newest_version
-from app.agreements.rules import ORDERS, ContractKind, ContractState, Party
+from app.agreements.rules import ORDERS, ContractKind, ContractState, Party, way_on
 from app.agreements.schemas import BlockRead
 from app.agreements.signing import Signature
 from app.agreements.text import blocks_of
@@ -84,9 +84,10 @@ def preview(
 ) -> schemas.ChangePreview:
     """Return what changes would do, and what is wrong with them; nothing is saved."""
     contract = visible_contract(session, actor, contract_id)
-    if party_of(actor, contract) is None:
+    party = party_of(actor, contract)
+    if party is None:
         raise NotYourContract("only a producer of the studio and the contract's designer change it")
-    _ensure_in_force(contract)
+    _ensure_in_force(contract, party)
     review = Reviewer(session, contract).review(changes)
     return schemas.ChangePreview(difference=review.difference, problems=review.problems)
 
@@ -94,7 +95,7 @@ def preview(
 def propose(session: Session, actor: Actor, contract_id: UUID, order: schemas.ChangeOrderAdd) -> ChangeOrder:
     """Put a change order before both parties; raise BadChangeOrder with every problem that it has."""
     contract, party = locked_for_party(session, actor, contract_id)
-    _ensure_in_force(contract)
+    _ensure_in_force(contract, party)
     reviewer = Reviewer(session, contract)
     review = reviewer.review(order.changes)
     if review.problems:
@@ -140,7 +141,7 @@ def propose(session: Session, actor: Actor, contract_id: UUID, order: schemas.Ch
 def dismiss_offer(session: Session, actor: Actor, contract_id: UUID, offer: str, *, reason: str) -> None:
     """Note that the caller's party wants no change order for something that changed since both signed."""
     contract, party = locked_for_party(session, actor, contract_id)
-    _ensure_in_force(contract)
+    _ensure_in_force(contract, party)
     offers.dismiss(session, actor, Reviewer(session, contract), party, offer, reason=reason)
 
 
@@ -157,7 +158,6 @@ def accept(
     """
     contract, party = locked_for_party(session, actor, contract_id)
     order = _open(session, contract, number)
-    _ensure_in_force(contract)
     reviewer = Reviewer(session, contract)
     review = reviewer.review(CHANGES.validate_python(order.changes))
     if review.problems or _text(reviewer, order, review) != order.text:
@@ -223,22 +223,30 @@ def _known(session: Session, contract: Contract, number: int) -> ChangeOrder:
 def _open(session: Session, contract: Contract, number: int) -> ChangeOrder:
     order = _known(session, contract, number)
     if order.state is not ChangeOrderState.PROPOSED:
-        raise ChangeOrderClosed(f"change order {number} was {order.state} already", fix="propose another one")
+        in_force = contract.state is ContractState.AGREED
+        raise ChangeOrderClosed(
+            f"change order {number} has {order.state} already"
+            if order.state is ChangeOrderState.LAPSED
+            else f"change order {number} was {order.state} already",
+            fix="propose another one" if in_force else way_on(contract.state, contract.kind),
+        )
     return order
 
 
-def _ensure_in_force(contract: Contract) -> None:
+def _ensure_in_force(contract: Contract, party: Party) -> None:
     if contract.kind not in ORDERS:
-        is_framework = contract.kind is ContractKind.FRAMEWORK
+        is_running = contract.kind is ContractKind.FRAMEWORK and contract.state is ContractState.AGREED
         raise NotInForce(
             "this contract orders no work, so no change order can change it",
-            fix="propose it to the batch that has the cues" if is_framework else "sign another one",
+            fix="propose it to the batch that has the cues"
+            if is_running
+            else way_on(contract.state, contract.kind, party),
         )
     if contract.state is not ContractState.AGREED:
         is_ended = contract.state is ContractState.ENDED
         raise NotInForce(
             "this contract has ended" if is_ended else "this contract is not signed by both yet",
-            fix="sign another contract" if is_ended else "edit its draft; a sent one is recalled first",
+            fix=way_on(contract.state, contract.kind, party),
         )
 
 

@@ -15,7 +15,7 @@ from app.agreements.errors import NotYourContract
 from app.agreements.models import Contract
 from app.agreements.plan_queries import terms_of
 from app.agreements.queries import lock_contract
-from app.agreements.rules import ORDERS, ContractState, Party
+from app.agreements.rules import ORDERS, ContractState, Party, way_on
 from app.agreements.signing import Signature
 from app.agreements.terms import MoneyTerms, PriceMode
 from app.amendments import queries, schemas
@@ -78,7 +78,10 @@ def withdraw_notice(session: Session, actor: Actor, contract_id: UUID) -> None:
     contract, party = locked_for_party(session, actor, contract_id)
     notice = _open_notice(session, contract)
     if notice.party is not party:
-        raise NotYourContract(f"only the {notice.party}, who gave the notice, can withdraw it")
+        raise NotYourContract(
+            f"only the {notice.party}, who gave the notice, can withdraw it",
+            fix="agree to the statement, or wait until the notice is over or withdrawn",
+        )
     notice.withdrawn_at = clock.now()
     session.flush()
     record.append(session, contract.id, "notice_withdrawn", {"notice": notice.number}, by=actor.person)
@@ -153,6 +156,7 @@ def statement_pdf(session: Session, actor: Actor, contract_id: UUID) -> TextPdf:
     contract = visible_contract(session, actor, contract_id)
     notice = queries.standing_notice(session, contract.id)
     if notice is None:
+        _ensure_unsettled(session, contract)
         raise NoNotice("no notice was given, so there is no statement yet", fix="give notice first")
     read = _read(session, contract, actor)
     text = notice.statement or statement_text(read, contract.project.studio.name)
@@ -161,22 +165,25 @@ def statement_pdf(session: Session, actor: Actor, contract_id: UUID) -> TextPdf:
 
 def _ensure_unsettled(session: Session, contract: Contract) -> None:
     if contract.kind not in ORDERS or contract.agreed_at is None:
+        is_ended = contract.state is ContractState.ENDED
         raise AlreadyEnded(
-            "nothing is owed under this contract, so it needs no settlement", fix="end it on the contract's page"
+            "nothing is owed under this contract, so it needs no settlement",
+            fix=way_on(contract.state, contract.kind) if is_ended else "end it on the contract's page",
         )
     is_open = any(one.accepted_at is None and one.cut_at is None for one in plan_queries.cues_of(session, contract.id))
     if contract.state is ContractState.ENDED and not is_open:
-        raise AlreadyEnded(
-            "this contract has ended and is settled", fix="invoice what is due, or sign another contract"
-        )
+        raise AlreadyEnded("this contract has ended and is settled", fix=way_on(contract.state, contract.kind))
 
 
 def _open_notice(session: Session, contract: Contract) -> Notice:
     notice = queries.standing_notice(session, contract.id)
     if notice is None:
+        _ensure_unsettled(session, contract)
         raise NoNotice("no notice stands", fix="give notice; the statement is made from it")
     if notice.settled_at is not None:
-        raise AlreadyEnded("the notice took hold, and this contract is settled", fix="read the statement on its page")
+        raise AlreadyEnded(
+            "the notice took hold, and this contract is settled", fix="this is final: read the statement on its page"
+        )
     return notice
 
 

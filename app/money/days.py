@@ -24,18 +24,17 @@ from app.money.errors import (
     DayAgreed,
     DayLogged,
     DayRefused,
-    NotAgreed,
     NotDayRate,
     OtherPartyNeeded,
     WorkedDayNotFound,
     WorkNotNamed,
 )
-from app.money.ledger import load_ledger_book, write
+from app.money.ledger import load_ledger_book, not_agreed, write
 from app.money.ledger_book import CLAUSES, Entry, LedgerBook
 from app.money.models import WorkedDay
 from app.money.rules import LineKind, ensure_not_ahead, hours_in_words
 from app.money.work_schemas import DayRateRead
-from app.money.worked_hours import HourBook, hour_entries
+from app.money.worked_hours import HourBook, hour_entries, more_work
 from app.projects.errors import ProducerNeeded
 from app.sound_lists.errors import CueNotFound
 
@@ -159,7 +158,7 @@ def _entry_of_day(session: Session, contract: Contract, day: WorkedDay) -> Entry
     if left_minor <= 0:
         raise CapExceeded(
             f"the {terms.days_cap} days agreed to are used up, {money(terms.days_cap_minor, contract.currency)}",
-            fix="propose a change order that adds the work at its price, and refuse this day",
+            fix=f"{more_work(session, contract)}, and refuse this day",
         )
     kind, amount_minor = LineKind.WORKED_DAY, min(price_of(day.quarters or 0, terms.day_rate_minor), left_minor)
     return Entry(kind, amount_minor, CLAUSES[kind], milestone_id=day.milestone_id)
@@ -239,15 +238,13 @@ def _ensure_not_refused(day: WorkedDay) -> None:
 def _ensure_loggable(session: Session, contract: Contract, work: Work, *, instead_of: UUID | None = None) -> None:
     """Raise an error for work that the contract does not pay for, that lies ahead, or that says not what it was."""
     if contract.state is not ContractState.AGREED:
-        is_ended = contract.state is ContractState.ENDED
-        raise NotAgreed(
-            "this contract has ended" if is_ended else "work can be logged once both have signed the contract",
-            fix="sign another contract for further work" if is_ended else "sign the contract first",
-        )
+        raise not_agreed(contract, "work can be logged once both have signed the contract")
     ensure_not_ahead(work.worked_on, clock.now().date(), "log work only after it was done")
     if work.minutes is None:
-        if terms_of(session, contract).price_mode is not PriceMode.DAY_RATE:
-            raise NotDayRate("this contract does not pay by the day", fix="log time on its cues instead")
+        terms = terms_of(session, contract)
+        if terms.price_mode is not PriceMode.DAY_RATE:
+            instead = "log hours instead" if terms.has_hours else more_work(session, contract)
+            raise NotDayRate("this contract does not pay by the day", fix=instead)
         return
     if work.cue_id is None and not work.note.strip():
         raise WorkNotNamed(

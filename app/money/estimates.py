@@ -13,8 +13,9 @@ from app.agreements.models import Contract, ContractCue, Milestone
 from app.agreements.rules import AcceptedBy, ContractState
 from app.kit import clock
 from app.money import queries, schemas
-from app.money.errors import CueNotInContract, NotAgreed, OtherPartyNeeded
+from app.money.errors import CueNotInContract, OtherPartyNeeded
 from app.money.estimating import ErrorRate, Habit, error_percent, error_rate, forecast
+from app.money.ledger import not_agreed
 from app.money.models import WorkLog
 from app.projects.errors import ProducerNeeded
 
@@ -30,11 +31,14 @@ def log_work(
     """Note time that went into a cue, as its designer."""
     contract = visible_contract(session, actor, contract_id)
     if contract.designer_id != actor.person:
-        raise OtherPartyNeeded("only the designer logs time")
+        raise OtherPartyNeeded("only the designer logs time", fix="ask the designer to log it")
     if contract.state is not ContractState.AGREED:
-        raise NotAgreed("time can be logged once both have signed the contract")
+        raise not_agreed(contract, "time can be logged once both have signed the contract")
     if all(cue.cue_id != cue_id for cue in plan_queries.cues_of(session, contract.id)):
-        raise CueNotInContract(f"this contract does not cover the cue {cue_id}")
+        raise CueNotInContract(
+            f"this contract does not cover the cue {cue_id}",
+            fix="name a cue of the contract; a change order adds one",
+        )
     log = WorkLog(
         studio_id=contract.studio_id,
         project_id=contract.project_id,

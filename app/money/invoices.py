@@ -143,7 +143,7 @@ def _next_number(session: Session, contract: Contract) -> str:
 def _for_designer(session: Session, actor: Actor, contract_id: UUID) -> Contract:
     contract = visible_contract(session, actor, contract_id)
     if contract.designer_id != actor.person:
-        raise OtherPartyNeeded("the designer of this contract invoices what is due")
+        raise OtherPartyNeeded("the designer of this contract invoices what is due", fix="ask the designer for it")
     if contract.state not in (ContractState.AGREED, ContractState.ENDED):
         raise NotAgreed("nothing is due before both have signed", fix="sign the contract first")
     return contract
@@ -242,12 +242,15 @@ def charge_late_interest(session: Session, actor: Actor, invoice_id: UUID) -> sc
     """Make the interest that an invoice bears by today due, as its designer; what is charged already is left out."""
     found, contract = visible_invoice(session, actor, invoice_id)
     if contract.designer_id != actor.person:
-        raise OtherPartyNeeded("the designer of this contract charges interest")
+        raise OtherPartyNeeded("the designer of this contract charges interest", fix="ask the designer for it")
     lock_contract(session, contract.id)
     book, today = load_ledger_book(session, contract), clock.now().date()
     accrued_minor, charged_minor = _late_interest(session, contract, book, found, today)
     if accrued_minor <= charged_minor:
-        raise NoInterestDue(f"{money(charged_minor, contract.currency)} of interest is charged, and no more is due")
+        raise NoInterestDue(
+            f"{money(charged_minor, contract.currency)} of interest is charged, and no more is due",
+            fix="wait until the page shows more of it; a paid invoice bears none",
+        )
     entry = Entry(
         LineKind.LATE_INTEREST,
         accrued_minor - charged_minor,

@@ -10,10 +10,11 @@ from sqlalchemy.orm import Session
 from app.agreements import plan_queries, record
 from app.agreements.deemed_acceptance import CLAUSE as SILENCE
 from app.agreements.models import Contract, ContractCue, Milestone
-from app.agreements.rules import AcceptedBy
+from app.agreements.rules import AcceptedBy, ContractState, way_on
 from app.agreements.terms import MoneyTerms
 from app.kit.money import money
 from app.money import queries
+from app.money.errors import NotAgreed
 from app.money.ledger_book import CLAUSES, Entry, LedgerBook, Line, PayRules, PricedCue
 from app.money.models import Invoice, LedgerLine
 from app.money.rules import LineKind
@@ -122,6 +123,13 @@ def write(
             facts = _facts_of(session, line, contract.currency, prefix) | ({"reason": reason} if reason else {})
             record.append(session, contract.id, EVENTS[line.kind], facts, by=None if is_by_server else person_id)
     return lines
+
+
+def not_agreed(contract: Contract, message: str) -> NotAgreed:
+    """Return the refusal of work under a contract that is not agreed, or not any more."""
+    if contract.state is ContractState.ENDED:
+        return NotAgreed("this contract has ended", fix=way_on(contract.state, contract.kind))
+    return NotAgreed(message, fix="sign the contract first")
 
 
 def charge_deposits(session: Session, event: Mapping[str, Any]) -> None:

@@ -252,7 +252,10 @@ def tax_entries(lines: Sequence[Line], tax_bp_of: Mapping[UUID, int], *, default
     Raises NothingToInvoice where there is no line to tax.
     """
     if not lines:
-        raise NothingToInvoice("everything due is on an invoice already")
+        raise NothingToInvoice(
+            "everything due is on an invoice already",
+            fix="wait until a cue is accepted, or other work is due",
+        )
     by_rate: dict[int, int] = {}
     for line in lines:
         if (rate := rate_of(line, tax_bp_of, default_bp=default_bp)) is not None:
@@ -284,7 +287,11 @@ def allocate(book: LedgerBook, invoice_id: UUID, amount_minor: int) -> list[Entr
         raise Overpayment(
             f"{money(whole_minor, book.currency)} of this invoice is open, "
             f"so a payment of {money(amount_minor, book.currency)} is too much",
-            fix="record that amount here, and the rest on another invoice",
+            fix="record that amount here, and the rest on another invoice"
+            if sign * whole_minor > 0 and amount_minor
+            else "nothing of it is to pay: record the payment on another invoice"
+            if not whole_minor
+            else f"record up to {money(whole_minor, book.currency)}",
         )
     left_minor = sign * amount_minor
     entries: list[Entry] = []
@@ -321,7 +328,10 @@ def refund(book: LedgerBook, payment_id: UUID, amount_minor: int) -> list[Entry]
     if not 0 < sign * amount_minor <= sign * whole_minor:
         raise RefundTooLarge(
             f"{money(whole_minor, book.currency)} of this payment is not refunded yet, "
-            f"so {money(amount_minor, book.currency)} cannot be refunded"
+            f"so {money(amount_minor, book.currency)} cannot be refunded",
+            fix=f"record up to {money(whole_minor, book.currency)}"
+            if whole_minor
+            else "this is final: all of it is back",
         )
     if amount_minor == whole_minor:
         return [_part_back(line, left[line.id]) for line in reversed(paid) if left[line.id]]

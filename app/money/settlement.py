@@ -188,7 +188,7 @@ def agree_extra_round(session: Session, actor: Actor, extra_round_id: UUID) -> E
     """Agree to a further round's price, as the studio; it is due at once."""
     proposed, contract = _proposal(session, actor, extra_round_id)
     if contract.designer_id == actor.person:
-        raise OtherPartyNeeded("only the studio agrees to the fee; you can waive it")
+        raise OtherPartyNeeded("only the studio agrees to the fee", fix="waive it, or wait for the studio")
     if Role.PRODUCER not in actor.roles_in(contract.studio_id):
         raise ProducerNeeded("only a producer of the studio agrees to a price")
     charge_round(session, contract, proposed, person_id=actor.person)
@@ -215,7 +215,7 @@ def drop_extra_round(session: Session, actor: Actor, extra_round_id: UUID) -> Ex
     """Let a further round go without a price, as the designer."""
     proposed, contract = _proposal(session, actor, extra_round_id)
     if contract.designer_id != actor.person:
-        raise OtherPartyNeeded("only the designer can waive the fee of a round")
+        raise OtherPartyNeeded("only the designer can waive the fee of a round", fix="agree to it, or ask for that")
     proposed.dropped_at = clock.now()
     covered = next(cue for cue in plan_queries.cues_of(session, contract.id) if cue.cue_id == proposed.cue_id)
     _record(session, covered, "round_dropped", actor.person, {"round": proposed.number})
@@ -230,7 +230,9 @@ def _proposal(session: Session, actor: Actor, extra_round_id: UUID) -> tuple[Ext
     lock_contract(session, contract.id)
     session.refresh(proposed, ["agreed_at", "dropped_at"])
     if proposed.agreed_at is not None or proposed.dropped_at is not None:
-        raise RoundAlreadySettled("this round was agreed to or waived already")
+        raise RoundAlreadySettled(
+            "this round was agreed to or waived already", fix="this is final; a change order adds another round"
+        )
     return proposed, contract
 
 

@@ -29,9 +29,17 @@ def say_shipped(session: Session, actor: Actor, contract_id: UUID, *, shipped_on
     session.refresh(contract, ["state", "game_shipped_on"])
     terms = terms_of(session, contract)
     if contract.state is not ContractState.AGREED or terms.bonus_when is not BonusWhen.SHIPPED or not terms.bonus_minor:
-        raise NoShippingBonus("this contract has no bonus that waits for the game to ship")
+        raise NoShippingBonus(
+            "this contract has no bonus that waits for the game to ship",
+            fix="propose a change order that adds it as work"
+            if contract.state is ContractState.AGREED
+            else "this is final: a bonus is missed where the contract ended before",
+        )
     if contract.game_shipped_on is not None:
-        raise NoShippingBonus(f"it is on record that the game shipped on {contract.game_shipped_on}")
+        raise NoShippingBonus(
+            f"it is on record that the game shipped on {contract.game_shipped_on}",
+            fix="this is final: the bonus is due since then",
+        )
     today = studio_days(session, contract).of(clock.now())
     ensure_not_ahead(shipped_on, today, "a game that has not shipped yet sets off no bonus")
     contract.game_shipped_on = shipped_on

@@ -8,7 +8,8 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.agreements.models import Contract
-from app.agreements.plan_queries import terms_of
+from app.agreements.plan_queries import milestones_of, terms_of
+from app.agreements.terms import PriceMode
 from app.kit import clock
 from app.money import queries
 from app.money.bonuses import studio_days
@@ -24,7 +25,7 @@ class HourBook:
     """The hours of an agreed contract against its terms; callers that write hold the contract's lock."""
 
     def __init__(self, session: Session, contract: Contract) -> None:
-        self.contract = contract
+        self._session, self.contract = session, contract
         self.money_terms = terms_of(session, contract)
         self.terms = HourTerms.of(self.money_terms)
         days = studio_days(session, contract)
@@ -56,7 +57,9 @@ class HourBook:
     def ensure_paid(self, worked_on: date, minutes: int, *, instead_of: UUID | None = None) -> None:
         """Raise NotHourly for a contract without hours, CapExceeded beyond what is included and the caps."""
         if not self.money_terms.has_hours:
-            raise NotHourly("this contract does not pay by the hour", fix="log time on its cues instead")
+            by_day = self.money_terms.price_mode is PriceMode.DAY_RATE
+            instead = "log days instead" if by_day else more_work(self._session, self.contract)
+            raise NotHourly("this contract does not pay by the hour", fix=instead)
         others = self._by_month(one for one in self.entries if one.refused_at is None and one.id != instead_of)
         month = self.month_of(worked_on)
         left = self.terms.left(month, others)
@@ -65,7 +68,7 @@ class HourBook:
                 f"{hours_in_words(minutes)} on {worked_on} is more than the contract pays for: {self._limits()}; "
                 f"{hours_in_words(left)} left in this month",
                 fix=(f"log up to {hours_in_words(left)}, and " if left else "")
-                + "propose a change order that adds the work at its price",
+                + more_work(self._session, self.contract),
             )
 
     def _limits(self) -> str:
@@ -123,6 +126,13 @@ class HourBook:
                 for month in range(max(1, last - 11), last + 1)
             ],
         )
+
+
+def more_work(session: Session, contract: Contract) -> str:
+    """Return how work that a contract does not pay for is agreed on."""
+    if any(not one.is_deposit for one in milestones_of(session, contract.id)):
+        return "propose a change order that adds the work at its price"
+    return "sign another contract for it"
 
 
 def hour_entries(day: WorkedDay, amount_minor: int) -> list[Entry]:

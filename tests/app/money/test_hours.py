@@ -283,3 +283,20 @@ def test_many_short_entries_cost_what_all_their_minutes_cost() -> None:
     costs = [terms.charge(1, 5, {1: before}) for before in range(0, 60, 5)]
     assert sum(costs) == 7
     assert terms.left(1, {1: 60}) == 0
+
+
+def test_each_side_is_mailed_what_waits_for_them(agreed: Agreed) -> None:
+    world = agreed.world
+
+    def mailed() -> dict[str, str]:
+        world.server.wait_for_jobs()
+        mails = ok(world.producer.get(f"/v1/studios/{world.studio_id}/outbox"))["mails"]
+        return {mail["subject"].partition(": ")[2]: mail["recipient"] for mail in mails}
+
+    entry_id = ok(log(agreed, 90))["id"]
+    to_agree = mailed()
+    assert set(to_agree) == {"logged work to agree to"}
+    ok(refuse(agreed, entry_id))
+    both = mailed()
+    assert set(both) == {"logged work to agree to", "logged work was refused"}
+    assert both["logged work was refused"] != both["logged work to agree to"]

@@ -1,0 +1,52 @@
+"""Every refusal of agreements, amendments and money names an act that works, or says that it is final.
+
+Each is brought about over HTTP, its text is read, and what it advises is done. A refusal without an entry fails.
+"""
+
+import pytest
+
+from tests.app.amendments import (  # noqa: F401  each registers its scenes
+    amendment_refusal_scenes,
+    contract_refusal_scenes,
+    money_refusal_scenes,
+    text_refusal_scenes,
+)
+from tests.app.amendments.refusal_parties import SCENES, Parties
+from tests.app.amendments.refusal_sites import refusal_sites
+from tests.support.server import World
+
+# Refusals whose advice is about a file, a text or a name that was sent; their own tests send it mended.
+OF_CONTENT = (
+    *("agreements.comparison.", "agreements.heads.", "agreements.template_files.", "agreements.templates."),
+    *("agreements.word_file.", "agreements.word_reading.", "agreements.redlines.changes_of_word_file"),
+)
+SIGNING = "agreements.signing"  # turns, codes and names: tests of signing
+OTHERS = {
+    "agreements.facts.ensure_open_answers_are_said BriefOpen": "test_open_answers",
+    "agreements.redlines.answer BadRedlines 2": "test_redlines",
+    "agreements.rules.ensure_another_person SamePersonOnBothSides": "test_both_sides",
+    "agreements.rules.ensure_address_proven AddressNotProven": "test_signing",
+    "agreements.access.contract_for_producer SamePersonOnBothSides": "test_both_sides",
+    "agreements.lifecycle.send DraftChanged": "a race while the PDF is drawn: the text is read again and sent",
+    "money.electronic_invoices.invoice_pdf NoElectronicInvoice": "test_electronic_invoices",
+    "money.electronic_invoices._billed NoElectronicInvoice": "test_electronic_invoices",
+    "money.downloads.ensure_open DownloadUnpaid": "tests of downloads: they open with the payment",
+}
+
+
+def is_elsewhere(site: str) -> bool:
+    return site in OTHERS or site.startswith((*OF_CONTENT, SIGNING))
+
+
+def test_every_refusal_has_an_entry() -> None:
+    sites = refusal_sites()
+    assert [site for site in sites if site not in SCENES and not is_elsewhere(site)] == []
+    assert SCENES.keys() | OTHERS.keys() <= set(sites), "an entry for a refusal that is gone"
+
+
+PLAYED = {play: sorted(site for site in SCENES if SCENES[site] is play) for play in SCENES.values()}
+
+
+@pytest.mark.parametrize("play", PLAYED, ids=lambda play: play.__name__.strip("_"))
+def test_its_advice_is_accepted(world: World, play) -> None:
+    play(Parties(world))
