@@ -1,4 +1,4 @@
-import { day, plural } from '@/ui/format'
+import { plural, shortDay } from '@/ui/format'
 import type { StateKind } from '@/ui/State'
 import { STATE_OF_TAKE } from '@/judging/stateOfTake'
 
@@ -6,7 +6,9 @@ import type { Delivery, DeliveryDetail, Take } from './api'
 
 /** When a delivery was begun and closed. */
 export function daysOf({ created_at, closed_at }: Pick<Delivery, 'created_at' | 'closed_at'>): string {
-  return closed_at === null ? `begun ${day(created_at)}, open` : `begun ${day(created_at)}, closed ${day(closed_at)}`
+  const [begun, closed] = [shortDay(created_at), closed_at && shortDay(closed_at)]
+  if (closed === null) return `begun ${begun}, open`
+  return closed === begun ? `${begun}, closed` : `${begun} to ${closed}, closed`
 }
 
 /** How a file of a delivery stands; one without a cue waits for it. */
