@@ -56,10 +56,28 @@ def archival_pdf_of(title: str, markdown: str, *, dated: date) -> bytes:
     return typeset(_source(title, markdown, day=_day(dated)), is_archival=True)
 
 
-def signed_pdf_of(title: str, markdown: str, certificate: str, *, agreed_on: date, mark: str) -> bytes:
+@dataclass(frozen=True)
+class CertificatePart:
+    """A part of the certificate of signing: its text, and the drawing that stands below it."""
+
+    markdown: str
+    drawing_svg: str | None = None  # made by us; it is the child that reads it
+
+
+def signed_pdf_of(
+    title: str, markdown: str, certificate: Sequence[CertificatePart], *, agreed_on: date, mark: str
+) -> bytes:
     """Return the text as archival PDF, with its hash on every page and the certificate of its signatures after it."""
     text = _source(title, markdown, day=_day(agreed_on), keywords=f"({_string(mark)},)")
-    return typeset(f"{text}\n#pagebreak()\n{_blocks(certificate)}", is_archival=True)
+    return typeset("\n".join([text, "#pagebreak()", *map(_certificate_part, certificate)]), is_archival=True)
+
+
+def _certificate_part(part: CertificatePart) -> str:
+    blocks = _blocks(part.markdown)
+    if part.drawing_svg is None:
+        return blocks
+    drawing = f'#image(bytes({_string(part.drawing_svg)}), format: "svg", width: 60mm, alt: "The name as it was drawn")'
+    return f"{blocks}\n#block(stroke: (bottom: 0.4pt + luma(70%)), {drawing[1:]})"
 
 
 def _day(day: date) -> str:

@@ -99,6 +99,10 @@ class TextChanged(Conflict):
     """The text that was read is not the one that stands."""
 
 
+class BadDrawing(Invalid):
+    """What was sent as a drawn name is none, or is too large."""
+
+
 class AlreadyAccepted(Conflict):
     """The party has accepted the text already."""
 

@@ -139,6 +139,7 @@ class ContractAcceptance(Base):
     address: Mapped[str]  # on the network
     agent: Mapped[str] = mapped_column(default="")  # the browser and its system, as it names them
     code_entered_at: Mapped[datetime | None]  # the code that was mailed to that address; None: none was asked for
+    drawing: Mapped[list[list[list[int]]] | None]  # the name as it was drawn, in strokes of points; None: it was not
     accepted_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 

@@ -8,9 +8,12 @@ from pydantic import ConfigDict, Field, StringConstraints
 
 from app.accounts.rules import AddressProof
 from app.accounts.schemas import Line, PersonBrief, Prose
+from app.agreements.drawn_names import DRAWING, WIDTH
 from app.agreements.rules import ContractKind, ContractState, Party, ReleaseClause
 from app.kit.http import LARGEST_NUMBER, Schema
 
+Coordinate = Annotated[int, Field(strict=True, ge=0, le=WIDTH)]
+Stroke = list[Annotated[list[Coordinate], Field(min_length=2, max_length=2)]]
 Currency = Annotated[str, StringConstraints(strip_whitespace=True, pattern="^[A-Z]{3}$")]
 BasisPoints = Annotated[int, Field(ge=0, le=10_000)]
 Reason = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=2000, pattern="^[^\\x00]*$")]
@@ -213,6 +216,7 @@ class AcceptanceRead(Schema):
     )
     agent: str = Field(description="Browser and system, as the browser names them; empty if unknown.")
     code_entered_at: datetime | None = Field(description="When the code mailed to that address was typed; null: never.")
+    drawing: list[Stroke] | None = Field(description="The name as it was drawn; null: it was not.")
     accepted_at: datetime
 
 
@@ -342,6 +346,7 @@ class AcceptAdd(Schema):
     code: str | None = Field(
         None, max_length=20, description="The digits mailed to the caller; needed where the server sends mail."
     )
+    drawing: list[Stroke] | None = Field(None, description=DRAWING)
 
 
 class SigningCodeAdd(Schema):

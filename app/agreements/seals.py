@@ -13,7 +13,8 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import PROOF_WORDS
 from app.agreements import queries, seal_files
-from app.agreements.documents import signed_pdf_of
+from app.agreements.documents import CertificatePart, signed_pdf_of
+from app.agreements.drawn_names import drawing_sha256, drawing_svg
 from app.agreements.heads import public_key_of
 from app.agreements.models import Contract, ContractAcceptance, ContractVersion, Seal
 from app.agreements.rules import KIND_WORDS
@@ -96,10 +97,10 @@ def signer_of(settings: Settings) -> "Signer":
 
 def certificate_of(
     contract: Contract, version: ContractVersion, acceptances: Sequence[ContractAcceptance], *, head_key: str
-) -> str:
+) -> list[CertificatePart]:
     """Return the page that says who signed a text, how that is shown, and when."""
     zone = ZoneInfo(contract.project.studio.time_zone)
-    lines = [
+    head = [
         "# Certificate of signing",
         f"{KIND_WORDS[contract.kind].capitalize()} **{literal(contract.title)}** between "
         f"{literal(contract.project.studio.name)} and {literal(contract.designer.name)}, version {version.number}.",
@@ -107,28 +108,36 @@ def certificate_of(
         f"Sent {_in_both(version.sent_at, zone)}. Agreed {_in_both(contract.agreed_at, zone)}.",
         f"Each of those who signed agreed to this sentence: {literal(CONSENT)}",
     ]
-    for one in acceptances:
-        code = f"{BY_CODE} {_in_both(one.code_entered_at, zone)}" if one.code_entered_at else WITHOUT_CODE
-        lines += [
-            f"## {literal(one.name)}, for the {one.party}",
-            *([] if is_drawn(one.name) else [UNDRAWN]),
-            "\n".join(
-                [
-                    f"- Signed {_in_both(one.accepted_at, zone)}",
-                    f"- Mail address: {literal(one.email)}, {PROOF_WORDS[one.email_proof]}",
-                    f"- Code: {literal(code)}",
-                    f"- Network address: {literal(one.address) or 'unknown'}",
-                    f"- Browser: {literal(one.agent) or 'unknown'}",
-                ]
-            ),
-        ]
-    lines += [
+    foot = [
         "## How to verify",
         "This file is sealed: a changed byte shows in any reader of signed PDFs, and on the page Verify of the server "
         "that made it. Heads of this contract's record are signed with the Ed25519 key "
         f"{head_key}",
     ]
-    return "\n\n".join(lines)
+    return [
+        CertificatePart("\n\n".join(head)),
+        *(_signature_part(one, zone) for one in acceptances),
+        CertificatePart("\n\n".join(foot)),
+    ]
+
+
+def _signature_part(one: ContractAcceptance, zone: ZoneInfo) -> CertificatePart:
+    """Return what the certificate says of one signature, and the name as it was drawn."""
+    code = f"{BY_CODE} {_in_both(one.code_entered_at, zone)}" if one.code_entered_at else WITHOUT_CODE
+    facts = [
+        f"- Signed {_in_both(one.accepted_at, zone)}",
+        f"- Mail address: {literal(one.email)}, {PROOF_WORDS[one.email_proof]}",
+        f"- Code: {literal(code)}",
+        f"- Network address: {literal(one.address) or 'unknown'}",
+        f"- Browser: {literal(one.agent) or 'unknown'}",
+        *([f"- Name drawn by hand, SHA-256 {drawing_sha256(one.drawing)}:"] if one.drawing else []),
+    ]
+    lines = [
+        f"## {literal(one.name)}, for the {one.party}",
+        *([] if is_drawn(one.name) else [UNDRAWN]),
+        "\n".join(facts),
+    ]
+    return CertificatePart("\n\n".join(lines), drawing_svg(one.drawing) if one.drawing else None)
 
 
 def _in_both(at: datetime | None, zone: ZoneInfo) -> str:

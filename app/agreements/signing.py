@@ -13,6 +13,7 @@ from app.accounts.queries import members
 from app.accounts.rules import PROOF_WORDS, Actor, Role
 from app.agreements import queries, record
 from app.agreements.access import contract_to_change, party_of, visible_contract
+from app.agreements.drawn_names import drawing_sha256
 from app.agreements.errors import AlreadyAccepted, NotASigner, NotYourContract, NotYourTurn
 from app.agreements.models import Contract, ContractAcceptance, ContractSigner, ContractVersion
 from app.agreements.plan import activate_plan
@@ -36,13 +37,14 @@ from app.projects.engagements import record_nda
 
 @dataclass(frozen=True)
 class Signature:
-    """What a person sends to sign: the name typed, the text seen, from where, and the code; None where mail is off."""
+    """What a person sends to sign: the name typed and drawn, the text seen, from where, and the code."""
 
     name: str
     text_sha256: str
     address: str
     agent: str
-    code: CodeCheck | None
+    code: CodeCheck | None  # None where mail is off
+    drawing: list[list[list[int]]] | None = None  # the name as it was drawn; it has passed `ensure_drawing_fits`
 
 
 def order_of(session: Session, contract: Contract) -> SigningOrder:
@@ -121,7 +123,8 @@ def proof_of(session: Session, person: Person, signature: Signature) -> datetime
 
 def facts_of_signature(person: Person, party: Party, signature: Signature) -> dict[str, Any]:
     """Return what the record says of a signature."""
-    return {
+    drawn = {"drawing_sha256": drawing_sha256(signature.drawing)} if signature.drawing is not None else {}
+    return drawn | {
         "party": party.value,
         "name": signature.name,
         "email": person.email,
@@ -167,6 +170,7 @@ def accept(session: Session, actor: Actor, contract_id: UUID, signature: Signatu
         address=signature.address,
         agent=signature.agent,
         code_entered_at=proof_of(session, person, signature),
+        drawing=signature.drawing,
     )
     session.add(acceptance)
     session.flush()

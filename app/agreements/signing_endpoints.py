@@ -10,9 +10,11 @@ from app.accounts.policies import allows, client_address
 from app.accounts.request_limits import RateLimitedRoute, ensure_signing_code_allowed
 from app.accounts.rules import Actor, Audience, device_of
 from app.agreements import schemas, signing_codes
+from app.agreements.drawn_names import ensure_drawing_fits
 from app.agreements.errors import (
     AddressNotProven,
     AlreadyAccepted,
+    BadDrawing,
     ContractNotFound,
     NoSigningCode,
     NotYourContract,
@@ -30,6 +32,7 @@ router = Router(prefix="/v1", tags=["contracts"], route_class=RateLimitedRoute)
 SIGNING = (
     AddressNotProven,
     AlreadyAccepted,
+    BadDrawing,
     SamePersonOnBothSides,
     SigningCodeNeeded,
     SigningCodeOver,
@@ -44,6 +47,8 @@ async def signature_sent(request: Request, contract_id: UUID, body: schemas.Acce
 
 
 def _signature(request: Request, contract_id: UUID, body: schemas.AcceptAdd) -> Signature:
+    if body.drawing is not None:
+        ensure_drawing_fits(body.drawing)
     runtime, agent = runtime_of(request), request.headers.get("user-agent", "")
     check = None
     if runtime.settings.smtp_url:
@@ -55,6 +60,7 @@ def _signature(request: Request, contract_id: UUID, body: schemas.AcceptAdd) -> 
         address=client_address(request),
         agent=device_of(agent)[:AGENT_LENGTH] if agent else "",
         code=check,
+        drawing=body.drawing,
     )
 
 

@@ -67,6 +67,7 @@ def sign(
         address=signature.address,
         agent=signature.agent,
         code_entered_at=proof_of(session, person, signature),
+        drawing=signature.drawing,
     )
     session.add(acceptance)
     session.flush()

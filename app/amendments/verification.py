@@ -9,6 +9,7 @@ from sqlalchemy.orm import Session
 
 from app.agreements import record
 from app.agreements.documents import sha256_of
+from app.agreements.drawn_names import drawing_sha256
 from app.agreements.models import Contract, ContractAcceptance
 from app.agreements.queries import events_of, every_contract, versions_of
 from app.agreements.redline_rules import faults_of_sent
@@ -112,23 +113,29 @@ def _sent(session: Session, contract: Contract, said: Sequence[Said]) -> Iterato
 def _acceptances(session: Session, contract: Contract, said: Sequence[Said]) -> Iterator[str]:
     numbers = {version.id: str(version.number) for version in versions_of(session, contract.id)}
     given = {
-        (f"version {numbers.get(one.version_id, '?')}", *_signed_with(one))
+        (f"version {numbers.get(one.version_id, '?')}", *_signed_with(one)): drawing_sha256(one.drawing)
         for one in queries.contract_acceptances_of(session, contract.id)
-    } | {(one.text_sha256, *_signed_with(one)) for one in queries.all_acceptances_of(session, contract.id)}
+    } | {
+        (one.text_sha256, *_signed_with(one)): drawing_sha256(one.drawing)
+        for one in queries.all_acceptances_of(session, contract.id)
+    }
     recorded = {
         (
             f"version {payload['version']}" if kind == "accepted_by" else payload["text_sha256_of_amendment"],
             *(payload[name] for name in ("party", "name", "email", "address")),
             payload.get("agent", ""),  # entries of before have neither browser nor code
             payload.get("code") == BY_CODE,
-        )
+        ): payload.get("drawing_sha256", "")
         for kind, payload in said
         if kind in ("accepted_by", "change_accepted", "statement_accepted")
     }
-    for what, party, *_ in sorted(recorded - given):
+    for what, party, *_ in sorted(recorded.keys() - given.keys()):
         yield f"the acceptance of {what} by the {party} is missing or was altered"
-    for what, party, *_ in sorted(given - recorded):
+    for what, party, *_ in sorted(given.keys() - recorded.keys()):
         yield f"the acceptance of {what} by the {party} is in no entry"
+    for one in sorted(given.keys() & recorded.keys()):
+        if given[one] != recorded[one]:
+            yield f"the drawn name in the acceptance of {one[0]} by the {one[1]} is not the one in the record"
 
 
 def _signed_with(one: ContractAcceptance | AmendmentAcceptance) -> tuple[str, str, str, str, str, bool]:

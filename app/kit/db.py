@@ -120,6 +120,7 @@ class Base(DeclarativeBase):
         list[str]: sa.JSON().with_variant(JSONB(), "postgresql"),
         list[float]: sa.JSON().with_variant(JSONB(), "postgresql"),
         list[dict[str, Any]]: sa.JSON().with_variant(JSONB(), "postgresql"),
+        list[list[list[int]]]: sa.JSON(none_as_null=True).with_variant(JSONB(none_as_null=True), "postgresql"),
     }
 
 

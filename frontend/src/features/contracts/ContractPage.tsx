@@ -21,6 +21,7 @@ import { Refusal } from './Refusal'
 import { SignatureTime } from './SignatureTime'
 import { Signers } from './Signers'
 import { SendVersion } from './SendVersion'
+import { DrawnName } from './DrawnName'
 import { SignForm } from './SignForm'
 import { Text } from './Text'
 import { KIND_WORDS, PROOF_WORDS, progress } from './words'
@@ -255,13 +256,14 @@ function Said({ contract }: { contract: Contract }) {
     <Card aria-labelledby="said">
       <CardHead id="said" title="Signed by" />
       <Rows aria-label="Signed by">
-        {contract.acceptances.map(({ party, name, email, email_proof, code_entered_at, accepted_at }) => (
+        {contract.acceptances.map(({ party, name, email, email_proof, code_entered_at, drawing, accepted_at }) => (
           <Row key={email} className={classes.row}>
             <div className="grow">
               <p>{name}</p>
               <p className="small mid">
                 {`for the ${party}, ${email}, ${code_entered_at ? 'confirmed by a mailed code' : PROOF_WORDS[email_proof ?? 'none']}`}
               </p>
+              {drawing !== null && <DrawnName strokes={drawing} name={name} />}
             </div>
             <span className="small dim">{`${day(accepted_at)}, ${clock(accepted_at)}`}</span>
           </Row>

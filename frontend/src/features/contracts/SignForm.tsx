@@ -8,7 +8,9 @@ import { clock } from '@/ui/format'
 
 import { useSigningCode } from './api'
 import classes from './Contracts.module.css'
+import { DrawName } from './DrawnName'
 import { Refusal } from './Refusal'
+import type { Strokes } from './strokes'
 import { Warning } from './Warning'
 
 const CONSENT = 'I have read this text, I agree to be bound by it, and the name that I type is my signature.'
@@ -17,10 +19,11 @@ const isCodeNeeded = (error: unknown) => error instanceof ApiProblem && error.co
 /** Letters that the fonts of PDFs lack: those of other scripts than Latin, Greek and Cyrillic. */
 const UNDRAWN = /[^\p{Script=Latin}\p{Script=Greek}\p{Script=Cyrillic}\p{Script=Common}\p{Script=Inherited}]/u
 
-/** What a person signs with: their name and, where the server sends mail, the code that it mailed to them. */
+/** What a person signs with: their name, typed and perhaps drawn, and the code where the server mailed one to them. */
 export interface Signed {
   name: string
   code: string | null
+  drawing: Strokes | null
 }
 
 /** Sign a text by typing one's name; where the server sends mail, a code is mailed first and typed here. */
@@ -41,6 +44,7 @@ export function SignForm({
 }) {
   const [name, setName, draft] = useDraft(`signature:${contractId}:${textSha256}`, '')
   const [code, setCode] = useState('')
+  const [strokes, setStrokes] = useState<Strokes>([])
   const [error, setError] = useState<unknown>(null)
   const [isSigning, setSigning] = useState(false)
   const mailed = useSigningCode(contractId)
@@ -59,7 +63,11 @@ export function SignForm({
     setSigning(true)
     setError(null)
     try {
-      await onSign({ name: name.trim(), code: code.trim() === '' ? null : code.trim() })
+      await onSign({
+        name: name.trim(),
+        code: code.trim() === '' ? null : code.trim(),
+        drawing: strokes.length === 0 ? null : strokes,
+      })
       draft.discard()
     } catch (refused) {
       if (isCodeNeeded(refused) && !mailed.data) askForCode()
@@ -86,6 +94,7 @@ export function SignForm({
         </Warning>
       )}
       <DraftNote draft={draft} />
+      <DrawName strokes={strokes} onChange={setStrokes} />
       {mailed.data && (
         <>
           <TextInput

@@ -4,6 +4,8 @@ import { answered, api, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
+import type { Strokes } from './strokes'
+
 type Schemas = components['schemas']
 export type Project = Schemas['ProjectRead']
 export type Contract = Schemas['ContractRead']
@@ -132,12 +134,14 @@ interface Signature {
   name: string
   textSha256: string
   code: string | null
+  drawing: Strokes | null
 }
 
-const signatureOf = ({ name, textSha256, code }: Signature) => ({
+const signatureOf = ({ name, textSha256, code, drawing }: Signature) => ({
   name,
   text_sha256: textSha256,
   ...(code === null ? {} : { code }),
+  ...(drawing === null ? {} : { drawing }),
 })
 
 /** Have a code mailed to the person who is about to sign a text. */

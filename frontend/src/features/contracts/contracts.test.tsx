@@ -1,4 +1,4 @@
-import { screen, waitFor, within } from '@testing-library/react'
+import { fireEvent, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
 import { describe, expect, test, vi } from 'vitest'
@@ -99,6 +99,49 @@ describe('a designer', () => {
     const sent = asked.find(({ path }) => path.endsWith('/accept'))
     expect(sent?.body).toEqual({ name: 'N. Designer', text_sha256: 'a'.repeat(64) })
     expect(screen.getByText('Waiting for the studio to sign')).toBeVisible()
+  })
+
+  test('draws a name, undoes a stroke, and sends what is left with the typed name', async () => {
+    const { asked, answers } = serve(given())
+    const drawing = [[[100, 30]]]
+    const signed = { ...accepted('designer', 'N. Designer'), drawing }
+    answers['POST /v1/contracts/c1/accept'] = { ...CONTRACT, waits_for: ['studio'], may: MAY, acceptances: [signed] }
+    openApp(PAGE)
+    const form = within(await screen.findByRole('form', { name: 'Accept' }))
+    const field = form.getByRole('img', { name: /^Draw your name/ })
+    field.getBoundingClientRect = () => new DOMRect(0, 0, 500, 150)
+    field.setPointerCapture = vi.fn()
+    field.hasPointerCapture = () => true
+    fireEvent.pointerDown(field, { clientX: 50, clientY: 15, button: 0 })
+    fireEvent.pointerDown(field, { clientX: 100, clientY: 15, button: 0 })
+    fireEvent.pointerMove(field, { clientX: 300, clientY: 900 })
+    expect(field.querySelector('path')).toHaveAttribute('d', 'M 100 30 L 100 30 M 200 30 L 600 300')
+    await userEvent.click(form.getByRole('button', { name: 'Undo stroke' }))
+    await userEvent.type(form.getByLabelText('Your full name'), 'N. Designer')
+    await userEvent.click(form.getByRole('button', { name: 'Sign version 2' }))
+    expect(await screen.findByRole('img', { name: 'N. Designer, drawn by hand' })).toBeVisible()
+    expect(asked.find(({ path }) => path.endsWith('/accept'))?.body).toEqual({
+      name: 'N. Designer',
+      text_sha256: 'a'.repeat(64),
+      drawing,
+    })
+  })
+
+  test('a drawing that is refused stays to be drawn again', async () => {
+    const refused = refusal(422, 'bad-drawing', 'the drawing is too small to be a name', { fix: 'clear it' })
+    serve(given({ 'POST /v1/contracts/c1/accept': refused }))
+    openApp(PAGE)
+    const form = within(await screen.findByRole('form', { name: 'Accept' }))
+    const field = form.getByRole('img', { name: /^Draw your name/ })
+    field.getBoundingClientRect = () => new DOMRect(0, 0, 1000, 300)
+    field.setPointerCapture = vi.fn()
+    fireEvent.pointerDown(field, { clientX: 50, clientY: 15, button: 0 })
+    await userEvent.type(form.getByLabelText('Your full name'), 'N. Designer{Enter}')
+    expect(await form.findByText('The drawing is too small to be a name.')).toBeVisible()
+    expect(field.querySelector('path')).toHaveAttribute('d', 'M 50 15 L 50 15')
+    await userEvent.click(form.getByRole('button', { name: 'Clear drawing' }))
+    expect(field.querySelector('path')).toHaveAttribute('d', '')
+    expect(form.getByLabelText('Your full name')).toHaveValue('N. Designer')
   })
 
   test('signs with the code that is mailed, and has another one mailed', async () => {
@@ -281,6 +324,7 @@ const accepted = (party: string, name: string) => ({
   party,
   name,
   email: 'n@sound.example',
+  drawing: null,
   accepted_at: '2026-11-20T11:00:00Z',
 })
 const ENTRY = {
