@@ -127,6 +127,7 @@ class ListeningNote(Base):
     __table_args__ = (
         Index("ix_builds_listening_notes_pass", "pass_id", "cue_id"),
         Index("ix_builds_listening_notes_heard", "project_id", "said", "cue_id"),
+        CheckConstraint("(recording_id is null) = (at_s is null)", name="recording_has_a_time"),
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True)
@@ -141,6 +142,8 @@ class ListeningNote(Base):
     written_at: Mapped[datetime]  # when the key was pressed
     received_at: Mapped[datetime] = mapped_column(default=clock.now)
     undone_at: Mapped[datetime | None]  # taken back, or replaced by a later note of the same person
+    recording_id: Mapped[UUID | None] = mapped_column(ForeignKey("references_versions.id"), index=True)
+    at_s: Mapped[float | None]  # where in the recording of the game it was heard
     author: Mapped[Person] = relationship(lazy="raise")
 
 

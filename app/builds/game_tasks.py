@@ -8,11 +8,11 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor, Role
 from app.accounts.schemas import PersonBrief
 from app.builds import listening_queries
-from app.builds.audit_models import AuditedSound, GameTask
+from app.builds.audit_models import AuditedSound, GameTask, ListeningNote
 from app.builds.audit_rules import TaskKind, TaskRole
 from app.builds.audit_schemas import SoundCue
 from app.builds.errors import GameTaskNotFound, ImplementerNeeded
-from app.builds.listening_schemas import GameTaskRead
+from app.builds.listening_schemas import GameTaskRead, RecordedMoment
 from app.kit import clock
 from app.kit.events import publish
 from app.projects.errors import ProjectNotFound
@@ -112,9 +112,17 @@ def change_task(session: Session, actor: Actor, game_task_id: UUID, *, is_done: 
     return access, task
 
 
+def moment_of(note: ListeningNote | None) -> RecordedMoment | None:
+    """Return where in a recording a note was heard."""
+    if note is None or note.recording_id is None or note.at_s is None:
+        return None
+    return RecordedMoment(reference_version_id=note.recording_id, at_s=note.at_s)
+
+
 def read_tasks(session: Session, access: ProjectAccess, tasks: Sequence[GameTask]) -> list[GameTaskRead]:
     """Return tasks as they are shown."""
     cues = cues_by_id(session, access.project.id, {task.cue_id for task in tasks if task.cue_id})
+    notes = listening_queries.notes_by_id(session, [task.note_id for task in tasks if task.note_id])
     return [
         GameTaskRead(
             id=task.id,
@@ -125,6 +133,7 @@ def read_tasks(session: Session, access: ProjectAccess, tasks: Sequence[GameTask
             gain_db=task.gain_db,
             where=task.where,
             text=task.text,
+            recording=moment_of(notes.get(task.note_id)) if task.note_id else None,
             asked_by=PersonBrief.model_validate(task.author),
             asked_at=task.asked_at,
             done_at=task.done_at,

@@ -20,23 +20,28 @@ from app.builds.audit_rules import (
 from app.builds.audit_schemas import AuditSummary
 from app.builds.audits import approved_sounds
 from app.builds.errors import (
+    ListeningNoteInvalid,
     ListeningNoteNotFound,
     ListeningNoteTaken,
     ListeningPassClosed,
     ListeningPassNotFound,
     NothingToHear,
 )
-from app.builds.game_tasks import add_task, cue_read, place_of
+from app.builds.game_tasks import add_task, cue_read, moment_of, place_of
 from app.builds.listening_schemas import (
     CueToHear,
     ListeningNoteAdd,
     ListeningNoteRead,
     ListeningNow,
     ListeningPassRead,
+    RecordedMoment,
 )
 from app.kit import clock
 from app.projects.errors import ProjectNotFound
 from app.projects.service import ProjectAccess, project_access
+from app.references.errors import ReferenceNotFound
+from app.references.rules import ReferenceKind
+from app.references.service import version_seen
 from app.renders.schemas import SoundBrief
 from app.sound_lists.errors import CueNotFound
 from app.sound_lists.models import Cue
@@ -100,8 +105,11 @@ def add_note(session: Session, actor: Actor, listening_pass_id: UUID, body: List
     sounds = listening_queries.sounds_of_cue(session, current.audit_id, body.cue_id)
     if not sounds or not _sees(session, access, body.cue_id):
         raise CueNotFound(f"no cue {body.cue_id} in this listening pass")
-    for earlier in listening_queries.standing_notes(session, current.id, body.cue_id, actor.person):
-        _take_back(session, earlier)
+    if body.recording is not None:
+        _ensure_recording(session, actor, current, body.recording)
+    else:
+        for earlier in listening_queries.standing_notes(session, current.id, body.cue_id, actor.person):
+            _take_back(session, earlier)
     now = clock.now()
     note = ListeningNote(
         id=body.note_id,
@@ -112,6 +120,8 @@ def add_note(session: Session, actor: Actor, listening_pass_id: UUID, body: List
         said=body.said,
         amount_db=body.amount_db,
         text=body.text,
+        recording_id=body.recording.reference_version_id if body.recording else None,
+        at_s=body.recording.at_s if body.recording else None,
         written_by=actor.person,
         written_at=max(current.started_at, min(now, body.written_at)) if body.written_at else now,
         received_at=now,
@@ -120,6 +130,15 @@ def add_note(session: Session, actor: Actor, listening_pass_id: UUID, body: List
     session.flush()
     _add_task_of(session, note, sounds)
     return _read_note(session, access, listening_queries.note_by_id(session, note.id) or note)
+
+
+def _ensure_recording(session: Session, actor: Actor, current: ListeningPass, moment: RecordedMoment) -> None:
+    """Raise unless a moment is of a clip or a sound among the references of the project of a pass."""
+    version = version_seen(session, actor, moment.reference_version_id)
+    if version.project_id != current.project_id:
+        raise ReferenceNotFound(f"no version {moment.reference_version_id} of a reference")
+    if version.kind not in (ReferenceKind.VIDEO, ReferenceKind.AUDIO):
+        raise ListeningNoteInvalid(f"{version.file_name} is no recording; name a clip or a sound")
 
 
 def undo_note(session: Session, actor: Actor, listening_note_id: UUID) -> None:
@@ -267,6 +286,7 @@ def _read_notes(
             written_by=PersonBrief.model_validate(note.author),
             written_at=note.written_at,
             is_mine=note.written_by == access.actor.person_id,
+            recording=moment_of(note),
             task_id=task.id if task else None,
             role=task.role if task else None,
             is_done=task is not None and task.done_at is not None,

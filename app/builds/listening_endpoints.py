@@ -24,6 +24,7 @@ from app.builds.listening_schemas import (
 )
 from app.kit.http import BadCursor, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
 from app.projects.errors import ProjectNotFound, TeamNeeded
+from app.references.errors import ReferenceNotFound
 from app.sound_lists.errors import CueNotFound
 
 router = Router(prefix="/v1", tags=["listening-passes"], route_class=Route)
@@ -59,7 +60,8 @@ def close_listening_pass(listening_pass_id: UUID, session: DbSession, actor: Act
     "/listening-passes/{listening_pass_id}/notes",
     status_code=201,
     responses=problems(
-        ListeningPassNotFound, CueNotFound, ListeningPassClosed, ListeningNoteInvalid, ListeningNoteTaken
+        *(ListeningPassNotFound, CueNotFound, ReferenceNotFound, ListeningPassClosed),
+        *(ListeningNoteInvalid, ListeningNoteTaken),
     ),
 )
 def add_listening_note(

@@ -62,13 +62,14 @@ def note_by_id(session: Session, note_id: UUID) -> ListeningNote | None:
 
 
 def standing_notes(session: Session, pass_id: UUID, cue_id: UUID, person_id: UUID) -> Sequence[ListeningNote]:
-    """Return what a person says of a cue in a pass."""
+    """Return what a person says of a cue in a pass, away from any recording."""
     return session.scalars(
         select(ListeningNote).where(
             ListeningNote.pass_id == pass_id,
             ListeningNote.cue_id == cue_id,
             ListeningNote.written_by == person_id,
             ListeningNote.undone_at.is_(None),
+            ListeningNote.recording_id.is_(None),
         )
     ).all()
 
@@ -77,6 +78,12 @@ def tasks_of_notes(session: Session, note_ids: Collection[UUID]) -> dict[UUID, G
     """Return the tasks that notes became, by note."""
     found = session.scalars(select(GameTask).where(in_array(GameTask.note_id, note_ids)))
     return {task.note_id: task for task in found if task.note_id is not None}
+
+
+def notes_by_id(session: Session, note_ids: Collection[UUID]) -> dict[UUID, ListeningNote]:
+    """Return notes by id."""
+    found = session.scalars(select(ListeningNote).where(in_array(ListeningNote.id, note_ids)))
+    return {note.id: note for note in found}
 
 
 def tasks_of(

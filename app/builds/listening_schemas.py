@@ -10,6 +10,7 @@ from app.accounts.schemas import PersonBrief
 from app.builds.audit_rules import MAX_AMOUNT_DB, HeardAs, TaskKind, TaskRole
 from app.builds.audit_schemas import AuditSummary, Move, SoundCue
 from app.kit.http import Schema
+from app.references.rules import MAX_RANGE_S
 from app.renders.schemas import SoundBrief
 
 MAX_NOTE_CHARS = 1_000
@@ -32,6 +33,13 @@ class CueToHear(Schema):
     heard: bool = Field(description="Whether it was heard in this pass.")
 
 
+class RecordedMoment(Schema):
+    """A moment of a screen recording: a clip or a sound among the references of the project."""
+
+    reference_version_id: UUID
+    at_s: Annotated[float, Field(ge=0, le=MAX_RANGE_S, allow_inf_nan=False)]
+
+
 class ListeningNoteRead(Schema):
     """A note of a listening pass."""
 
@@ -43,6 +51,7 @@ class ListeningNoteRead(Schema):
     written_by: PersonBrief
     written_at: datetime
     is_mine: bool
+    recording: RecordedMoment | None = Field(description="Where it was heard, in a recording.")
     task_id: UUID | None
     role: TaskRole | None = Field(description="Whose task it became.")
     is_done: bool
@@ -78,6 +87,9 @@ class ListeningNoteAdd(Schema):
     amount_db: Annotated[float, Field(ge=-MAX_AMOUNT_DB, le=MAX_AMOUNT_DB, allow_inf_nan=False)] | None = None
     text: Annotated[str, Field(max_length=MAX_NOTE_CHARS, pattern="^[^\\x00]*$")] = ""
     written_at: datetime | None = Field(None, description="When the key was pressed, where it is sent later.")
+    recording: RecordedMoment | None = Field(
+        None, description="Where it was heard, in a recording. Such a note replaces no other one of its cue."
+    )
 
 
 class GameTaskRead(Schema):
@@ -91,6 +103,7 @@ class GameTaskRead(Schema):
     gain_db: float | None = Field(description="The change that is suggested.")
     where: str = Field(description="The object and property, or the file.")
     text: str
+    recording: RecordedMoment | None = Field(description="Where it was heard, in a recording.")
     asked_by: PersonBrief
     asked_at: datetime
     done_at: datetime | None

@@ -96,6 +96,7 @@ async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: s
         { name: 'redlines', path: `${contract}/redlines`, shows: 'Redlines' },
         { name: 'drift', path: `${project}/drift`, shows: 'Volume' },
         { name: 'listening', path: `${project}/listening`, shows: /^Begin with build/ },
+        { name: 'recording', path: `${project}/recording`, shows: 'No listening pass is open' },
         { name: 'game-tasks', path: `${project}/game-tasks`, shows: 'Sounds to correct in the game' },
         { name: 'credits', path: `${project}/credits`, shows: 'Add a name' },
         { name: 'verify', path: '/verify', shows: 'Verify a contract' },

@@ -14016,6 +14016,8 @@ export interface components {
             where: string;
             /** Text */
             text: string;
+            /** @description Where it was heard, in a recording. */
+            recording: components["schemas"]["RecordedMoment"] | null;
             asked_by: components["schemas"]["PersonBrief"];
             /**
              * Asked At
@@ -15561,6 +15563,8 @@ export interface components {
              * @description When the key was pressed, where it is sent later.
              */
             written_at?: string | null;
+            /** @description Where it was heard, in a recording. Such a note replaces no other one of its cue. */
+            recording?: components["schemas"]["RecordedMoment"] | null;
         };
         /**
          * ListeningNoteRead
@@ -15586,6 +15590,8 @@ export interface components {
             written_at: string;
             /** Is Mine */
             is_mine: boolean;
+            /** @description Where it was heard, in a recording. */
+            recording: components["schemas"]["RecordedMoment"] | null;
             /** Task Id */
             task_id: string | null;
             /** @description Whose task it became. */
@@ -19171,6 +19177,19 @@ export interface components {
             faults: string[];
             /** Entries */
             entries: components["schemas"]["RecordEntryRead"][];
+        };
+        /**
+         * RecordedMoment
+         * @description A moment of a screen recording: a clip or a sound among the references of the project.
+         */
+        RecordedMoment: {
+            /**
+             * Reference Version Id
+             * Format: uuid
+             */
+            reference_version_id: string;
+            /** At S */
+            at_s: number;
         };
         /**
          * RecordingAdd
@@ -45752,7 +45771,7 @@ export interface operations {
                     "application/json": components["schemas"]["ListeningNoteRead"];
                 };
             };
-            /** @description `listening-pass-not-found`, `cue-not-found` */
+            /** @description `listening-pass-not-found`, `cue-not-found`, `reference-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;

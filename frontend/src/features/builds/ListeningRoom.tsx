@@ -139,7 +139,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
           cue={cue}
           passId={listening.id}
           buildLabel={audit.label}
-          said={notes.notes.find(({ cueId, isMine }) => isMine && cueId === cue.cue.id)}
+          said={notes.notes.find(({ cueId, isMine, isMoment }) => isMine && !isMoment && cueId === cue.cue.id)}
           next={cues[at + 1]?.cue.name}
           onSay={(said, amountDb, text) => {
             notes.say(cue.cue, said, amountDb, text)
@@ -242,6 +242,9 @@ function Foot({ listening, projectId }: { listening: ListeningPass; projectId: s
     <div className={classes.foot}>
       <Link className="link small" to="/projects/$projectId/game-tasks" params={{ projectId }}>
         All tasks
+      </Link>
+      <Link className="link small" to="/projects/$projectId/recording" params={{ projectId }}>
+        Mark in a recording
       </Link>
       {!listening.is_newest && <p className="small mid">A newer build was audited. The next pass begins with it.</p>}
       {listening.may_close && (

@@ -11,6 +11,7 @@ import { Segmented } from '@/ui/Segmented'
 
 import { type GameTask, useChangeTask, useTasks } from './api'
 import classes from './Drift.module.css'
+import { timeOf } from './moments'
 import { ROLE_WORDS, signed, TASK_WORDS } from './words'
 
 interface TasksCardProps {
@@ -60,7 +61,12 @@ export function TasksCard({ projectId, most }: TasksCardProps) {
       )}
       <ul>
         {tasks?.slice(0, most).map((task) => (
-          <TaskRow key={task.id} task={task} onChange={(isDone) => change.mutate({ id: task.id, isDone })} />
+          <TaskRow
+            key={task.id}
+            task={task}
+            projectId={projectId}
+            onChange={(isDone) => change.mutate({ id: task.id, isDone })}
+          />
         ))}
       </ul>
       {most !== undefined && tasks && tasks.length > most && (
@@ -70,7 +76,13 @@ export function TasksCard({ projectId, most }: TasksCardProps) {
   )
 }
 
-function TaskRow({ task, onChange }: { task: GameTask; onChange: (isDone: boolean) => void }) {
+interface TaskRowProps {
+  task: GameTask
+  projectId: string
+  onChange: (isDone: boolean) => void
+}
+
+function TaskRow({ task, projectId, onChange }: TaskRowProps) {
   const name = task.cue?.name ?? task.path
   const isDone = task.done_at !== null
   const gain = task.gain_db === null ? '' : `, ${signed(task.gain_db)}`
@@ -82,6 +94,18 @@ function TaskRow({ task, onChange }: { task: GameTask; onChange: (isDone: boolea
         </p>
         {task.where !== '' && <p className="small mono">{task.where}</p>}
         {task.text !== '' && <p className="small">{task.text}</p>}
+        {task.recording && (
+          <p className="small">
+            <Link
+              className="link"
+              to="/projects/$projectId/recording"
+              params={{ projectId }}
+              search={{ recording: task.recording.reference_version_id, at: task.recording.at_s }}
+            >
+              {`Hear it at ${timeOf(task.recording.at_s)} of the recording`}
+            </Link>
+          </p>
+        )}
         <p className="small dim">{`${ROLE_WORDS[task.role]}, from ${task.asked_by.name}, ${ago(task.asked_at)}`}</p>
       </div>
       {task.may_do && (

@@ -20,6 +20,8 @@ export interface ShownNote {
   isMine: boolean
   isDone: boolean
   isWaiting: boolean
+  /** Whether it is about a moment of a recording; it replaces no other note. */
+  isMoment: boolean
 }
 
 export interface Notes {
@@ -61,6 +63,7 @@ export function useNotes(projectId: string, listening: ListeningPass): Notes {
     isMine: note.is_mine,
     isDone: note.is_done,
     isWaiting: false,
+    isMoment: note.recording !== null,
   }))
   const stored = pending.flatMap((one): ShownNote[] =>
     one.kind === 'note' && one.passId === listening.id ? [shownOf(one.body, one.cueName)] : [],
@@ -68,16 +71,18 @@ export function useNotes(projectId: string, listening: ListeningPass): Notes {
   const local = [...sent, ...stored.filter(({ id }) => !sent.some((one) => one.id === id))].filter(
     ({ id }) => !refusedIds.has(id),
   )
-  const replaced = new Set(local.map(({ cueId }) => cueId))
+  const replaced = new Set(local.filter(({ isMoment }) => !isMoment).map(({ cueId }) => cueId))
   const localIds = new Set(local.map(({ id }) => id))
   const known = new Set(fromServer.map(({ id }) => id))
-  const mine = local.filter(({ id, cueId }) => {
-    const newest = local.findLast((one) => one.cueId === cueId)
-    return newest?.id === id && !known.has(id)
+  const mine = local.filter(({ id, cueId, isMoment }) => {
+    const newest = local.findLast((one) => one.cueId === cueId && !one.isMoment)
+    return (isMoment || newest?.id === id) && !known.has(id)
   })
   const notes = [
     ...mine.map((one) => ({ ...one, isWaiting: waitingIds.has(one.id) })),
-    ...fromServer.filter(({ isMine, cueId, id }) => !isMine || !replaced.has(cueId) || localIds.has(id)),
+    ...fromServer.filter(
+      ({ isMine, isMoment, cueId, id }) => !isMine || isMoment || !replaced.has(cueId) || localIds.has(id),
+    ),
   ]
     .filter(({ id }) => !undone.has(id))
     .toSorted((one, other) => other.at.localeCompare(one.at))
@@ -118,4 +123,5 @@ const shownOf = (body: NoteAdd, cueName: string): ShownNote => ({
   isMine: true,
   isDone: false,
   isWaiting: true,
+  isMoment: body.recording != null,
 })
