@@ -44,7 +44,7 @@ export function MarkRow({
   const { data: guess } = useQuery({ ...guessQuery(projectId, asked), enabled: asked !== '' && mark.category === null })
   const fault = (field: string) => faults[field] && sentence(faults[field])
   const follow = (event: KeyboardEvent<HTMLInputElement>) => {
-    if (event.key !== 'Enter') return
+    if (event.key !== 'Enter' || event.ctrlKey || event.metaKey) return
     event.preventDefault()
     const names = [...document.querySelectorAll<HTMLInputElement>('[data-mark-name]')]
     names[names.indexOf(event.currentTarget) + 1]?.focus()

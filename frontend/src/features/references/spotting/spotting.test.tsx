@@ -193,7 +193,7 @@ test('the cues are made in one act with categories by their words, and undo brin
   expect(screen.getByLabelText('Name of mark 2')).toHaveFocus()
   await waitFor(() => expect(valueOf('Category of Hull door')).toBe('door'))
   await userEvent.type(screen.getByLabelText('Category of walkway 2'), 'ui')
-  await userEvent.click(screen.getByRole('button', { name: /Make 2 cues/ }))
+  await userEvent.keyboard('{Control>}{Enter}{/Control}')
   await waitFor(() => expect(app.at()).toBe('/projects/p1/sound-list'))
   expect(wrote(asked, 'POST /v1/references/r1/cues').map(({ body }) => body)).toEqual([
     {

@@ -4,6 +4,8 @@ import { frameRateOf } from './marks'
 
 const FRAMES_READ = 12
 const CALM_MS = 100
+/** A clip that a browser recorded does not say how long it is, until its end is sought. */
+const PAST_ANY_END_S = 1e9
 
 /** Where a clip is, and how it is moved. */
 export interface Clip {
@@ -25,7 +27,15 @@ export function useClip(video: RefObject<HTMLVideoElement | null>, source: strin
   useEffect(() => {
     const element = video.current
     if (element === null) return
+    let isSought = false
     const read = () => {
+      if (element.duration === Infinity && !isSought) {
+        isSought = true
+        element.currentTime = PAST_ANY_END_S
+      } else if (isSought && Number.isFinite(element.duration)) {
+        isSought = false
+        element.currentTime = 0
+      }
       setDuration(Number.isFinite(element.duration) ? element.duration : 0)
       setPlaying(!element.paused)
     }
