@@ -21,6 +21,7 @@ import { money } from '@/money/words'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import classes from './Plan.module.css'
@@ -142,6 +143,7 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
         <div>
           <h1>{`Plan: ${contract.title}`}</h1>
           <p className="mid">{modeInWords(contract)}</p>
+          {timeInWords(contract) && <p className="mid">{timeInWords(contract)}</p>}
         </div>
         <div className={classes.buttons}>
           <ButtonLink
@@ -206,6 +208,22 @@ function modeInWords({ version, currency }: Contract): string {
   return mode === 'per_cue'
     ? 'Per cue: a milestone’s amount is the sum of its cues’ prices.'
     : 'A milestone’s amount is split among its cues by price, or equally if they have none. Without an amount, it is the sum of their prices.'
+}
+
+/** What the clauses on hours and a retainer pay beside the plan; empty where neither is included. */
+function timeInWords({ version, currency }: Contract): string {
+  const includes = (wanted: string) => version.clauses.some(({ key, stands }) => key === wanted && stands)
+  const of = (name: string) => Number(version.terms[name] ?? 0)
+  const parts = []
+  if (includes('retainer')) {
+    const months = plural(of('retainer_months'), 'month')
+    parts.push(`a retainer of ${money(of('retainer_minor'), currency)} for each of ${months}`)
+  }
+  if (includes('hours')) {
+    const cap = plural(of('hours_cap'), 'hour')
+    parts.push(`work at ${money(of('hour_rate_minor'), currency)} an hour, up to ${cap}`)
+  }
+  return parts.length > 0 ? `Beside the milestones this contract pays ${parts.join(' and ')}.` : ''
 }
 
 function Sums({ contract, pays }: { contract: Contract; pays: ReturnType<typeof planOf>['plan']['milestones'] }) {

@@ -154,7 +154,7 @@ describe('the plan of a draft', () => {
     currency: 'USD',
     state: 'draft',
     may: { change: true },
-    version: { terms: { price_mode: 'flat' } },
+    version: { terms: { price_mode: 'flat' }, clauses: [] as { key: string; stands: boolean }[] },
   }
   const CHECK = 'POST /v1/contracts/effects/plan-check'
   const SAVE = 'PUT /v1/contracts/effects/milestones'
@@ -163,6 +163,18 @@ describe('the plan of a draft', () => {
     openApp(`/projects/${PROJECT}/contracts/effects/plan`)
     await screen.findByRole('heading', { level: 1, name: 'Plan: Effects' })
   }
+
+  test('says what hours and a retainer pay beside it', async () => {
+    const terms = { hour_rate_minor: 6_000, hours_cap: 20, retainer_minor: 90_000, retainer_months: 6 }
+    const clauses = ['hours', 'retainer'].map((key) => ({ key, stands: true }))
+    server.on('GET /v1/contracts/effects', { ...CONTRACT, version: { terms, clauses } })
+    await opened()
+    expect(
+      screen.getByText(
+        'Beside the milestones this contract pays a retainer of $900.00 for each of 6 months and work at $60.00 an hour, up to 20 hours.',
+      ),
+    ).toBeVisible()
+  })
 
   beforeEach(() => {
     server
