@@ -225,7 +225,7 @@ describe('what designers hear of each other', () => {
       'PATCH /v1/projects/p1': ({ body }: Asked) => aProject('producer', body as Record<string, unknown>),
     })
     openApp('/projects/p1/people')
-    const group = await screen.findByRole('radiogroup', { name: 'Designers can play' })
+    const group = await screen.findByRole('group', { name: 'Designers can play' })
     expect(within(group).getByRole('radio', { name: 'Approved sounds and the palette' })).toBeChecked()
     await userEvent.click(within(group).getByRole('radio', { name: LABEL }))
     await waitFor(() => expect(within(group).getByRole('radio', { name: LABEL })).toBeChecked())

@@ -1,5 +1,3 @@
-import { Radio, Stack } from '@mantine/core'
-
 import { showToast } from '@/app/toast'
 import { Card, CardHead } from '@/ui/Card'
 
@@ -44,18 +42,28 @@ export function HearingCard({ project }: { project: Project }) {
       </p>
       <Refusal error={change.error} />
       {project.mine.is_producer ? (
-        <Radio.Group
-          className={classes.acts}
-          label="Designers can play"
-          value={before}
-          onChange={(value) => choose(value)}
-        >
-          <Stack gap="sm">
-            {CHOICES.map(({ value, label, says }) => (
-              <Radio key={value} value={value} label={label} description={says} disabled={change.isPending} />
-            ))}
-          </Stack>
-        </Radio.Group>
+        <fieldset className={classes.choices}>
+          <legend className="small mid">Designers can play</legend>
+          {CHOICES.map(({ value, label, says }) => (
+            <label key={value} className={classes.choice}>
+              <input
+                type="radio"
+                name="hearing"
+                checked={value === before}
+                disabled={change.isPending}
+                aria-label={label}
+                aria-describedby={`hearing-${value}`}
+                onChange={() => choose(value)}
+              />
+              <span>
+                <span className="strong">{label}</span>
+                <span id={`hearing-${value}`} className={`small mid ${classes.explained}`}>
+                  {says}
+                </span>
+              </span>
+            </label>
+          ))}
+        </fieldset>
       ) : (
         <p className={classes.acts}>{labelOf(before)}</p>
       )}
