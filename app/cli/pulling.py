@@ -21,6 +21,12 @@ def why(context: typer.Context) -> None:
 
 
 @cli.command(context_settings=OPTIONS_OF_CLIENT)
+def fmod(context: typer.Context) -> None:
+    """Have the FMOD Studio that runs on this machine import an unpacked pack."""
+    raise typer.Exit(main(["fmod", *context.args]))
+
+
+@cli.command(context_settings=OPTIONS_OF_CLIENT)
 def adopt(context: typer.Context) -> None:
     """Send a folder of shipped sounds, to become cues with approved takes."""
     raise typer.Exit(main(["adopt", *context.args]))

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from app.client.adopting import adopt
 from app.client.errors import REFUSED, UNREACHABLE, Refusal, ServerUnreachable
+from app.client.fmod_studio import PORT, import_in_studio
 from app.client.pulling import pull
 from app.client.terminal import shown, warn
 from app.client.why import why
@@ -34,7 +35,8 @@ def main(arguments: Sequence[str]) -> int:
         warn(f"soundlist {options.command}: {shown(str(refusal))}")
         return REFUSED
     except ServerUnreachable as error:
-        warn(f"soundlist {options.command}: the server cannot be reached: {shown(str(error))}")
+        what = "FMOD Studio" if options.command == "fmod" else "the server"
+        warn(f"soundlist {options.command}: {what} cannot be reached: {shown(str(error))}")
         return UNREACHABLE
     except OSError as error:
         where = f"{error.filename}: " if error.filename else ""
@@ -89,6 +91,16 @@ def parser() -> argparse.ArgumentParser:
     )
     adopting.add_argument("--allow-http", action="store_true", help="send the token unencrypted to another machine")
     adopting.add_argument("--dry-run", action="store_true", help="print what would become of each file; send no sound")
+    importing = commands.add_parser(
+        "fmod",
+        help="have the FMOD Studio that runs on this machine import an unpacked pack",
+        description="Have the FMOD Studio that runs on this machine import the pack that is unpacked beside its "
+        "project. It wants the script server of FMOD Studio, which Preferences, Interface switches on.",
+        allow_abbrev=False,
+    )
+    importing.set_defaults(run=import_in_studio)
+    importing.add_argument("folder", nargs="?", type=Path, default=Path(), help="of the .fspro; this one if left out")
+    importing.add_argument("--port", type=int, default=PORT, help=f"of the script server; {PORT} if left out")
     asking = commands.add_parser(
         "why",
         help="say which cue, approval, contract and sources a file has",

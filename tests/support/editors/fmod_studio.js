@@ -1,7 +1,10 @@
 // Runs a script of FMOD Studio: the documented calls that it makes, over a project in memory, and no others.
 //
 //     node fmod_studio.js SCRIPT FOLDER [RUNS] [CHANGES]
+//     node fmod_studio.js listen FOLDER
 //
+// "listen" is the script server: it prints its port, evaluates each line that it is sent, and answers in text; a dialog
+// would wait for a person, so it is an error there.
 // FOLDER is the project's. The menu item of the script is executed RUNS times. CHANGES is JavaScript run after the first.
 // Answers as JSON: for each run the number of changes and what was shown, and the events at the end.
 "use strict"
@@ -167,6 +170,35 @@ const studio = strict("studio", {
   }),
 })
 
+if (script === "listen") {
+  const alert = () => {
+    throw new Error("a dialog waits for a person")
+  }
+  const console = vm.createContext({ studio, alert })
+  const server = require("net").createServer((client) => {
+    client.on("error", () => {})
+    client.write("log(): Connected to FMOD Studio on 127.0.0.1.\n")
+    let received = ""
+    client.on("data", (block) => {
+      received += block
+      for (let end = received.indexOf("\n"); end >= 0; end = received.indexOf("\n")) {
+        const line = received.slice(0, end)
+        received = received.slice(end + 1)
+        let answer
+        try {
+          answer = `out(): ${vm.runInContext(line, console, { timeout: 10000 })}`
+        } catch (error) {
+          answer = `err(): ${error.message}`
+        }
+        client.write(`${line}\n`)
+        for (let at = 0; at < answer.length; at += 7) client.write(answer.slice(at, at + 7))
+        client.write(`\nlog(): ${events.length} events\n`)
+      }
+    })
+  })
+  server.listen(0, "127.0.0.1", () => process.stdout.write(`${server.address().port}\n`))
+  return
+}
 const shown = []
 const context = vm.createContext({ studio, alert: (text) => shown.push(text) })
 vm.runInContext(fs.readFileSync(script, "utf8"), context, { timeout: 10000 })
