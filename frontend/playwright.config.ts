@@ -23,6 +23,7 @@ export default defineConfig({
         'live.spec.ts',
         'hiring.spec.ts',
         'spotting.spec.ts',
+        'team.spec.ts',
         'walk.spec.ts',
         // Minutes each, beside other tests: `make test-all` walks them.
         ...(process.env.LONG_WALKS ? ['judging.spec.ts', 'leaving.spec.ts', 'worked-example.spec.ts'] : []),
