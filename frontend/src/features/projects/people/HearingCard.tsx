@@ -37,8 +37,8 @@ export function HearingCard({ project }: { project: Project }) {
     <Card aria-labelledby="hearing">
       <CardHead id="hearing" title="What designers hear of each other" />
       <p className={`small mid ${classes.says}`}>
-        They only play these sounds, and do not see who made them. Masters, game files, findings, comments and sounds
-        that came back stay between the studio and their designer.
+        They only play these sounds, without the designer’s name. Masters, game files, findings, comments and returned
+        sounds are shown to the studio and to the sound’s own designer.
       </p>
       <Refusal error={change.error} />
       {project.mine.is_producer ? (
