@@ -71,7 +71,7 @@ def get_review_queue(
     cursor: str | None = None,
     actor: Actor = allows(Audience.TEAM),
 ) -> Page[QueueItem]:
-    """Return what waits for review, oldest first: of one project, or of all projects of the caller's studios."""
+    """Return what waits for review, urgent cues first, then the oldest: of one project, or of all of the caller's."""
     return review_room.review_queue(session, actor, project_id=project_id, is_own=own, cursor=cursor)
 
 

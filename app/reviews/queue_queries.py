@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
-from datetime import datetime
+from datetime import date, datetime, timedelta
 from functools import cache
 from typing import Any, NamedTuple
 from uuid import UUID
@@ -19,6 +19,7 @@ from sqlalchemy import (
     exists,
     false,
     func,
+    not_,
     or_,
     select,
     tuple_,
@@ -50,6 +51,7 @@ SHOWN_OF_TAKES = (
     *(Take.state, Take.state_since, Take.received_at, Take.late, Take.file_name, Take.note, Take.fix_of_id),
     Take.master_sha256,
 )
+URGENT_BEFORE = timedelta(days=7)
 STRETCH = 3  # takes looked at for one cue that is wanted: most of what conforms waits, some cues have several
 
 
@@ -109,6 +111,37 @@ class WaitingCue(NamedTuple):
     id: UUID
     since: datetime
     take_ids: list[UUID]  # all that wait
+
+
+class QueuePlace(NamedTuple):
+    """A place in the queue: whether among what is urgent, since when, and which cue."""
+
+    is_urgent: bool
+    since: datetime
+    cue_id: UUID
+
+
+def is_urgent(today: date) -> ColumnElement[bool]:
+    """Admit takes of cues that others wait for: of the palette, by which others are judged, and those due in a week."""
+    return exists().where(Cue.id == Take.cue_id, or_(Cue.palette, Cue.due_on <= today + URGENT_BEFORE)).correlate(Take)
+
+
+def queued_cues(
+    session: Session, reach: ColumnElement[bool], today: date, *, after: QueuePlace | None, limit: int
+) -> list[tuple[bool, WaitingCue]]:
+    """Return the cues that takes wait for, those that are urgent first, each part oldest first."""
+    urgent: list[WaitingCue] = []
+    rest_after = None
+    if after is None or after.is_urgent:
+        urgent_after = after and (after.since, after.cue_id)
+        urgent = waiting_cues(session, and_(reach, is_urgent(today)), after=urgent_after, limit=limit)
+    else:
+        rest_after = (after.since, after.cue_id)
+    others: list[WaitingCue] = []
+    if len(urgent) < limit:
+        rest = and_(reach, not_(is_urgent(today)))
+        others = waiting_cues(session, rest, after=rest_after, limit=limit - len(urgent))
+    return [*((True, cue) for cue in urgent), *((False, cue) for cue in others)]
 
 
 def waiting_cues(

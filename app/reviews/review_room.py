@@ -19,6 +19,7 @@ from app.conformance.set_findings import SetFinding, findings_of_sets, with_set_
 from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
 from app.deliveries.service import take_for
+from app.kit import clock
 from app.kit.http import Page, cursor_of, instant_cursor
 from app.kit.in_array import in_array
 from app.projects.approval import approval_rights, approval_scope, approval_scopes
@@ -31,7 +32,7 @@ from app.reviews import queries, queue_queries
 from app.reviews.carried_notes import carried_notes
 from app.reviews.deemed_cues import LastDay, last_days
 from app.reviews.models import ChangeRequest, Comment, Verdict
-from app.reviews.queue_queries import CueOnReview, TakeOnReview
+from app.reviews.queue_queries import CueOnReview, QueuePlace, TakeOnReview, WaitingCue
 from app.reviews.rules import VerdictKind, missing_variations, queue_kind
 from app.reviews.schemas import (
     ChangeRequestRead,
@@ -58,11 +59,13 @@ COUNTED_CUES = 99  # more is shown as "99+"
 def review_queue(
     session: Session, actor: Actor, *, project_id: UUID | None, is_own: bool, cursor: str | None
 ) -> Page[QueueItem]:
-    """Return what waits for review, oldest first, with all that its cards show; `is_own`: what the caller approves."""
-    after = instant_cursor(cursor)
+    """Return what waits for review with all that its cards show; `is_own`: only what the caller approves."""
     reach = _reach(session, actor, project_id, is_own=is_own)
-    waiting = queue_queries.waiting_cues(session, reach, after=after, limit=PAGE_CUES + 1)
-    shown = waiting[:PAGE_CUES]
+    waiting = queue_queries.queued_cues(
+        session, reach, clock.now().date(), after=_place_of(cursor), limit=PAGE_CUES + 1
+    )
+    shown = [cue for _, cue in waiting[:PAGE_CUES]]
+    urgent = {cue.id for is_urgent, cue in waiting if is_urgent}
     by_cue: dict[UUID, list[TakeOnReview]] = defaultdict(list)
     cues: list[Cue] = []
     for one in queue_queries.takes_on_review(session, [take_id for cue in shown for take_id in cue.take_ids]):
@@ -76,12 +79,31 @@ def review_queue(
     contracted = [cue_id for cue_id, of_cue in facts.items() if of_cue.is_contracted]
     last = last_days(session, contracted) if contracted else {}
     items = [
-        _queue_item(takes, cue.since, facts[cue.id], words, last_change=changes.get(cue.id), last_day=last.get(cue.id))
+        _queue_item(
+            takes,
+            cue.since,
+            facts[cue.id],
+            words,
+            is_urgent=cue.id in urgent,
+            last_change=changes.get(cue.id),
+            last_day=last.get(cue.id),
+        )
         for cue in shown
         if (takes := by_cue.get(cue.id))
     ]
-    has_more = len(waiting) > PAGE_CUES
-    return Page(items=items, next=cursor_of(shown[-1].since.isoformat(), shown[-1].id) if has_more else None)
+    return Page(items=items, next=_cursor_at(*waiting[PAGE_CUES - 1]) if len(waiting) > PAGE_CUES else None)
+
+
+URGENT = "urgent."  # begins the cursor of a place among what is urgent
+
+
+def _cursor_at(is_urgent: bool, cue: WaitingCue) -> str:
+    return (URGENT if is_urgent else "") + cursor_of(cue.since.isoformat(), cue.id)
+
+
+def _place_of(cursor: str | None) -> QueuePlace | None:
+    place = instant_cursor(cursor and cursor.removeprefix(URGENT))
+    return place and QueuePlace(bool(cursor and cursor.startswith(URGENT)), *place)
 
 
 def queue_count(session: Session, actor: Actor, *, project_id: UUID | None, is_own: bool) -> QueueCount:
@@ -111,6 +133,7 @@ def _queue_item(
     facts: CueOnReview,
     words: dict[UUID, SetFinding],
     *,
+    is_urgent: bool,
     last_change: str | None,
     last_day: LastDay | None,
 ) -> QueueItem:
@@ -123,6 +146,7 @@ def _queue_item(
         cue=review_cue(cue, facts.prefix),
         kind=queue_kind(cue.variations, [take.variation for take in takes]),
         waiting_since=since,
+        is_urgent=is_urgent,
         rounds_so_far=facts.rounds,
         last_change=last_change,
         open_notes=facts.open_requests + facts.open_comments,

@@ -43,6 +43,7 @@ class ReviewCue(Schema):
     reverb: Reverb | None
     placeholder: bool
     palette: bool
+    due_on: date | None
 
 
 class ReviewRender(SoundBrief):
@@ -122,6 +123,7 @@ class QueueItem(Schema):
     cue: ReviewCue
     kind: QueueKind
     waiting_since: datetime
+    is_urgent: bool = Field(description="Of the palette, or due within a week; such cues come first.")
     rounds_so_far: int
     last_change: str | None = Field(description="What was asked last of this cue, which these takes answer.")
     open_notes: int = Field(description="Notes on earlier versions that are not done in these.")

@@ -5196,7 +5196,7 @@ export interface paths {
         };
         /**
          * Get Review Queue
-         * @description Return what waits for review, oldest first: of one project, or of all projects of the caller's studios.
+         * @description Return what waits for review, urgent cues first, then the oldest: of one project, or of all of the caller's.
          */
         get: operations["get_review_queue"];
         put?: never;
@@ -18982,6 +18982,11 @@ export interface components {
              * Format: date-time
              */
             waiting_since: string;
+            /**
+             * Is Urgent
+             * @description Of the palette, or due within a week; such cues come first.
+             */
+            is_urgent: boolean;
             /** Rounds So Far */
             rounds_so_far: number;
             /**
@@ -20035,6 +20040,8 @@ export interface components {
             placeholder: boolean;
             /** Palette */
             palette: boolean;
+            /** Due On */
+            due_on: string | null;
         };
         /**
          * ReviewRender

@@ -29,7 +29,7 @@ const TOUCHED = [
 const everyItem = async <T>(read: (cursor?: string) => Promise<{ items: T[]; next?: string | null }>): Promise<T[]> =>
   (await everyPage(read)).flatMap(({ items }) => items)
 
-/** The cues that wait for the current person's verdict, or for another's if they approve none; the oldest first. */
+/** The cues that wait for the current person's verdict, or for another's if they approve none; urgent ones first. */
 export const queueQuery = (projectId: string) =>
   infiniteQueryOptions({
     queryKey: queryKeys.reviewQueue(projectId),

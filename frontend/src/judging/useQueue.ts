@@ -9,7 +9,7 @@ const NONE: never[] = []
 const AHEAD = 10
 
 export interface Queue {
-  /** What is here of it, the oldest first. */
+  /** What is here of it: urgent cues first, then the oldest. */
   items: readonly QueueItem[]
   /** Those that are not noted for a change. */
   open: readonly QueueItem[]

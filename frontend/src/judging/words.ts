@@ -1,4 +1,4 @@
-import { day, figure, length, place, plural, range } from '@/ui/format'
+import { day, dueDay, figure, length, place, plural, range } from '@/ui/format'
 
 import type { QueueCount, QueueItem, ReviewCue, ReviewFinding, ReviewTake } from './api'
 import { inOrder, letterOf, oddOne, variationName } from './hearing'
@@ -184,3 +184,7 @@ const SOON_MS = 4 * 86_400_000
 
 /** Whether a day is so near that every line in a queue should say it. */
 export const isSoon = (on: string, now: Date = new Date()): boolean => Date.parse(on) - now.getTime() < SOON_MS
+
+/** Why a cue comes first in the queue: others wait for it. */
+export const whyUrgent = ({ palette, due_on: dueOn }: ReviewCue, now: Date = new Date()): string =>
+  [palette ? 'palette' : '', dueOn === null ? '' : `due ${dueDay(dueOn, now)}`].filter(Boolean).join(', ')

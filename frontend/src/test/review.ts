@@ -88,6 +88,7 @@ export function aCue(cue: Partial<ReviewCue> = {}): ReviewCue {
     reverb: 'dry',
     placeholder: false,
     palette: false,
+    due_on: null,
     ...cue,
   }
 }
@@ -99,6 +100,7 @@ export function anItem(cue: Partial<ReviewCue>, takes: ReviewTake[], item: Parti
     cue: whole,
     kind: whole.variations > 1 ? 'set' : takes.length > 1 ? 'alternates' : 'single',
     waiting_since: AT,
+    is_urgent: false,
     rounds_so_far: 0,
     last_change: null,
     open_notes: 0,

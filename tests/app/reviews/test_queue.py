@@ -1,6 +1,6 @@
 """The queue: who sees what waits, in which order, and at what price."""
 
-from datetime import UTC, datetime, timedelta
+from datetime import UTC, date, datetime, timedelta
 from typing import Any
 
 import pytest
@@ -8,9 +8,11 @@ import sqlalchemy as sa
 
 from app.deliveries.queries import take_by_id
 from app.deliveries.rules import TakeState
+from app.kit import clock
 from app.projects.queries import current_spec
 from app.renders.models import Render
 from app.renders.queries import wanted_recipes
+from app.reviews.review_room import PAGE_CUES
 from app.sound_lists.rules import CueState
 from tests.app.renders.making import add_cue, deliver_sound
 from tests.app.reviews.making import Stage, add_take, body_of, refused
@@ -225,3 +227,47 @@ def test_who_sees_the_queue(stage: Stage) -> None:
     assert refused(world.stranger.get("/v1/review-queue", params=named)) == (404, "project-not-found")
     assert refused(world.other_designer.get("/v1/review-queue", params=named)) == (404, "project-not-found")
     assert body_of(world.stranger.get("/v1/review-queue"))["items"] == []
+
+
+def in_days(days: int) -> date:
+    return clock.now().date() + timedelta(days=days)
+
+
+def test_what_others_wait_for_comes_first(stage: Stage) -> None:
+    start = datetime(2026, 11, 20, tzinfo=UTC)
+    cues = [
+        ("old", {}, 1, False),
+        ("palette", {"palette": True}, 4, True),
+        ("later", {"due_on": in_days(8)}, 2, False),
+        ("soon", {"due_on": in_days(7)}, 5, True),
+        ("overdue", {"due_on": in_days(-3)}, 3, True),
+    ]
+    for name, facts, hour, _ in cues:
+        stage.take(stage.cue(name, **facts), state_since=start + timedelta(hours=hour))
+    items = stage.queue()
+    assert [item["cue"]["name"] for item in items] == ["overdue", "palette", "soon", "old", "later"]
+    assert {item["cue"]["name"]: item["is_urgent"] for item in items} == {name: urgent for name, *_, urgent in cues}
+    assert items[2]["cue"]["due_on"] == in_days(7).isoformat()
+
+
+@pytest.mark.parametrize("urgent", [3, PAGE_CUES, PAGE_CUES + 3])
+def test_pages_go_from_what_is_urgent_to_the_rest_and_repeat_nothing(stage: Stage, urgent: int) -> None:
+    start, count = datetime(2026, 11, 20, tzinfo=UTC), 2 * PAGE_CUES + 5
+    for number in range(count):
+        facts = {"palette": True} if number >= count - urgent else {}
+        stage.take(stage.cue(f"cue_{number:02}", **facts), state_since=start + timedelta(minutes=number))
+    read: list[str] = []
+    cursor = None
+    while True:
+        page = body_of(stage.world.approver.get("/v1/review-queue", params={"cursor": cursor} if cursor else {}))
+        assert len(page["items"]) <= PAGE_CUES
+        read += [item["cue"]["name"] for item in page["items"]]
+        if (cursor := page["next"]) is None:
+            break
+    order = [*range(count - urgent, count), *range(count - urgent)]
+    assert read == [f"cue_{number:02}" for number in order]
+
+
+@pytest.mark.parametrize("cursor", ["urgent.", "urgent.now.x", "later.2026-11-20T00:00:00+00:00.x"])
+def test_a_cursor_that_is_none_is_refused(stage: Stage, cursor: str) -> None:
+    assert refused(stage.world.approver.get("/v1/review-queue", params={"cursor": cursor}))[0] == 422

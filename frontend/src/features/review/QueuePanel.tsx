@@ -5,7 +5,7 @@ import { WaveThumb } from '@/audio'
 import type { QueueItem } from '@/judging/api'
 import { Drafts, useDraftCount } from '@/judging/Drafts'
 import type { Queue } from '@/judging/useQueue'
-import { capital, counted, heardTakes, isSoon, unlessJudged, whatWaits } from '@/judging/words'
+import { capital, counted, heardTakes, isSoon, unlessJudged, whatWaits, whyUrgent } from '@/judging/words'
 import { Button } from '@/ui/Button'
 import { Count } from '@/ui/Count'
 import { age, plural } from '@/ui/format'
@@ -43,7 +43,7 @@ export function QueuePanel({ projectId, queue, cueId, mayApprove, opened, onOpen
       <header className={classes.head}>
         <h2>{mayApprove ? 'For you' : 'Waiting for the approver'}</h2>
         <Count of={counted(queue.waits)} what="waiting" />
-        <span className="small dim end">oldest first</span>
+        <span className="small dim end">urgent first, then oldest</span>
         <span className={classes.close}>
           <Button variant="quiet" icon="cross" square aria-label="Close queue" onClick={onClose} />
         </span>
@@ -127,6 +127,7 @@ function QueueLine({ item, projectId, current, onOpen }: QueueLineProps) {
           <span className="small mid cut-text">{waits.before}</span>
         )}{' '}
         <span className="small dim mono num">{cue.label}</span>
+        {item.is_urgent && <span className={`small mid ${classes.silence}`}>{capital(whyUrgent(cue))}</span>}
         {item.open_notes > 0 && (
           <span className={`small mid ${classes.silence}`}>{plural(item.open_notes, 'note')} still open</span>
         )}

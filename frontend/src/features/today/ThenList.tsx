@@ -30,20 +30,20 @@ interface ThenListProps {
   beyond?: Queue
 }
 
-/** What waits after the first thing: cues to review and questions, the oldest first. */
+/** What waits after the first thing: cues to review and questions, urgent cues first, then the oldest. */
 export function ThenList({ items, questions, projectId, title, beyond }: ThenListProps) {
   const headId = useId()
   const lines = [
-    ...items.map((item) => ({ at: item.waiting_since, item, question: undefined })),
-    ...questions.map((question) => ({ at: question.asked_at, item: undefined, question })),
-  ].sort((a, b) => a.at.localeCompare(b.at))
+    ...items.map((item) => ({ at: item.waiting_since, isUrgent: item.is_urgent, item, question: undefined })),
+    ...questions.map((question) => ({ at: question.asked_at, isUrgent: false, item: undefined, question })),
+  ].sort((a, b) => Number(b.isUrgent) - Number(a.isUrgent) || a.at.localeCompare(b.at))
   return (
     <Card aria-labelledby={headId}>
       <CardHead
         id={headId}
         title={title}
         count={beyond ? `${lines.length}+` : lines.length}
-        end={<span className="wide-only">oldest first</span>}
+        end={<span className="wide-only">urgent first, then oldest</span>}
       />
       <ul>
         {lines.map(({ item, question }) =>
