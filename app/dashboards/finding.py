@@ -7,7 +7,8 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.agreements.queries import contracts_in
-from app.dashboards import queries, schemas
+from app.dashboards import finding_queries as queries
+from app.dashboards import schemas
 from app.dashboards.questions import brief
 from app.deliveries.models import Take
 from app.kit.http import number_in

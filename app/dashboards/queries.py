@@ -8,18 +8,15 @@ from sqlalchemy import Row, and_, exists, func, or_, select
 from sqlalchemy.orm import Session, aliased, joinedload, selectinload
 
 from app.accounts.models import Membership, Person, Studio
-from app.accounts.rules import Actor
 from app.builds.models import Build
 from app.conformance.models import CheckRun
 from app.deliveries.models import CueSums, Delivery, Take
 from app.deliveries.queries import in_tray
 from app.deliveries.rules import TakeState
-from app.kit.icontains import icontains
 from app.kit.in_array import in_array
 from app.notifications.models import Mail
 from app.projects.models import Engagement, Liaison, Project
 from app.projects.rules import ApprovalScope
-from app.projects.visibility import visible_list, visible_work
 from app.reviews.models import Acknowledgement, ChangeRequest, Comment, Feedback, Round, Verdict
 from app.reviews.rules import VerdictKind
 from app.sound_lists.models import Cue, Question
@@ -27,8 +24,6 @@ from app.sound_lists.rules import CueState
 
 LATELY = 12
 BUILDS = 24
-HITS = 20
-CUE_TEXTS = (Cue.name, Cue.use, Cue.description, Cue.category)  # which the search reads
 WITH_OTHERS = 200  # shown at once; the oldest first
 
 
@@ -231,14 +226,6 @@ def latest_feedback(session: Session, project_id: UUID) -> Sequence[Row[Feedback
     ).all()
 
 
-def find_cues(session: Session, project_id: UUID, words: Sequence[str]) -> Sequence[Cue]:
-    """Return the cues whose name, use or description holds every word."""
-    found = select(Cue).where(Cue.project_id == project_id)
-    for word in words:
-        found = found.where(or_(*(icontains(text, word) for text in CUE_TEXTS)))
-    return session.scalars(found.order_by(Cue.number).limit(HITS)).all()
-
-
 def conforming_takes_since(session: Session, project_id: UUID, designer_id: UUID) -> datetime | None:
     """Return since when the oldest of a designer's takes waits for its verdict."""
     return session.scalar(
@@ -286,97 +273,6 @@ def questions_open_since(session: Session, project_id: UUID, *, asked_by: UUID |
 def has_verdicts(session: Session, project_id: UUID) -> bool:
     """Return whether anything in the project was decided."""
     return session.scalar(select(Verdict.id).where(Verdict.project_id == project_id).limit(1)) is not None
-
-
-def find_files(
-    session: Session, project_id: UUID, designer_id: UUID | None, words: Sequence[str], *, limit: int
-) -> Sequence[Row[Take, Cue | None]]:
-    """Return the newest takes whose file name holds every word, with their cue; of one designer where one is given."""
-    found = (
-        select(Take, Cue)
-        .join(Cue, Cue.id == Take.cue_id, isouter=True)
-        .where(Take.project_id == project_id, Take.discarded_at.is_(None))
-        .where(*(icontains(Take.file_name, word) for word in words))
-    )
-    if designer_id is not None:
-        found = found.where(Take.designer_id == designer_id)
-    return session.execute(found.order_by(Take.id.desc()).limit(limit)).all()
-
-
-def find_cues_elsewhere(
-    session: Session, actor: Actor, words: Sequence[str], *, except_in: UUID | None
-) -> Sequence[Row[Cue, Project]]:
-    """Return cues that have every word in their texts, of all projects that the caller sees but one, newest first."""
-    found = (
-        select(Cue, Project)
-        .join(Project, Project.id == Cue.project_id)
-        .where(visible_list(actor, studio_id=Cue.studio_id, project_id=Cue.project_id))
-        .where(*(or_(*(icontains(text, word) for text in CUE_TEXTS)) for word in words))
-    )
-    if except_in is not None:
-        found = found.where(Cue.project_id != except_in)
-    return session.execute(found.order_by(Cue.project_id.desc(), Cue.number).limit(HITS)).all()
-
-
-def find_files_elsewhere(
-    session: Session, actor: Actor, words: Sequence[str], *, except_in: UUID | None
-) -> Sequence[Row[Take, Cue | None, Project]]:
-    """Return takes that have every word in their file name, of all projects that the caller sees but one."""
-    is_visible = visible_work(actor, studio_id=Take.studio_id, project_id=Take.project_id, designer_id=Take.designer_id)
-    found = (
-        select(Take, Cue, Project)
-        .join(Project, Project.id == Take.project_id)
-        .join(Cue, Cue.id == Take.cue_id, isouter=True)
-        .where(is_visible, Take.discarded_at.is_(None))
-        .where(*(icontains(Take.file_name, word) for word in words))
-    )
-    if except_in is not None:
-        found = found.where(Take.project_id != except_in)
-    return session.execute(found.order_by(Take.id.desc()).limit(HITS)).all()
-
-
-def find_people(session: Session, studio_id: UUID, project_id: UUID, phrase: str, *, limit: int) -> Sequence[Person]:
-    """Return members of the studio and designers of the project whose name or address holds a phrase."""
-    members = select(Membership.person_id).where(Membership.studio_id == studio_id)
-    designers = select(Engagement.designer_id).where(Engagement.project_id == project_id)
-    return session.scalars(
-        select(Person)
-        .where(or_(Person.id.in_(members), Person.id.in_(designers)))
-        .where(or_(icontains(Person.name, phrase), icontains(Person.email, phrase)))
-        .order_by(Person.name, Person.id)
-        .limit(limit)
-    ).all()
-
-
-def find_comments(
-    session: Session, project_id: UUID, designer_id: UUID | None, phrase: str, *, limit: int
-) -> Sequence[Row[Comment, Cue]]:
-    """Return the newest comments that hold a phrase, with their cue; on takes of one designer where one is given."""
-    found = (
-        select(Comment, Cue)
-        .join(Take, Take.id == Comment.take_id)
-        .join(Cue, Cue.id == Take.cue_id)
-        .where(Comment.project_id == project_id, icontains(Comment.text, phrase))
-    )
-    if designer_id is not None:
-        found = found.where(Take.designer_id == designer_id)
-    return session.execute(found.order_by(Comment.id.desc()).limit(limit)).all()
-
-
-def find_questions(session: Session, project_id: UUID, phrase: str, *, limit: int) -> Sequence[Row[Question, Cue]]:
-    """Return the newest questions that hold a phrase, with their cue."""
-    return session.execute(
-        select(Question, Cue)
-        .join(Cue, Cue.id == Question.cue_id)
-        .where(Question.project_id == project_id, icontains(Question.text, phrase))
-        .order_by(Question.id.desc())
-        .limit(limit)
-    ).all()
-
-
-def cue_by_number(session: Session, project_id: UUID, number: int) -> Cue | None:
-    """Return the cue of that number."""
-    return session.scalar(select(Cue).where(Cue.project_id == project_id, Cue.number == number))
 
 
 def studio_names(session: Session, ids: Collection[UUID]) -> dict[UUID, str]:
