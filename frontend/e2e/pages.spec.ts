@@ -85,7 +85,7 @@ async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: s
         { name: 'adopt', path: `${project}/sound-list/adopt`, shows: 'Choose a folder' },
         { name: 'columns', path: `${project}/sound-list/columns`, shows: 'Add a column' },
         { name: 'references', path: `${project}/references`, shows: 'References' },
-        { name: 'postings', path: `${project}/postings`, shows: 'Postings' },
+        { name: 'postings', path: `${project}/postings`, shows: 'Awarded' },
         { name: 'hours', path: `${project}/hours`, shows: 'Hours' },
         { name: 'roster', path: '/roster', shows: 'Add a person' },
         { name: 'roster-import', path: '/roster/import', shows: 'Import into the roster' },
