@@ -3,7 +3,7 @@
 from datetime import date, datetime
 from uuid import UUID
 
-from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, String, UniqueConstraint
+from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, UniqueConstraint
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import MailedLink, Person, Studio
@@ -196,7 +196,7 @@ class Budget(Base):
     __table_args__ = (CheckConstraint("amount_minor > 0", name="not_nothing"),)
 
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), primary_key=True)
-    currency: Mapped[str] = mapped_column(String(3), primary_key=True)
+    currency: Mapped[str] = mapped_column(primary_key=True)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     amount_minor: Mapped[int] = mapped_column(BigInteger)
     set_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))

@@ -15,7 +15,7 @@ def upgrade() -> None:
     op.create_table(
         BUDGETS,
         sa.Column("project_id", sa.Uuid(), nullable=False),
-        sa.Column("currency", sa.String(length=3), nullable=False),
+        sa.Column("currency", sa.String(), nullable=False),
         sa.Column("studio_id", sa.Uuid(), nullable=False),
         sa.Column("amount_minor", sa.BigInteger(), nullable=False),
         sa.Column("set_by", sa.Uuid(), nullable=False),
