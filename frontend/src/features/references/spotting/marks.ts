@@ -24,7 +24,7 @@ export const USUAL_RATE = 30
 export const HELD_S = 0.25
 const SHORTEST_S = 0.001
 
-export const toMs = (s: number): number => Math.round(s * 1000) / 1000
+const toMs = (s: number): number => Math.round(s * 1000) / 1000
 
 const inOrder = (marks: readonly Mark[]): Mark[] => marks.toSorted((a, b) => a.startS - b.startS || a.id - b.id)
 

@@ -6,7 +6,7 @@ const LONGEST_MS = 10_000
 /** The word is recorded, not cleaned: the server trims and levels it. */
 const PLAIN = { channelCount: 1, echoCancellation: false, noiseSuppression: false, autoGainControl: true }
 
-export interface Recorder {
+interface Recorder {
   isRecording: boolean
   /** Why nothing is recorded, and what to do about it. */
   trouble: { detail: string; fix: string } | null
