@@ -113,7 +113,7 @@ async function spot(browser: Browser, url: string): Promise<void> {
   await test.step('a placeholder is said at one of them', async () => {
     await producer.goto(page)
     await expect(producer.getByRole('article', { name: 'walkway.webm' })).toContainText(/Clip, 0:0/)
-    await expect(producer.getByRole('button', { name: /^Say a placeholder/ })).toBeVisible()
+    await expect(producer.getByRole('button', { name: /^Record a placeholder/ })).toBeVisible()
     await producer.keyboard.down('v')
     await expect(producer.getByText('Recording, 10 s at most.')).toBeVisible()
     await producer.waitForTimeout(1_500)

@@ -14,7 +14,7 @@ NOTES = "builds_listening_notes"
 def upgrade() -> None:
     with op.batch_alter_table(NOTES) as table:
         table.add_column(sa.Column("recording_id", sa.Uuid(), nullable=True))
-        table.add_column(sa.Column("at_s", sa.Float(), nullable=True))
+        table.add_column(sa.Column("at_s", sa.Double(), nullable=True))
         table.create_foreign_key(op.f(f"fk_{NOTES}_recording_id"), "references_versions", ["recording_id"], ["id"])
         table.create_index(op.f(f"ix_{NOTES}_recording_id"), ["recording_id"])
         table.create_check_constraint(

@@ -45,7 +45,13 @@ export function useListKeys(acts: ListActs): void {
       run: () => selected && acts.changeNeed(selected),
       disabled: !selected || isCut,
     },
-    { keys: 'v', label: 'Say a placeholder', group: LIST, run: () => openPanel('say'), disabled: !selected || isCut },
+    {
+      keys: 'v',
+      label: 'Record a placeholder',
+      group: LIST,
+      run: () => openPanel('say'),
+      disabled: !selected || isCut,
+    },
     { keys: 'i', label: 'Paste or import', group: LIST, run: toImport },
     { keys: 'x', label: 'Select', group: LIST, run: () => selected && pick(selected.id, false), disabled: !selected },
     {

@@ -35,7 +35,7 @@ export function SpokenPlaceholder({ cueId, cueName, projectId, mayEdit }: Spoken
   useHotkeys([
     {
       keys: 'v',
-      label: 'Say a placeholder, while held',
+      label: 'Record a placeholder, while held',
       group: 'Cue',
       run: recorder.start,
       release: recorder.stop,
@@ -76,7 +76,7 @@ export function SpokenPlaceholder({ cueId, cueName, projectId, mayEdit }: Spoken
             aria-busy={say.isPending}
             onClick={recorder.isRecording ? recorder.stop : recorder.start}
           >
-            {recorder.isRecording ? 'Stop' : said ? 'Say it again' : 'Say a placeholder'}
+            {recorder.isRecording ? 'Stop' : said ? 'Record again' : 'Record a placeholder'}
           </Button>
         )}
         {mayEdit && said && (

@@ -83,7 +83,7 @@ const hold = async () => {
 
 test('a key that is held records a word, which is sent as a WAV', async () => {
   const asked = show(NOTHING)
-  await screen.findByRole('button', { name: /Say a placeholder/ })
+  await screen.findByRole('button', { name: /Record a placeholder/ })
   await hold()
   await waitFor(() => expect(wrote(asked, 'PUT /v1/cues/c1/spoken-placeholder')).toHaveLength(1))
   const [sent] = wrote(asked, 'PUT /v1/cues/c1/spoken-placeholder')
@@ -94,7 +94,7 @@ test('a key that is held records a word, which is sent as a WAV', async () => {
 
 test('the button starts and stops', async () => {
   const asked = show(NOTHING)
-  await userEvent.click(await screen.findByRole('button', { name: /Say a placeholder/ }))
+  await userEvent.click(await screen.findByRole('button', { name: /Record a placeholder/ }))
   await userEvent.click(await screen.findByRole('button', { name: /Stop/ }))
   await waitFor(() => expect(wrote(asked, 'PUT /v1/cues/c1/spoken-placeholder')).toHaveLength(1))
 })
@@ -114,7 +114,7 @@ test.each([
 ])('a microphone that is refused by %s is explained', async (name, detail, fix) => {
   getUserMedia.mockRejectedValue(new DOMException('no', name))
   show(NOTHING)
-  await userEvent.click(await screen.findByRole('button', { name: /Say a placeholder/ }))
+  await userEvent.click(await screen.findByRole('button', { name: /Record a placeholder/ }))
   expect(await screen.findByRole('alert')).toHaveTextContent(new RegExp(`${detail}.*${fix}`))
 })
 
@@ -123,7 +123,7 @@ test('a recording that was not sent can be sent again', async () => {
   const asked = show(NOTHING, true, {
     'PUT /v1/cues/c1/spoken-placeholder': () => (isDown ? refusal(503, 'busy', 'the server is busy') : answer(SAID)),
   })
-  await screen.findByRole('button', { name: /Say a placeholder/ })
+  await screen.findByRole('button', { name: /Record a placeholder/ })
   await hold()
   const again = await screen.findByRole('button', { name: 'Send it again' })
   isDown = false
