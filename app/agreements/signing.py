@@ -84,7 +84,9 @@ def set_signers(
 ) -> None:
     """Name the producers who sign a draft for the studio, in order, and which party signs first."""
     contract = contract_to_change(session, actor, contract_id)
-    ensure_state(contract.state, {ContractState.DRAFT}, "recall it first; then name the signers and send it again")
+    is_sent = contract.state is ContractState.SENT
+    fix = "recall it first; then name the signers and send it again" if is_sent else "this is final: who signed stays"
+    ensure_state(contract.state, {ContractState.DRAFT}, fix)
     producers = _producers(session, contract) - {contract.designer_id}
     ensure_signers_fit(person_ids, producers)
     queries.drop_signers(session, contract.id)

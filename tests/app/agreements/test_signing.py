@@ -139,6 +139,13 @@ def test_signers_stand_once_it_is_sent(world: World, contracts: Contracts) -> No
     assert refusal(name_signers(world, sent, world.producer_id)) == (409, "wrong-state")
 
 
+def test_who_signed_an_agreed_contract_is_final(world: World, contracts: Contracts) -> None:
+    agreed = contracts.agree(contracts.begin())
+    answer = name_signers(world, agreed, world.producer_id)
+    assert refusal(answer) == (409, "wrong-state")
+    assert answer.json()["fix"].startswith("this is final")
+
+
 @pytest.fixture
 def mails(world: World) -> Iterator[MailServer]:
     verified = sa.update(Person).values(email_verified_at=clock.now(), email_proof=AddressProof.MAIL)
