@@ -234,8 +234,11 @@ function useMaking(reference: Reference, spotted: ReturnType<typeof useMarks>['s
       onSuccess: (made) => {
         discard()
         showToast(`${plural(made.length, 'cue')} made from ${titleOf(reference)}.`, async () => {
-          await undo.mutateAsync(made.map(({ id }) => id))
-          keepDraft(draftKey(referenceId), spotted, true)
+          keepDraft(draftKey(referenceId), spotted, true) // before the cues go: the page may be left meanwhile
+          await undo.mutateAsync(made.map(({ id }) => id)).catch((refusal: unknown) => {
+            keepDraft(draftKey(referenceId), null)
+            throw refusal
+          })
         })
         void navigate({ to: '/projects/$projectId/sound-list', params: { projectId } })
       },
