@@ -43,6 +43,7 @@ SERVER_COMMANDS = {
     "restore",
     "verify",
     "brief",
+    "fmod",
     "kits",
     "postings",
     "demo",
