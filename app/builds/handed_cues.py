@@ -25,6 +25,8 @@ def handoff_entries(session: Session, pack: Pack, handoff: Handoff) -> list[Entr
     if handoff is Handoff.NONE:
         return []
     known = handoff_queries.handed_paths(session, pack.project.id, pack.target, handoff)
+    in_game = handoff_queries.cues_of_the_game(session, pack.project.id, handoff)
+    known |= {sound.path for sound in pack.sounds if sound.cue.id in in_game}
     made = handoff_files(handoff, handed_cues(session, pack, handoff), known)
     return [memory_entry(path, content) for path, content in made.items()]
 

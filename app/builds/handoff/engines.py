@@ -13,7 +13,7 @@ from app.builds.handoff.wwise import wwise_files
 def handoff_files(handoff: Handoff, cues: Sequence[HandedCue], known_paths: Collection[str]) -> dict[str, bytes]:
     """Return the files of a hand-off by their paths in the pack, the same bytes for the same cues.
 
-    `known_paths` are the game files of earlier packs with this hand-off.
+    `known_paths` are the game files of earlier packs with this hand-off, and those that the adopted game plays.
     """
     if not cues:
         return {}

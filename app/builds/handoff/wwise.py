@@ -31,7 +31,8 @@ _NOT_IN_NAMES = re.compile(r'[\\/:*?"<>|@]')
 def wwise_files(cues: Sequence[HandedCue], known_paths: Collection[str]) -> dict[str, bytes]:
     """Return the tables by their paths: sounds, one for each language that is spoken, and new events.
 
-    `known_paths` are files of earlier packs for Wwise: a cue of which one is there has its event already.
+    `known_paths` are files of earlier packs for Wwise, and those that the adopted game plays: a cue of which one is
+    there has its event already.
     """
     tables: dict[str, list[Sequence[str]]] = {}
     paths = _object_paths(cues)
