@@ -12,7 +12,7 @@ const FIELDS =
 const SHARED_BY = 3
 const PARTS = /\/src\/(api|app|ui)\//
 /** What the pages share on which sounds are made and judged. */
-const WORK = /\/src\/(audio|fixing|judging|losses|money)\//
+const WORK = /\/src\/(audio|fixing|judging|money)\//
 
 const isOurs = (id: string) => id.includes('/src/') && !id.includes('node_modules')
 

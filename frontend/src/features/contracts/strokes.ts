@@ -5,8 +5,8 @@ type Point = [x: number, y: number]
 export const WIDTH = 1000
 export const HEIGHT = 300
 /** What the server keeps at most. */
-export const MAX_STROKES = 100
-export const MAX_POINTS = 3000
+const MAX_STROKES = 100
+const MAX_POINTS = 3000
 /** Points that are nearer than this to the one before are left out. */
 const STEP = 4
 

@@ -1,24 +1,29 @@
 import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
-import { deliverySourcesQuery, SourcesForm, SourcesText, useStateDeliverySources } from '@/sources'
+import { deliverySourcesQuery, useStateDeliverySources } from '@/sources/api'
+import { SourcesText } from '@/sources/SourcesText'
 import { Button } from '@/ui/Button'
 import { plural } from '@/ui/format'
+import { useLazy } from '@/ui/useLazy'
 
 import classes from './Delivery.module.css'
+
+const loadForm = () => import('@/sources/SourcesForm').then(({ SourcesForm }) => SourcesForm)
 
 /** What the files of a delivery were made from, asked once for all of them. */
 export function DeliverySources({ deliveryId, number }: { deliveryId: string; number: number }) {
   const { data: read } = useQuery(deliverySourcesQuery(deliveryId))
   const save = useStateDeliverySources(deliveryId)
   const [changing, setChanging] = useState(false)
+  const SourcesForm = useLazy(loadForm, changing, () => setChanging(false))
   if (!read) return null
   const { stated, remembered } = read
   const own = read.takes.filter(({ is_own: isOwn }) => isOwn).length
   return (
     <section className={classes.sources} aria-label={`Sources of delivery ${number}`}>
       <p className="strong">Sources</p>
-      {changing ? (
+      {changing && SourcesForm ? (
         <SourcesForm
           initial={stated?.sources ?? remembered}
           error={save.error}

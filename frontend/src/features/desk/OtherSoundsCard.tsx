@@ -1,19 +1,17 @@
 import { useState } from 'react'
 
-import { type usePlayer, WaveThumb } from '@/audio'
-import { Refusal } from '@/judging/Refusal'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { State } from '@/ui/State'
+import { useLazy } from '@/ui/useLazy'
 
-import { type OtherSound, useOtherSounds } from './otherSounds'
-import classes from './Side.module.css'
+import type { Playing } from './OtherSounds'
 
-type Playing = ReturnType<typeof usePlayer>
+const loadSounds = () => import('./OtherSounds').then(({ OtherSounds }) => OtherSounds)
 
 /** What the project lets its designers hear of each other, read once it is asked for. */
 export function OtherSoundsCard({ projectId, player }: { projectId: string; player: Playing }) {
   const [isOpen, setIsOpen] = useState(false)
+  const OtherSounds = useLazy(loadSounds, isOpen, () => setIsOpen(false))
   return (
     <Card aria-labelledby="other-sounds">
       <CardHead
@@ -25,66 +23,7 @@ export function OtherSoundsCard({ projectId, player }: { projectId: string; play
           </Button>
         }
       />
-      {isOpen && <Sounds projectId={projectId} player={player} />}
+      {isOpen && OtherSounds && <OtherSounds projectId={projectId} player={player} />}
     </Card>
-  )
-}
-
-function Sounds({ projectId, player }: { projectId: string; player: Playing }) {
-  const { data, error, hasNextPage, isFetching, fetchNextPage } = useOtherSounds(projectId)
-  const sounds = data?.pages.flatMap(({ items }) => items) ?? []
-  if (error) return <Refusal error={error} />
-  if (data && sounds.length === 0) {
-    return (
-      <p className={`mid ${classes.plain}`}>
-        No sounds to hear. The studio decides which sounds of other designers you can play.
-      </p>
-    )
-  }
-  return (
-    <>
-      <ul aria-labelledby="other-sounds">
-        {sounds.map((sound) => (
-          <Sound key={sound.id} sound={sound} player={player} />
-        ))}
-      </ul>
-      {hasNextPage && (
-        <p className={classes.plain}>
-          <button type="button" className="link small" aria-busy={isFetching} onClick={() => void fetchNextPage()}>
-            Show more
-          </button>
-        </p>
-      )}
-    </>
-  )
-}
-
-function Sound({ sound, player: [player, { status, sourceId }] }: { sound: OtherSound; player: Playing }) {
-  const { id, cue, preview_url: url } = sound
-  const name = sound.variations > 1 ? `${cue.name}, variation ${sound.variation}` : cue.name
-  const isPlaying = sourceId === id && (status === 'playing' || status === 'loading')
-  const play = () => {
-    player.pause()
-    if (isPlaying || url === null) return
-    void player.select({ id, url })
-    void player.play(0)
-  }
-  return (
-    <li className={classes.other}>
-      <Button
-        square
-        variant="quiet"
-        icon={isPlaying ? 'pause' : 'play'}
-        aria-label={`${isPlaying ? 'Pause' : 'Play'} ${name}`}
-        disabled={url === null}
-        onClick={play}
-      />
-      <div>
-        <p className={`strong ${classes.cue}`}>{name}</p>
-        <p className="small dim">{[sound.category, sound.is_palette ? 'palette' : ''].filter(Boolean).join(', ')}</p>
-      </div>
-      <WaveThumb peaks={sound.thumb} heightPx={28} />
-      <State kind={sound.is_approved ? 'approved' : 'to_review'} />
-    </li>
   )
 }

@@ -10,7 +10,7 @@ import { MentionedText } from '@/judging/MentionedText'
 import { ReplyField } from '@/judging/ReplyField'
 import { byWhom, capital, happened, sentence, spot, historyText } from '@/judging/words'
 import { ReferencesWhereAny } from '@/references/ReferencesWhereAny'
-import { TakeSourcesPart } from '@/sources'
+import { TakeSourcesPart } from '@/sources/TakeSourcesPart'
 import { Button } from '@/ui/Button'
 import { Face } from '@/ui/Face'
 import { Finding } from '@/ui/Finding'
@@ -18,13 +18,13 @@ import { age, clock, day } from '@/ui/format'
 import { Key } from '@/ui/Key'
 import { Person } from '@/ui/Person'
 import { ProblemNote } from '@/ui/ProblemNote'
+import { useLazy } from '@/ui/useLazy'
 
 import { type Comment, useComment, useMarkComment } from './api'
 import type { Carried } from './carried'
 import { CarriedNotes } from './CarriedNotes'
 import { Composer, type Writing } from './Composer'
 import { Figures } from './Figures'
-import { GameFiles } from './GameFiles'
 import { PalettePlot } from './PalettePlot'
 import classes from './Review.module.css'
 import type { Said } from './said'
@@ -48,6 +48,8 @@ interface SidePanelProps {
   blind: boolean
 }
 
+const loadGameFiles = () => import('./GameFiles').then(({ GameFiles }) => GameFiles)
+
 type Tab = 'comments' | 'findings' | 'files' | 'history'
 
 /** What was said, what was found, what happened; and the figures. */
@@ -55,6 +57,7 @@ export function SidePanel(props: SidePanelProps) {
   const { hand, said, blind, writing } = props
   const [chosen, setTab] = useState<Tab>('comments')
   const tab = writing ? 'comments' : chosen
+  const GameFiles = useLazy(loadGameFiles, tab === 'files', () => setTab('comments'))
   const tabs: { id: Tab; label: string }[] = [
     { id: 'comments', label: `Comments ${blind ? '' : said.length}`.trim() },
     { id: 'findings', label: `Findings ${blind ? '' : (hand?.findings.length ?? 0)}`.trim() },
@@ -103,7 +106,7 @@ export function SidePanel(props: SidePanelProps) {
             {tab === 'findings' && hand?.state === 'returned' && props.review.may_approve && (
               <Waiver key={hand.id} take={hand} cueId={props.review.cue.id} projectId={props.projectId} />
             )}
-            {tab === 'files' && hand && <GameFiles key={hand.id} take={hand} />}
+            {tab === 'files' && hand && GameFiles && <GameFiles key={hand.id} take={hand} />}
             {tab === 'history' && hand && <History take={hand} />}
           </>
         )}
