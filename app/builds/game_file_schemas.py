@@ -18,6 +18,8 @@ class GameFile(Schema):
     cue_name: str
     take_id: UUID
     url: str = Field(description="Where it is downloaded, by Range where a download was cut.")
+    adopted_sha256: str | None = Field(description="Of the file that was adopted for it; the game may hold it still.")
+    is_adopted_sound: bool = Field(description="Whether that file has the same samples as this one.")
 
 
 class OpenGameFile(Schema):

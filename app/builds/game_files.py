@@ -13,6 +13,7 @@ from app.builds.errors import GameFileNotApproved
 from app.builds.game_file_schemas import GameFile, GameFileOrigin, GameFilesRead, OpenGameFile
 from app.builds.packs import Pack, PackedSound, ensure_team_or_build, mark_of, pack_of
 from app.builds.placeholders import open_slots
+from app.builds.queries import AdoptedMaster
 from app.deliveries.models import Take
 from app.deliveries.queries import take_with_cue
 from app.deliveries.rules import TakeState
@@ -33,12 +34,17 @@ def game_files_read(session: Session, actor: Actor, project_id: UUID, target: st
     access = project_access(session, actor, project_id)
     ensure_team_or_build(access)
     pack = pack_of(session, access.project, target, actor)
+    adopted = queries.adopted_masters(session, project_id)
     return GameFilesRead(
         project_id=project_id,
         project=access.project.name,
         target=pack.target,
         spec_version=current_spec(session, project_id).version,
-        files=[_game_file(pack, sound, render) for sound in pack.sounds if (render := sound.packed)],
+        files=[
+            _game_file(pack, sound, render, adopted.get((sound.cue.id, sound.variation)))
+            for sound in pack.sounds
+            if (render := sound.packed)
+        ],
         missing=[
             OpenGameFile(path=sound.path, cue=_label(pack.project, sound), reason=sound.why_missing)
             for sound in pack.sounds
@@ -67,7 +73,7 @@ def _placeholders(session: Session, pack: Pack) -> list[OpenGameFile]:
     return [*lacking, *marked]
 
 
-def _game_file(pack: Pack, sound: PackedSound, render: Render) -> GameFile:
+def _game_file(pack: Pack, sound: PackedSound, render: Render, adopted: AdoptedMaster | None) -> GameFile:
     return GameFile(
         path=sound.path,
         sha256=render.sha256 or "",
@@ -77,6 +83,8 @@ def _game_file(pack: Pack, sound: PackedSound, render: Render) -> GameFile:
         cue_name=sound.cue.name,
         take_id=sound.take.id,
         url=f"/v1/projects/{pack.project.id}/game-files/{render.id}",
+        adopted_sha256=adopted.sha256 if adopted else None,
+        is_adopted_sound=adopted is not None and render.pcm_sha256 in adopted.pcm_sha256s,
     )
 
 

@@ -2,6 +2,7 @@
 
 from collections import defaultdict
 from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
 from datetime import datetime
 from typing import Any, NamedTuple
 from uuid import UUID
@@ -13,13 +14,14 @@ from app.accounts.models import Person
 from app.agreements.models import Contract, ContractCue
 from app.builds.models import Build, Fingerprint, PackedFile, PlaceholderFile, SealedPack
 from app.builds.rules import FileKind, PackState
+from app.conformance.models import CheckRun
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit.in_array import in_array
 from app.projects.models import Engagement, Project
 from app.projects.rules import EngagementKind
 from app.renders.models import Render
-from app.reviews.models import ChangeRequest, Comment, GameLevel
+from app.reviews.models import ChangeRequest, Comment, GameLevel, Verdict
 from app.sound_lists.models import Cue, Stem
 from app.sound_lists.rules import CueState
 from audio_checks import FINGERPRINT_VERSION
@@ -45,6 +47,32 @@ def stems_of_project(session: Session, project_id: UUID) -> dict[tuple[UUID, int
     """Return the stem of each cue and variation."""
     rows = session.execute(select(Stem.cue_id, Stem.variation, Stem.stem).where(Stem.project_id == project_id))
     return {(cue_id, variation): stem for cue_id, variation, stem in rows}
+
+
+@dataclass(frozen=True)
+class AdoptedMaster:
+    """The file that was adopted for a variation of a cue."""
+
+    sha256: str
+    pcm_sha256s: frozenset[str]  # of its samples, as its checks read them
+
+
+def adopted_masters(session: Session, project_id: UUID) -> dict[tuple[UUID, int], AdoptedMaster]:
+    """Return the file that was adopted for each cue and variation, whether or not another was approved since."""
+    query = (
+        select(Take.cue_id, Take.variation, Take.master_sha256, CheckRun.pcm_sha256)
+        .join(Verdict, Verdict.take_id == Take.id)
+        .outerjoin(CheckRun, CheckRun.take_id == Take.id)
+        .where(Verdict.project_id == project_id, Verdict.adoption_id.is_not(None), Take.discarded_at.is_(None))
+    )
+    found: dict[tuple[UUID, int], AdoptedMaster] = {}
+    for cue_id, variation, sha256, pcm_sha256 in session.execute(query):
+        if cue_id is None:
+            continue
+        known = found.setdefault((cue_id, variation), AdoptedMaster(sha256, frozenset()))
+        if pcm_sha256:
+            found[cue_id, variation] = replace(known, pcm_sha256s=known.pcm_sha256s | {pcm_sha256})
+    return found
 
 
 def wanted_cues(session: Session, project_id: UUID) -> int:

@@ -12,6 +12,7 @@ from app.client.paths import content_sha256, ensure_distinct, ensure_harmless, f
 MAX_FILES = 200_000
 MAX_FILE_BYTES = 8 << 30
 URL = re.compile(r"/[\x21-\x7e]{1,2000}")
+OTHER_SOUND = "0" * 16  # of an adopted file that is not the approved sound
 
 
 @dataclass(frozen=True)
@@ -22,11 +23,21 @@ class Wanted:
     size_bytes: int
     cue_name: str
     url: str
+    adopted_sha256: str | None = None  # of the file that was adopted for it
+    is_adopted_sound: bool = False  # that file has the same samples
 
     @property
     def path(self) -> str:
         """Its path in the folder."""
         return self.entry.path
+
+    @property
+    def adopted(self) -> Entry | None:
+        """The file that was adopted, as if it had been pulled; the game had it before its first pull."""
+        if self.adopted_sha256 is None:
+            return None
+        sound = self.entry.sound if self.is_adopted_sound else OTHER_SOUND
+        return replace(self.entry, sha256=self.adopted_sha256, sound=sound)
 
 
 @dataclass(frozen=True)
@@ -125,7 +136,15 @@ def _wanted(said: Any) -> Wanted:
         take=_matched(TAKE, said["take_id"]),
         sound=_matched(SOUND, said["sound"]),
     )
-    return Wanted(entry, size_bytes, str(said["cue_name"]), _matched(URL, said["url"]))
+    adopted_sha256 = said.get("adopted_sha256")
+    return Wanted(
+        entry,
+        size_bytes,
+        str(said["cue_name"]),
+        _matched(URL, said["url"]),
+        adopted_sha256=None if adopted_sha256 is None else _matched(SHA256, adopted_sha256),
+        is_adopted_sound=said.get("is_adopted_sound") is True,
+    )
 
 
 def _matched(pattern: re.Pattern[str], text: Any) -> str:
@@ -147,6 +166,8 @@ def plan_of(root: Path, lock: Lock | None, listing: Listing, *, force: bool, ope
     for wanted in listing.files:
         entry, before, content = wanted.entry, known.get(wanted.path), found[wanted.path]
         place = places[wanted.path]
+        if before is None and wanted.adopted and content == wanted.adopted.sha256:
+            before = wanted.adopted
         if content == entry.sha256:
             plan.entries[wanted.path] = entry
             plan.same += 1

@@ -13855,6 +13855,16 @@ export interface components {
             version: number | null;
             /**
              * Take Id
+            /**
+             * Adopted Sha256
+             * @description Of the file that was adopted for it; the game may hold it still.
+             */
+            adopted_sha256: string | null;
+            /**
+             * Is Adopted Sound
+             * @description Whether that file has the same samples as this one.
+             */
+            is_adopted_sound: boolean;
              * Format: uuid
              */
             take_id: string;

@@ -5,6 +5,7 @@ import gzip
 import io
 import json
 import re
+import shutil
 import zipfile
 from collections.abc import Iterator
 from pathlib import Path
@@ -20,6 +21,7 @@ from benchmarks.audits.projects import KINDS
 from tests.app.client.served import Client, client_of
 from tests.support.adoptions import adopt
 from tests.support.coded import coded_bytes
+from tests.support.deliver import deliver
 from tests.support.flacs import flac_bytes
 from tests.support.server import World
 from tests.support.waves import chunk, noise, wav_bytes
@@ -79,6 +81,35 @@ def test_a_zip_is_sent_as_its_folder_is(client: Client, sounds: Path, tmp_path: 
     assert "5 files were sent" in client.out
     assert format_of((sounds / "music.ogg").read_bytes()) == Format(22_050, None)
     assert format_of(coded_bytes("opus", rate=48_000)) == Format(48_000, None)
+
+
+def test_a_file_that_was_adopted_counts_as_pulled(
+    world: World, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], game: Path, tmp_path: Path
+) -> None:
+    shipped = wav_bytes(noise(dbfs=-24, seconds=0.3), rate=RATE, bits=16, before=[chunk(b"JUNK", b"left")])
+    (game / "click.wav").write_bytes(shipped)
+    shutil.copytree(game, tmp_path / "never pulled")
+    shutil.copytree(game, tmp_path / "edited")
+    (tmp_path / "edited" / "click.wav").write_bytes(shipped + b"  ")
+    with client_of(world, monkeypatch, capsys, "deliveries:write", "manifest:read") as client:
+        assert client.adopt(game) == 0, client.err
+        adoption_id = re.search(r"adoption=([0-9a-f-]{36})$", client.out.strip())
+        assert adoption_id
+        assert adopt(world, adoption_id[1], world.approver).status_code == 200
+        world.server.wait_for_jobs()
+        for _ in range(2):
+            assert client.pull(game) == 0, client.out
+            assert client.out.splitlines() == ["Shield Wing, game: 1 approved files, 1 unchanged"]
+        assert (game / "click.wav").read_bytes() == shipped
+        take = deliver(world, "click.wav", wav_bytes(noise(dbfs=-24, seconds=0.3, seed=9), rate=RATE, bits=16))
+        world.server.wait_for_jobs()
+        assert world.approver.post(f"/v1/takes/{take['id']}/verdict", json={"kind": "approve"}).status_code == 200
+        world.server.wait_for_jobs()
+        for folder in (game, tmp_path / "never pulled"):
+            assert client.pull(folder) == 0, client.out
+            assert "changed  click.wav" in client.out
+        assert client.pull(tmp_path / "edited") == 1
+        assert "kept  click.wav: it was here before and is not from Soundlist" in client.out
 
 
 @pytest.mark.parametrize("name", ["../out.wav", "/etc/out.wav", "a/../../out.wav", "con.wav", "a\\b.wav"])
