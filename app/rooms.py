@@ -25,6 +25,7 @@ from app.builds.game_file_endpoints import router as game_files
 from app.builds.handover_endpoints import router as handovers
 from app.builds.listening_endpoints import router as listening
 from app.builds.manifest_endpoints import router as manifests
+from app.builds.same_sound_endpoints import router as same_sounds
 from app.conformance.endpoints import router as conformance
 from app.dashboards.credit_endpoints import router as credit_lists
 from app.dashboards.due_endpoints import router as due_calendars
@@ -127,6 +128,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     audits,
     listening,
     clearance,
+    same_sounds,
     handovers,
     manifests,
     game_files,
@@ -156,6 +158,7 @@ JOB_MODULES = (
     "app.shares.jobs",
     "app.scenes.jobs",
     "app.builds.jobs",
+    "app.builds.same_sound_jobs",
     "app.agreements.jobs",
     "app.money.jobs",
     "app.amendments.jobs",
@@ -186,7 +189,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "archive.received": ("deliveries.unpack_archive",),
     "take.received": ("renders.prepare_take",),
     "takes.checked": ("notifications.notify_checks",),
-    "take.in_review": (),
+    "take.in_review": ("builds.compare_take",),
     "take.returned": (),
     "take.rendered": ("renders.measure_timbre",),
     "palette.changed": ("renders.measure_palette",),
@@ -212,7 +215,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "changes.sent": ("notifications.notify_changes",),
     "note.answered": ("notifications.notify_reply",),
     "person.mentioned": ("notifications.notify_mention",),
-    "take.approved": ("notifications.notify_approval", "builds.fingerprint_take"),
+    "take.approved": ("notifications.notify_approval", "builds.fingerprint_take", "builds.compare_take"),
     "folder.adopted": ("reviews.check_adopted_takes",),
     "cue.cut": ("notifications.notify_cut",),
     "contract.notice_given": ("notifications.notify_contract",),
@@ -262,4 +265,4 @@ HANDLERS: dict[str, tuple[Handler, ...]] = {
 }
 for _event in EVENTS:  # what webhooks are called for
     HANDLERS[_event] = (*HANDLERS.get(_event, ()), queue_event)
-LOW_PRIORITY_JOBS = frozenset({"builds.fingerprint_take"})
+LOW_PRIORITY_JOBS = frozenset({"builds.fingerprint_take", "builds.compare_take"})

@@ -45,6 +45,7 @@ TEAMS_OWN = frozenset(  # no designer reads them
         *("shares_live_sessions", "shares_live_listeners"),
         *("webhooks_webhooks", "webhooks_calls"),
         "projects_budgets",
+        "builds_master_fingerprints",
     }
 )
 READ_ONLY = frozenset({"accounts_operators", "accounts_quotas"})  # set on the command line only

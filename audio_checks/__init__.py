@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from audio_checks.audit.manifest import manifest_entry, manifest_of, read_manifest, write_manifest
     from audio_checks.audit.played import with_plays, with_project
     from audio_checks.audit.report import Audit
+    from audio_checks.audit.same_sound import Difference, KnownSound, difference_of, known_sound, likely_sounds
     from audio_checks.checks import Check, CheckLimit, all_checks
     from audio_checks.errors import (
         AudioChecksError,
@@ -99,6 +100,7 @@ __all__ = [
     "Coding",
     "CueFacts",
     "DeliverySpec",
+    "Difference",
     "DryStem",
     "Exported",
     "FileReport",
@@ -107,6 +109,7 @@ __all__ = [
     "FixRefused",
     "FixedMaster",
     "JudgedFile",
+    "KnownSound",
     "ListedCue",
     "Loss",
     "Masking",
@@ -146,6 +149,7 @@ __all__ = [
     "compare_reverb_of_takes",
     "compare_reverb_with_dry",
     "confinement_gaps",
+    "difference_of",
     "dry_stem_name",
     "ending_of",
     "ensure_declared",
@@ -160,6 +164,8 @@ __all__ = [
     "is_placeholder",
     "is_preview",
     "keep_coded",
+    "known_sound",
+    "likely_sounds",
     "load_spec",
     "make_placeholder",
     "make_placeholders",
@@ -208,6 +214,7 @@ _HOMES = {
     "audio_checks.audit.manifest": ("manifest_entry", "manifest_of", "read_manifest", "write_manifest"),
     "audio_checks.audit.played": ("with_plays", "with_project"),
     "audio_checks.audit.report": ("Audit",),
+    "audio_checks.audit.same_sound": ("Difference", "KnownSound", "difference_of", "known_sound", "likely_sounds"),
     "audio_checks.middleware.project": ("read_project", "read_project_texts"),
     "audio_checks.middleware.values": ("Part", "PlayedSound", "Project"),
     "audio_checks.judge.compare.dry_stem": ("compare_reverb_with_dry",),

@@ -20,6 +20,7 @@ WIDTHS = {
     "note": 30,
     "open_points": 44,
     "same_file_in": 24,
+    "same_sound_in": 44,
     "master": 36,
     "master_sha256": 30,
 }
@@ -45,6 +46,7 @@ class ClearanceRow:
     note: str
     open_points: str
     same_file_in: str  # other projects of the studio
+    same_sound_in: str  # approved versions of other projects, and how this one differs from them
     delivered_on: str
     approved_on: str
     approved_by: str
@@ -125,5 +127,9 @@ def _entry(row: ClearanceRow) -> dict[str, object]:
             ", ".join(words for words, said in yes.items() if said == "yes"),
             *(f"{word}: {said}" for word, said in listed.items() if said),
         ],
-        "open": [row.open_points, f"the same file in {row.same_file_in}" if row.same_file_in else ""],
+        "open": [
+            row.open_points,
+            f"the same file in {row.same_file_in}" if row.same_file_in else "",
+            f"found in {row.same_sound_in}" if row.same_sound_in else "",
+        ],
     }

@@ -61,7 +61,7 @@ READERS = {
 
 def row_of(table: sa.Table, studio_id: UUID, project_id: UUID) -> dict[str, Any]:
     """Return a row of any table that belongs to a studio and one of its projects; the rest of it is made up."""
-    made_up: dict[type, Any] = {UUID: new_id(), int: 1, bool: False, float: 1.0, dict: {}, list: []}
+    made_up: dict[type, Any] = {UUID: new_id(), int: 1, bool: False, float: 1.0, bytes: b"sound", dict: {}, list: []}
     made_up |= {date: date(2026, 11, 20), time: time(8)}
     row: dict[str, Any] = {}
     for column in table.columns:

@@ -32,7 +32,14 @@ def stand(house: House, choice: DesignersHear, state: TakeState) -> None:
 
 def test_the_routes_that_serve_sound_are_among_those_asked() -> None:
     asked = {one.name for one in OF_ANOTHER}
-    sound = {"get_render_file", "get_reel", "get_reel_file", "download_master", "download_dry_stem", "get_master_export_file"}
+    sound = {
+        "get_render_file",
+        "get_reel",
+        "get_reel_file",
+        "download_master",
+        "download_dry_stem",
+        "get_master_export_file",
+    }
     assert asked >= {*HEARD, *sound, "get_take_sounds", "see_take", "see_delivery"}
 
 

@@ -27,6 +27,7 @@ from audio_checks import (
     ensure_declared,
     export_master,
     fingerprint_files,
+    known_sound,
     parse_spec,
 )
 from audio_checks.audio.flac import unpack
@@ -34,7 +35,8 @@ from audio_checks.audio.sandbox import returned_type
 from audio_checks.audit.fingerprinted import decode
 
 DOORS: tuple[Callable[..., Any], ...] = (
-    check_file, decode, drawing.draw, drawing.prepare, export_master, fingerprint_files, fixing.fix, parse_bytes,
+    check_file, decode, drawing.draw, drawing.prepare, export_master, fingerprint_files, fixing.fix, known_sound,
+    parse_bytes,
     parse_spec, parse_text, parse_toml, reel_sound.make_reel, compare_reverb_of_takes, timbre.measure,
     draw_previews, typesetting.compile_pdf, unpack, listening.compare, listening.measure_preview,
     listening.prepare_part, read_said,

@@ -94,6 +94,7 @@ export const queryKeys = {
   cueTakes: family<[cueId: string]>('cue-takes'),
   take: family<[takeId: string, part?: 'check' | 'fit', ...of: unknown[]]>('take'),
   takeSounds: family<[takeId: string]>('take-sounds'),
+  sameSounds: family<[takeId: string]>('same-sounds'),
   sources: family<[of: 'take' | 'delivery', id: string]>('sources'),
   fix: family<[takeId: string]>('fix'),
   fixes: family<[projectId: string]>('fixes'),

@@ -7343,6 +7343,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/takes/{take_id}/same-sounds": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * See Same Sounds
+         * @description Show the approved versions of the studio's other projects that hold the same sound, changed or not.
+         */
+        get: operations["see_same_sounds"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/contracts/{contract_id}/handover": {
         parameters: {
             query?: never;
@@ -13835,6 +13855,16 @@ export interface components {
              * @description Where it is downloaded, by Range where a download was cut.
              */
             url: string;
+            /**
+             * Adopted Sha256
+             * @description Of the file that was adopted for it; the game may hold it still.
+             */
+            adopted_sha256: string | null;
+            /**
+             * Is Adopted Sound
+             * @description Whether that file has the same samples as this one.
+             */
+            is_adopted_sound: boolean;
         };
         /**
          * GameFileOrigin
@@ -13855,16 +13885,6 @@ export interface components {
             version: number | null;
             /**
              * Take Id
-            /**
-             * Adopted Sha256
-             * @description Of the file that was adopted for it; the game may hold it still.
-             */
-            adopted_sha256: string | null;
-            /**
-             * Is Adopted Sound
-             * @description Whether that file has the same samples as this one.
-             */
-            is_adopted_sound: boolean;
              * Format: uuid
              */
             take_id: string;
@@ -20665,6 +20685,64 @@ export interface components {
             is_in: "both" | "earlier" | "later";
             /** Text */
             text: string;
+        };
+        /**
+         * SameSoundRead
+         * @description An approved take of another project that holds the same sound.
+         */
+        SameSoundRead: {
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /** Project Name */
+            project_name: string;
+            /**
+             * Cue
+             * @description Label and name of its cue; the file name of a take without one.
+             */
+            cue: string;
+            /** Version */
+            version: number | null;
+            /**
+             * Words
+             * @description How the take in question differs from it.
+             */
+            words: string;
+            /**
+             * Gain Db
+             * @description By how much the take in question is louder.
+             */
+            gain_db: number;
+            /**
+             * Score
+             * @description 0 to 1: how the two waves agree.
+             */
+            score: number;
+        };
+        /**
+         * SameSoundsRead
+         * @description Where else a take's sound is.
+         */
+        SameSoundsRead: {
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /**
+             * Is Compared
+             * @description Whether it was compared with the studio's other projects; null for designers.
+             */
+            is_compared: boolean | null;
+            /** Sounds */
+            sounds: components["schemas"]["SameSoundRead"][];
         };
         /**
          * SampleAdd
@@ -46203,6 +46281,46 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    see_same_sounds: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                take_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SameSoundsRead"];
+                };
+            };
+            /** @description `take-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
                 };
             };
         };

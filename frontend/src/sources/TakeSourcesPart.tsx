@@ -4,6 +4,7 @@ import { useState } from 'react'
 import { Button } from '@/ui/Button'
 
 import { takeSourcesQuery, useStateTakeSources } from './api'
+import { SameSounds } from './SameSounds'
 import classes from './Sources.module.css'
 import { SourcesForm } from './SourcesForm'
 import { SourcesText } from './SourcesText'
@@ -33,6 +34,7 @@ export function TakeSourcesPart({ takeId, mayState }: { takeId: string; mayState
           ? 'On record since the approval.'
           : read.stated && (read.is_own ? 'Stated for this version.' : 'Stated for its delivery.')}
       </p>
+      <SameSounds takeId={takeId} />
       {mayState && !read.is_fixed && (
         <span>
           <Button icon="pencil" onClick={() => setChanging(true)}>

@@ -15,6 +15,12 @@ export const takeSourcesQuery = (takeId: string) =>
     queryFn: () => answered(api.GET('/v1/takes/{take_id}/sources', { params: { path: { take_id: takeId } } })),
   })
 
+export const sameSoundsQuery = (takeId: string) =>
+  queryOptions({
+    queryKey: queryKeys.sameSounds(takeId),
+    queryFn: () => answered(api.GET('/v1/takes/{take_id}/same-sounds', { params: { path: { take_id: takeId } } })),
+  })
+
 export const deliverySourcesQuery = (deliveryId: string) =>
   queryOptions({
     queryKey: queryKeys.sources('delivery', deliveryId),

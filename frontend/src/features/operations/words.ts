@@ -13,6 +13,7 @@ const JOBS: Partial<Record<string, string>> = {
   'notifications.notify_work_logged': 'Notify about logged work',
   'notifications.notify_work_refused': 'Notify about refused work',
   'amendments.settle_ended': 'Settle contracts whose notice is over',
+  'builds.compare_take': 'Compare a version with other projects',
   'builds.fingerprint_pack': 'Analyse sounds missing from a manifest',
   'builds.fingerprint_take': 'Analyse an approved version',
   'builds.make_spoken_placeholders': 'Make placeholders of what was said for a cue',

@@ -1,0 +1,18 @@
+"""The endpoint of same sounds in other projects."""
+
+from uuid import UUID
+
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience
+from app.builds import same_sounds
+from app.builds.same_sound_schemas import SameSoundsRead
+from app.deliveries.errors import TakeNotFound
+from app.kit.http import DbSession, Route, Router, problems
+
+router = Router(prefix="/v1", tags=["builds"], route_class=Route)
+
+
+@router.get("/takes/{take_id}/same-sounds", response_model=SameSoundsRead, responses=problems(TakeNotFound))
+def see_same_sounds(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> SameSoundsRead:
+    """Show the approved versions of the studio's other projects that hold the same sound, changed or not."""
+    return same_sounds.same_sounds_of_take(session, actor, take_id)

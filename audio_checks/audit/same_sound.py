@@ -1,0 +1,106 @@
+"""Whether two fingerprints are of the same sound, and what was changed between them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from audio_checks.audit.fingerprint import RATE_HZ, wave_of
+from audio_checks.audit.fingerprinted import fingerprint_file
+from audio_checks.audit.likeness import Waves, likeness
+from audio_checks.audit.moments import candidates, moments_of
+from audio_checks.errors import Unreadable
+
+TRIMMED_S = 0.005  # as `audit` says it
+
+
+@dataclass(frozen=True)
+class KnownSound:
+    """What a file is recognised by.
+
+    Attributes
+    ----------
+    pcm_sha256 : str
+        Of its samples.
+    sample_rate_hz : int
+        Frames per second.
+    fingerprint : bytes or None
+        See `audio_checks.audit.fingerprint`; None for silence, and where there is next to nothing in its band.
+    moments : bytes
+        Its loudest moments, for finding it among thousands; empty without a fingerprint.
+    """
+
+    pcm_sha256: str
+    sample_rate_hz: int
+    fingerprint: bytes | None
+    moments: bytes
+
+
+@dataclass(frozen=True)
+class Difference:
+    """How one sound differs from another that holds the same.
+
+    Attributes
+    ----------
+    score : float
+        0..1: how the two waves agree.
+    gain_db : float
+        By how much the second is louder, over the part that both have.
+    is_trimmed : bool
+        One of them begins or ends 5 ms or more from where the other does.
+    """
+
+    score: float
+    gain_db: float
+    is_trimmed: bool
+
+
+def known_sound(path: str) -> KnownSound:
+    """Return what a file is recognised by; Unreadable where it cannot be read.
+
+    Parameters
+    ----------
+    path : str
+        Any file that `audit` reads.
+    """
+    found = fingerprint_file(path, path)
+    if found.trouble or found.pcm_sha256 is None:
+        raise Unreadable(found.trouble, "R1", "recognise:unreadable", "deliver it as WAV or FLAC")
+    moments = moments_of(wave_of(found.fingerprint)) if found.fingerprint else b""
+    return KnownSound(found.pcm_sha256, found.sample_rate_hz, found.fingerprint, moments)
+
+
+def likely_sounds(fingerprint: bytes, moments: list[bytes]) -> list[int]:
+    """Return the places of the sounds that are worth comparing with a fingerprint, the likeliest first.
+
+    Parameters
+    ----------
+    fingerprint : bytes
+        Of the sound that is looked for.
+    moments : list of bytes
+        Of the others; none of them empty.
+    """
+    return candidates(wave_of(fingerprint), moments)
+
+
+def difference_of(first: bytes, second: bytes) -> Difference | None:
+    """Return how two fingerprints of the same sound differ; None if they are of different sounds.
+
+    Parameters
+    ----------
+    first, second : bytes
+        Either may be the longer one.
+    """
+    one, other = Waves(first), Waves(second)
+    if (found := _held(one, other)) is not None:
+        return found
+    turned = _held(other, one)  # a cut may take the loudest part, so the length does not say which is the whole one
+    return None if turned is None else replace(turned, gain_db=-turned.gain_db)
+
+
+def _held(whole: Waves, part: Waves) -> Difference | None:
+    found = likeness(whole, part)
+    if found is None or not found.is_same_sound:
+        return None
+    after_s = (len(whole.wave) - len(part.wave)) / RATE_HZ - found.offset_s
+    is_trimmed = max(abs(found.offset_s), abs(after_s)) >= TRIMMED_S
+    return Difference(round(found.score, 3), round(found.gain_db, 1), is_trimmed)
