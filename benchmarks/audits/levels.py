@@ -111,19 +111,6 @@ def apart(engine: str, count: Count) -> None:
             _count(count, audit, set(moved), BY_DB_APART, place)
 
 
-def undeclared(engine: str) -> list[str]:
-    """Return the sounds of that project whose level is said to depend on something else than it does."""
-    kind = APART[engine]
-    with tempfile.TemporaryDirectory() as folder:
-        project = read_project(kind.write(Path(folder), {}))
-    wrong = []
-    for file, wanted in kind.depends.items():
-        found = {by.on for one in project.played if one.file == file for by in one.depends}
-        if not (found & set(wanted) if any(wanted) else not found):
-            wrong.append(f"{file}: {sorted(found)}, wanted {wanted}")
-    return wrong
-
-
 def _real(path: Path, counts: dict[tuple[str, str], Count]) -> None:
     with tempfile.TemporaryDirectory() as folder:
         root = path if path.is_dir() else path.parent
