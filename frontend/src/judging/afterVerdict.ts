@@ -1,4 +1,6 @@
-import type { QueueItem } from './api'
+import type { InfiniteData } from '@tanstack/react-query'
+
+import type { QueueItem, QueuePage, ReviewTake } from './api'
 
 /** The queue once takes were decided on: they leave, with the other alternates of their variation where one was picked. */
 export function withoutVerdict(
@@ -13,6 +15,22 @@ export function withoutVerdict(
     return takes.length === 0 ? [] : [{ ...item, takes }]
   })
 }
+
+/** The queue once a change of a take was noted as a draft. */
+export const withDraft = (
+  queue: InfiniteData<QueuePage>,
+  takeId: string,
+  draft: ReviewTake['draft_change'],
+): InfiniteData<QueuePage> => ({
+  ...queue,
+  pages: queue.pages.map((page) => ({
+    ...page,
+    items: page.items.map((item) => ({
+      ...item,
+      takes: item.takes.map((take) => (take.id === takeId ? { ...take, draft_change: draft } : take)),
+    })),
+  })),
+})
 
 /** Every take of the item is noted for a change: nothing more to decide before it is sent. */
 export const isNoted = (item: QueueItem): boolean => item.takes.every(({ draft_change }) => draft_change !== null)

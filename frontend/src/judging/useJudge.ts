@@ -5,7 +5,7 @@ import { answered, api, ApiProblem, lineLost, useMutation } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import { dismissToast, showToast } from '@/app/toast'
 
-import { withoutVerdict } from './afterVerdict'
+import { withDraft, withoutVerdict } from './afterVerdict'
 import { type QueueCount, type QueuePage, refresh, type ReviewCue, type ReviewTake } from './api'
 import { mentionsOf } from './mentionNames'
 
@@ -126,8 +126,12 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void) {
 
   const change = useMutation({
     mutationFn: async ({ takes, said }: { takes: readonly ReviewTake[]; said: ChangeSaid }) => {
-      for (const take of takes)
-        await giveVerdict(take, 'request_change', said, await mentionsOf(client, take.id, said.note))
+      for (const take of takes) {
+        const mentions = await mentionsOf(client, take.id, said.note)
+        const { draft } = await giveVerdict(take, 'request_change', said, mentions)
+        // Lists are refetched later than the next cue is opened: what was noted must not come again meanwhile.
+        client.setQueryData<InfiniteData<QueuePage>>(queueKey, (before) => before && withDraft(before, take.id, draft))
+      }
     },
     // Not awaited: the confirmation is shown before the lists are refetched.
     onSettled: () => void refresh(client, projectId),

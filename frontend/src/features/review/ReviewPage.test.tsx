@@ -368,6 +368,23 @@ describe('a set', () => {
   })
 })
 
+test('what was noted last does not come again while the queue is read', async () => {
+  const [w1, w2] = walk.takes
+  if (!w1 || !w2) throw new Error('the set has two variations')
+  let reads = 0
+  server.on('GET /v1/review-queue', () =>
+    reads++ === 0 ? { items: [walk], next: null } : new Promise(() => undefined),
+  )
+  for (const take of [w1, w2]) {
+    server.on(`POST /v1/takes/${take.id}/verdict`, { draft: aDraft(take, walk.cue, 'less scrape') })
+  }
+  await opened('/walk')
+  await userEvent.keyboard('xb{Shift>}X{/Shift}')
+  await userEvent.keyboard('rless scrape{Enter}')
+  expect(await screen.findByRole('heading', { name: 'Nothing to review' })).toBeVisible()
+  expect(reads).toBeGreaterThan(1)
+})
+
 describe('what is said', () => {
   test('c writes at once: no letter of it is taken for a verdict', async () => {
     server.on('POST /v1/takes/a/comments', {
