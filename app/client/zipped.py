@@ -1,6 +1,7 @@
 """A ZIP of shipped sounds, unpacked into a folder for a while; nothing outside of it is written."""
 
 import zipfile
+import zlib
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -22,7 +23,7 @@ def unpacked(archive: Path, endings: Collection[str], most: int) -> Iterator[Pat
         try:
             with zipfile.ZipFile(archive) as opened:
                 _unpack(opened, _sounds(opened, endings), root, most)
-        except (zipfile.BadZipFile, NotImplementedError, EOFError, RuntimeError) as error:
+        except (zipfile.BadZipFile, NotImplementedError, EOFError, RuntimeError, zlib.error) as error:
             raise Refusal(f"{archive} cannot be unpacked: {error}; unpack it yourself, and adopt the folder") from None
         yield root
 

@@ -5,6 +5,7 @@ import re
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Literal, cast
 
 from audio_checks import wav
 from audio_checks.audio.audio_file import AudioFile, Facts
@@ -14,6 +15,7 @@ from audio_checks.render.rendered import Rendered
 from audio_checks.render.work import RENDERER_VERSION
 from audio_checks.spec.codings import label_of
 from audio_checks.spec.delivery_spec import Target
+from audio_checks.spec.parts import Encoding
 
 HEAD_BYTES = 65_536  # comments stand at the start; a page holds no more
 MOST_DIGITS = 15
@@ -55,7 +57,7 @@ def keep_coded(
             path=Path(out_path),
             sample_rate_hz=facts.sample_rate_hz,
             bit_depth=facts.bit_depth,
-            encoding=facts.encoding,  # type: ignore[arg-type]  # a coded file's is one of these
+            encoding=cast("Encoding | Literal['mp3']", facts.encoding),  # what is read as coded is one of these
             channels=facts.channels,
             frames=facts.frames,
             measurements={name: figures[name] for name in Attempt.FIGURES},

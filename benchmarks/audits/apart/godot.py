@@ -9,7 +9,10 @@ from benchmarks.audits.apart.project import Apart, Gains, put
 
 def write_godot(root: Path, gains: Gains) -> Path:
     """Write a Godot project."""
-    of = lambda place: gains.get(place, 0.0)  # noqa: E731
+
+    def of(place: str) -> float:
+        return gains.get(place, 0.0)
+
     put(
         root,
         "project.godot",

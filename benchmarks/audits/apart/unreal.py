@@ -10,7 +10,9 @@ from benchmarks.audits.apart.project import Apart, Gains, put
 
 def write_unreal(root: Path, gains: Gains) -> Path:
     """Write the export of an Unreal project."""
-    factor = lambda place: 10 ** (gains.get(place, 0.0) / 20)  # noqa: E731
+
+    def factor(place: str) -> float:
+        return float(10 ** (gains.get(place, 0.0) / 20))
 
     def wave(name: str, sound_class: str = "", submix: str = "", attenuation: str = "") -> dict[str, object]:
         return {

@@ -15,7 +15,7 @@ from tests.app.amendments.refusal_parties import SCENES, Parties
 from tests.app.amendments.refusal_sites import refusal_sites
 from tests.support.server import World
 
-# Refusals whose advice is about a file, a text or a name that was sent; their own tests send it mended.
+# Refusals whose advice is about a file, a text or a name that was sent; their own tests send it corrected.
 OF_CONTENT = (
     *("agreements.comparison.", "agreements.heads.", "agreements.template_files.", "agreements.templates."),
     *("agreements.word_file.", "agreements.word_reading.", "agreements.redlines.changes_of_word_file"),

@@ -121,6 +121,16 @@ def test_a_zip_that_leads_out_of_its_folder_is_refused(client: Client, tmp_path:
     assert [path.name for path in tmp_path.rglob("out.wav")] == []
 
 
+def test_a_zip_whose_packed_bytes_are_damaged_is_refused(client: Client, tmp_path: Path) -> None:
+    with zipfile.ZipFile(tmp_path / "a.zip", "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("a.wav", bytes(range(256)) * 40)
+    whole = bytearray((tmp_path / "a.zip").read_bytes())
+    whole[40:60] = b"\xff" * 20
+    (tmp_path / "a.zip").write_bytes(whole)
+    assert client.adopt(tmp_path / "a.zip") == 2
+    assert "cannot be unpacked" in client.err
+
+
 def test_a_damaged_zip_and_one_that_unpacks_to_too_much_are_refused(client: Client, tmp_path: Path) -> None:
     with zipfile.ZipFile(tmp_path / "a.zip", "w") as archive:
         archive.writestr("a.wav", b"RIFF" * 100)
