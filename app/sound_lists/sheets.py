@@ -7,6 +7,7 @@ import csv
 import io
 import re
 import zipfile
+import zlib
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from datetime import date, datetime, time, timedelta
@@ -201,7 +202,7 @@ def _ensure_small(data: bytes) -> None:
                     name = entry.filename.lower()
                     is_xml = name.endswith((".xml", ".rels"))
                     _ensure_small_area(part, is_xml=is_xml, is_sheet=name.startswith("xl/worksheets/"))
-    except (zipfile.BadZipFile, NotImplementedError, RuntimeError, EOFError, OSError) as error:
+    except (zipfile.BadZipFile, NotImplementedError, RuntimeError, EOFError, OSError, zlib.error) as error:
         raise SheetUnreadable(f"this is no workbook that can be read: {error}") from None
 
 

@@ -255,3 +255,13 @@ def test_mutants_over_http_never_answer_500(world: World):
             json={"format": chance.choice(["csv", "paste"]), "text": text, "dry_run": chance.random() < 0.5},
         )
         assert answer.status_code in (200, 422), answer.text
+
+
+def test_a_workbook_whose_packed_bytes_are_damaged_is_refused_in_words() -> None:
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("xl/workbook.xml", bytes(range(256)) * 40)
+    damaged = bytearray(packed.getvalue())
+    damaged[60:90] = b"\xff" * 30
+    with pytest.raises(SheetUnreadable, match="no workbook that can be read"):
+        parse_bytes(bytes(damaged))
