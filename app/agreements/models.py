@@ -54,6 +54,7 @@ class Contract(Base):
     record_sha256: Mapped[str] = mapped_column(default=START)  # of the newest entry of its record
     head_mailed_length: Mapped[int] = mapped_column(default=0)  # of the record when its signed head was last mailed
     head_mailed_on: Mapped[date | None]
+    changed_terms: Mapped[dict[str, Any]] = mapped_column(default=dict)  # that change orders set since it was signed
     game_shipped_on: Mapped[date | None]  # as a producer said, where a bonus waits for it
     project: Mapped[Project] = relationship(lazy="raise")
     engagement: Mapped[Engagement] = relationship(lazy="raise")

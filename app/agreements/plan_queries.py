@@ -105,7 +105,10 @@ def wanted_cues(session: Session, project_id: UUID) -> Sequence[Cue]:
 
 
 def agreed_terms(session: Session, contract: Contract) -> dict[str, object]:
-    """Return what the newest version of a contract leaves open and its standing clauses name, over its framework's."""
+    """Return what the newest version of a contract leaves open and its standing clauses name, over its framework's.
+
+    What change orders have set since stands over both.
+    """
     terms: dict[str, object] = {}
     for contract_id in (contract.framework_id, contract.id):
         if contract_id is not None:
@@ -117,7 +120,7 @@ def agreed_terms(session: Session, contract: Contract) -> dict[str, object]:
             ).first()
             if newest is not None:
                 terms |= terms_in_force([Clause.of(row) for row in newest.clauses], newest.terms)
-    return terms
+    return terms | contract.changed_terms
 
 
 def terms_of(session: Session, contract: Contract) -> MoneyTerms:

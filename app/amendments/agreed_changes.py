@@ -32,17 +32,20 @@ def apply(session: Session, reviewer: Reviewer, order: ChangeOrder, review: Revi
     contract = reviewer.contract
     order.state, order.closed_at = ChangeOrderState.AGREED, clock.now()
     session.flush()
+    changes = CHANGES.validate_python(order.changes)
+    terms = {name: cap for one in changes if one.kind == "set_caps" for name, cap in one.terms.items()}
+    contract.changed_terms = contract.changed_terms | terms
     facts = {
         "change_order": order.number,
         "changes": review.difference.changes if review.difference else [],
         "text_sha256_of_amendment": order.text_sha256,
+        **({"terms": terms} if terms else {}),
     }
     record.append(session, contract.id, "changed", facts, by=person_id)
     end_pause(session, contract, order.number)
     states = work_states(session, contract)
     position = max((one.position for one in reviewer.covered.values()), default=0)
     entries: list[Entry] = []
-    changes = CHANGES.validate_python(order.changes)
     for change in changes:
         match change.kind:
             case "add_cue":

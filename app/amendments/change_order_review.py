@@ -14,6 +14,7 @@ from app.agreements.plan_check import check_plan
 from app.agreements.plan_queries import agreed_terms, terms_of
 from app.agreements.terms import MoneyTerms
 from app.amendments import schemas
+from app.amendments.caps import Caps
 from app.amendments.rules import Difference, Planned, changed_plan, warnings_of
 from app.amendments.work import work_states
 from app.kit import clock
@@ -46,6 +47,7 @@ class Reviewer:
         }
         self.covered: dict[UUID, ContractCue] = {one.cue_id: one for one in plan_queries.cues_of(session, contract.id)}
         self.prefix = contract.project.cue_prefix
+        self.caps = Caps(session, contract, self.terms)
 
     @cached_property
     def listed(self) -> dict[UUID, Cue]:
@@ -74,10 +76,12 @@ class Reviewer:
             about: tuple[str, UUID] | None = None
             if change.kind == "move_date":
                 about = ("milestone", change.milestone_id)
+            elif change.kind == "set_caps":
+                about = ("caps", self.contract.id)
             elif change.kind != "add_work":
                 about = ("cue", change.cue_id)
             if about is not None and about in named:
-                problems.append("one cue or milestone is named by two changes; leave one of them out")
+                problems.append("one cue, date or cap is named by two changes; leave one of them out")
             if about is not None:
                 named.add(about)
             problems += self._problems(change)
@@ -98,6 +102,8 @@ class Reviewer:
             return self._problems_of_added(change.cue_id)
         if change.kind == "add_work":
             return []
+        if change.kind == "set_caps":
+            return self.caps.problems(change)
         covered = self.covered.get(change.cue_id)
         if covered is None:
             return ["the contract does not cover that cue; add it instead"]
@@ -156,6 +162,7 @@ class Reviewer:
         )
         beside = sum(self.round_minor(self.covered[one.cue_id]) for one in changes if one.kind == "add_round")
         beside += sum(one.amount_minor for one in changes if one.kind == "add_work")
+        beside += sum(self.caps.added_minor(one) for one in changes if one.kind == "set_caps")
         figures = overview.figures(self.session, self.contract, load_ledger_book(self.session, self.contract))
         price = figures.agreed_minor - figures.saved_minor
         added = sum(new.amount_minor - old.amount_minor for old, new in zip(before, after, strict=True))
@@ -235,6 +242,8 @@ class Reviewer:
                 name = self.milestones[change.milestone_id].name
                 price = change.amount_minor
                 return f"{change.text}: {self.money(price)} beside the cues of {name}, due when both have agreed."
+            case "set_caps":
+                return self.caps.sentence(change)
 
     def _name(self, change: schemas.CutCue | schemas.RepriceCue | schemas.AddRound) -> str:
         return called(self.covered[change.cue_id].cue, self.prefix)

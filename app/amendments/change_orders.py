@@ -71,6 +71,7 @@ def change_orders(session: Session, actor: Actor, contract_id: UUID) -> schemas.
             for one in reviewer.covered.values()
             if one.accepted_at is None and one.cut_at is None
         ],
+        caps=reviewer.caps.read(),
         cues_to_add=[
             overview.brief(cue, reviewer.prefix)
             for cue in reviewer.listed.values()

@@ -1,10 +1,10 @@
 """What the endpoints of amendments take and answer; every amount is in whole minor units of the contract's currency."""
 
 from datetime import date, datetime
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 from uuid import UUID
 
-from pydantic import Field, StringConstraints
+from pydantic import Field, StringConstraints, model_validator
 
 from app.accounts.schemas import PersonBrief
 from app.agreements.rules import Party, WorkState
@@ -32,6 +32,14 @@ class OrderCue(Schema):
     cue: ContractedCue
     price_minor: int
     round_minor: int = Field(description="What a further round of it costs; 0: the contract names no price.")
+
+
+class OrderCaps(Schema):
+    """The caps of days and hours that a change order may set; null: the contract pays nothing by it."""
+
+    hours_cap: int | None
+    hours_month_cap: int | None
+    days_cap: int | None
 
 
 class NoticeAdd(Schema):
@@ -130,7 +138,28 @@ class AddWork(Schema):
     amount_minor: Annotated[int, Field(ge=1, le=LARGEST_MINOR)]
 
 
-Change = Annotated[AddCue | CutCue | RepriceCue | AddRound | MoveDate | AddWork, Field(discriminator="kind")]
+class SetCaps(Schema):
+    """Other caps of what is paid by the hour or by the day; what is null stays."""
+
+    kind: Literal["set_caps"]
+    hours_cap: Annotated[int, Field(ge=1, le=10_000)] | None = Field(None, description="Hours at most in all.")
+    hours_month_cap: Annotated[int, Field(ge=1, le=744)] | None = Field(None, description="Hours at most in a month.")
+    days_cap: Annotated[int, Field(ge=1, le=1_000)] | None = Field(None, description="Days at most in all.")
+
+    @model_validator(mode="after")
+    def _names_a_cap(self) -> Self:
+        if not self.terms:
+            raise ValueError("name the cap that changes: hours_cap, hours_month_cap or days_cap")
+        return self
+
+    @property
+    def terms(self) -> dict[str, int]:
+        """The terms of the contract that it sets."""
+        caps = {"hours_cap": self.hours_cap, "hours_month_cap": self.hours_month_cap, "days_cap": self.days_cap}
+        return {name: cap for name, cap in caps.items() if cap is not None}
+
+
+Change = Annotated[AddCue | CutCue | RepriceCue | AddRound | MoveDate | AddWork | SetCaps, Field(discriminator="kind")]
 
 
 OfferKey = Annotated[str, StringConstraints(min_length=1, max_length=120, pattern="^[a-z0-9:-]+$")]
@@ -263,6 +292,7 @@ class ChangeOrdersRead(Schema):
     )
     milestones: list[OrderMilestone] = Field(description="Open milestones, whose dates can move.")
     cues: list[OrderCue] = Field(description="Cues under the contract that are not settled.")
+    caps: OrderCaps | None = Field(description="What it may set; null: nothing is paid by the day or hour.")
     cues_to_add: list[ContractedCue] = Field(description="Cues of the list that no running contract covers.")
 
 

@@ -72,6 +72,7 @@ def table_faults(session: Session, contract: Contract) -> Iterator[str]:
     said: list[Said] = [(event.kind, json.loads(event.payload)) for event in events]
     yield from _state(contract, said)
     yield from _shipped(contract, said)
+    yield from _changed_terms(contract, said)
     yield from _sent(session, contract, said)
     yield from faults_of_sent(rounds(session, contract), texts_of(session, contract))
     yield from _acceptances(session, contract, said)
@@ -98,6 +99,19 @@ def _shipped(contract: Contract, said: Sequence[Said]) -> Iterator[str]:
     stored = contract.game_shipped_on.isoformat() if contract.game_shipped_on else "no day"
     if stored != recorded:
         yield f"the game shipped on {stored}, and the record says {recorded}"
+
+
+def _changed_terms(contract: Contract, said: Sequence[Said]) -> Iterator[str]:
+    recorded: dict[str, Any] = {}
+    for kind, payload in said:
+        if kind == "changed":
+            recorded |= payload.get("terms", {})
+    yield from (
+        f"the term {name} is {contract.changed_terms.get(name, 'as signed')} by change orders, "
+        f"and the record says {recorded.get(name, 'as signed')}"
+        for name in sorted(recorded.keys() | contract.changed_terms.keys())
+        if recorded.get(name) != contract.changed_terms.get(name)
+    )
 
 
 def _sent(session: Session, contract: Contract, said: Sequence[Said]) -> Iterator[str]:

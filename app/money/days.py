@@ -158,7 +158,7 @@ def _entry_of_day(session: Session, contract: Contract, day: WorkedDay) -> Entry
     if left_minor <= 0:
         raise CapExceeded(
             f"the {terms.days_cap} days agreed to are used up, {money(terms.days_cap_minor, contract.currency)}",
-            fix=f"{more_work(session, contract)}, and refuse this day",
+            fix="propose a change order that raises the cap of days; agree to this day once it holds, or refuse it",
         )
     kind, amount_minor = LineKind.WORKED_DAY, min(price_of(day.quarters or 0, terms.day_rate_minor), left_minor)
     return Entry(kind, amount_minor, CLAUSES[kind], milestone_id=day.milestone_id)

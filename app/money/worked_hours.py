@@ -48,6 +48,12 @@ class HourBook:
         """What the studio has neither approved nor refused, in the order of its days."""
         return [one for one in self.entries if one.agreed_at is None and one.refused_at is None]
 
+    def counted(self) -> tuple[int, int]:
+        """Return the minutes that count towards the cap of all hours, and the most of one month."""
+        minutes = self._by_month(one for one in self.entries if one.refused_at is None)
+        months = [self.terms.paid_in(month, of_it) for month, of_it in minutes.items()]
+        return self.terms.paid(minutes), max(months, default=0)
+
     def _by_month(self, entries: Iterator[WorkedDay]) -> Minutes:
         minutes: Counter[int] = Counter()
         for one in entries:
@@ -67,9 +73,13 @@ class HourBook:
             raise CapExceeded(
                 f"{hours_in_words(minutes)} on {worked_on} is more than the contract pays for: {self._limits()}; "
                 f"{hours_in_words(left)} left in this month",
-                fix=(f"log up to {hours_in_words(left)}, and " if left else "")
-                + more_work(self._session, self.contract),
+                fix=(f"log up to {hours_in_words(left)}, and " if left else "") + self._more_hours(),
             )
+
+    def _more_hours(self) -> str:
+        if self.terms.cap_min:
+            return "propose a change order that raises the caps of hours"
+        return more_work(self._session, self.contract)
 
     def _limits(self) -> str:
         terms, limits = self.terms, []

@@ -5555,6 +5555,86 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/approval-settings": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Approval Settings
+         * @description Return the checklists of a project, and what blocks approval there.
+         */
+        get: operations["get_approval_settings"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/checklist": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Set Checklist
+         * @description Write what is checked of the versions of one category, or of every cue.
+         */
+        put: operations["set_checklist"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/approval-blockers": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Set Approval Blockers
+         * @description Set what has to be closed before a version is approved: notes, items of the checklist, both or nothing.
+         */
+        put: operations["set_approval_blockers"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/takes/{take_id}/checklist/{checklist_item_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Check Item
+         * @description Check an item of the checklist for a version, or take that back.
+         */
+        put: operations["check_item"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/guest-links": {
         parameters: {
             query?: never;
@@ -9008,6 +9088,28 @@ export interface components {
          */
         "AnswerKind-Input": "accepted" | "refused" | "countered";
         /**
+         * ApprovalBlockers
+         * @description What has to be closed in a project before a take is approved.
+         * @enum {string}
+         */
+        ApprovalBlockers: "none" | "notes" | "items" | "both";
+        /**
+         * ApprovalBlockersSet
+         * @description What blocks approval in a project.
+         */
+        ApprovalBlockersSet: {
+            blockers: components["schemas"]["ApprovalBlockers"];
+        };
+        /**
+         * ApprovalSettingsRead
+         * @description The checklists of a project, and what blocks approval there.
+         */
+        ApprovalSettingsRead: {
+            blockers: components["schemas"]["ApprovalBlockers"];
+            /** Checklists */
+            checklists: components["schemas"]["ChecklistRead"][];
+        };
+        /**
          * ApproverAdd
          * @description The new approver, and why.
          */
@@ -9807,6 +9909,22 @@ export interface components {
             spans: components["schemas"]["SpanRead"][];
             /** Rows */
             rows: components["schemas"]["SpanRead"][][][];
+        };
+        /**
+         * BlockedTake
+         * @description A version that cannot be approved yet.
+         */
+        BlockedTake: {
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /**
+             * Why
+             * @description What is open, in words.
+             */
+            why: string;
         };
         /**
          * BonusRead
@@ -10710,7 +10828,7 @@ export interface components {
              */
             begins_at_once: boolean;
             /** Changes */
-            changes: (components["schemas"]["AddCue"] | components["schemas"]["CutCue"] | components["schemas"]["RepriceCue"] | components["schemas"]["AddRound"] | components["schemas"]["MoveDate"] | components["schemas"]["AddWork"])[];
+            changes: (components["schemas"]["AddCue"] | components["schemas"]["CutCue"] | components["schemas"]["RepriceCue"] | components["schemas"]["AddRound"] | components["schemas"]["MoveDate"] | components["schemas"]["AddWork"] | components["schemas"]["SetCaps"])[];
             /**
              * Offers
              * @description The offers that it takes up; one that is settled already is left out.
@@ -10821,6 +10939,8 @@ export interface components {
              * @description Cues under the contract that are not settled.
              */
             cues: components["schemas"]["OrderCue"][];
+            /** @description What it may set; null: nothing is paid by the day or hour. */
+            caps: components["schemas"]["OrderCaps"] | null;
             /**
              * Cues To Add
              * @description Cues of the list that no running contract covers.
@@ -10937,7 +11057,7 @@ export interface components {
          */
         ChangesSet: {
             /** Changes */
-            changes: (components["schemas"]["AddCue"] | components["schemas"]["CutCue"] | components["schemas"]["RepriceCue"] | components["schemas"]["AddRound"] | components["schemas"]["MoveDate"] | components["schemas"]["AddWork"])[];
+            changes: (components["schemas"]["AddCue"] | components["schemas"]["CutCue"] | components["schemas"]["RepriceCue"] | components["schemas"]["AddRound"] | components["schemas"]["MoveDate"] | components["schemas"]["AddWork"] | components["schemas"]["SetCaps"])[];
         };
         /**
          * CharacterBrief
@@ -11121,6 +11241,53 @@ export interface components {
             };
         } & {
             [key: string]: unknown;
+        };
+        /**
+         * ChecklistItemRead
+         * @description Something to check of a version.
+         */
+        ChecklistItemRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Category
+             * @description Empty for an item of every cue.
+             */
+            category: string;
+            /** Text */
+            text: string;
+        };
+        /**
+         * ChecklistRead
+         * @description What to check of the versions of one category, in order.
+         */
+        ChecklistRead: {
+            /**
+             * Category
+             * @description Empty for the checklist of every cue.
+             */
+            category: string;
+            /** Items */
+            items: components["schemas"]["ChecklistItemRead"][];
+        };
+        /**
+         * ChecklistSet
+         * @description The checklist of one category; an item that is written as before keeps its checks.
+         */
+        ChecklistSet: {
+            /**
+             * Category
+             * @description Empty for the checklist of every cue.
+             */
+            category: string;
+            /**
+             * Items
+             * @description In order; none removes the checklist.
+             */
+            items: string[];
         };
         /**
          * ChoiceRead
@@ -12020,6 +12187,19 @@ export interface components {
             name: string;
         };
         /**
+         * CueChecklist
+         * @description The checklist of a cue, what is checked of its versions, and which of them cannot be approved yet.
+         */
+        CueChecklist: {
+            blockers: components["schemas"]["ApprovalBlockers"];
+            /** Items */
+            items: components["schemas"]["ChecklistItemRead"][];
+            /** Checks */
+            checks: components["schemas"]["ItemCheckRead"][];
+            /** Blocked */
+            blocked: components["schemas"]["BlockedTake"][];
+        };
+        /**
          * CueCut
          * @description Why the game no longer needs a cue.
          */
@@ -12532,6 +12712,7 @@ export interface components {
             change_requests: components["schemas"]["ChangeRequestRead"][];
             /** Carried Notes */
             carried_notes: components["schemas"]["CarriedNote"][];
+            checklist: components["schemas"]["CueChecklist"];
             /** Rounds */
             rounds: components["schemas"]["RoundRead"][];
         };
@@ -15058,6 +15239,36 @@ export interface components {
             payments: components["schemas"]["PaymentRead"][];
         };
         /**
+         * ItemCheckRead
+         * @description Who checked an item for a version, and when.
+         */
+        ItemCheckRead: {
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /**
+             * Item Id
+             * Format: uuid
+             */
+            item_id: string;
+            by: components["schemas"]["PersonBrief"];
+            /**
+             * Checked At
+             * Format: date-time
+             */
+            checked_at: string;
+        };
+        /**
+         * ItemCheckSet
+         * @description Whether an item is checked.
+         */
+        ItemCheckSet: {
+            /** Is Checked */
+            is_checked: boolean;
+        };
+        /**
          * JobCountRead
          * @description The number of jobs of one name in one state.
          */
@@ -17026,6 +17237,18 @@ export interface components {
             text: string;
             /** Amount Minor */
             amount_minor: number;
+        };
+        /**
+         * OrderCaps
+         * @description The caps of days and hours that a change order may set; null: the contract pays nothing by it.
+         */
+        OrderCaps: {
+            /** Hours Cap */
+            hours_cap: number | null;
+            /** Hours Month Cap */
+            hours_month_cap: number | null;
+            /** Days Cap */
+            days_cap: number | null;
         };
         /**
          * OrderCue
@@ -21281,6 +21504,32 @@ export interface components {
              * Format: date-time
              */
             undo_until: string;
+        };
+        /**
+         * SetCaps
+         * @description Other caps of what is paid by the hour or by the day; what is null stays.
+         */
+        SetCaps: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_caps";
+            /**
+             * Hours Cap
+             * @description Hours at most in all.
+             */
+            hours_cap?: number | null;
+            /**
+             * Hours Month Cap
+             * @description Hours at most in a month.
+             */
+            hours_month_cap?: number | null;
+            /**
+             * Days Cap
+             * @description Days at most in all.
+             */
+            days_cap?: number | null;
         };
         /**
          * ShapeRead
@@ -40266,7 +40515,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `stale-view`, `not-reviewable`, `wrong-state`, `cue-is-cut` */
+            /** @description `stale-view`, `not-reviewable`, `wrong-state`, `cue-is-cut`, `approval-blocked` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -40386,7 +40635,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `set-incomplete`, `already-accepted`, `not-reviewable`, `cue-is-cut` */
+            /** @description `set-incomplete`, `already-accepted`, `not-reviewable`, `cue-is-cut`, `approval-blocked` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -41064,6 +41313,222 @@ export interface operations {
                 };
             };
             /** @description `delivery-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_approval_settings: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ApprovalSettingsRead"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    set_checklist: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ChecklistSet"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ApprovalSettingsRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-checklists` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `checklist-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    set_approval_blockers: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ApprovalBlockersSet"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ApprovalSettingsRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    check_item: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                take_id: string;
+                checklist_item_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ItemCheckSet"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `take-not-found`, `checklist-item-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;

@@ -293,3 +293,20 @@ def _a_cue_of_another_contract_is_taken_out_there(parties: Parties) -> None:
     advised(parties.propose(other, add), "bad-change-order", "take it out of that one first")
     parties.change(first, {"kind": "cut_cue", "cue_id": cue})
     granted(parties.propose(other, add))
+
+
+@scene(*(f"amendments.caps.problems BadChangeOrder {number}" for number in (1, 2, 3)))
+def _caps_are_of_what_is_paid_and_not_below_it(parties: Parties) -> None:
+    hourly = {"hour_rate_minor": 6_000, "hours_cap": 5, "hours_month_cap": 4}
+    contract = parties.agreed(milestone("Alpha", parties.cue(), amount_minor=100), **hourly)
+    log = {"worked_on": day(-1), "minutes": 150, "note": "Directing"}
+    granted(parties.post(parties.designer, contract, "worked-days", **log))
+
+    def caps(**more: int) -> Any:
+        return parties.propose(contract, {"kind": "set_caps", **more})
+
+    advised(caps(days_cap=2), "bad-change-order", "does not pay by the day; add work to a milestone instead")
+    granted(parties.propose(contract, parties.extra_work(contract)))
+    advised(caps(hours_cap=5), "bad-change-order", "these caps hold already; give another number")
+    advised(caps(hours_cap=2), "bad-change-order", "the cap can be 3 hours or more")
+    granted(caps(hours_cap=3))

@@ -88,9 +88,12 @@ def _days_beyond_the_cap_are_a_change_order(parties: Parties) -> None:
     entries = [granted(log(parties, contract, on=on, quarters=4)) for on in (day(-1), day(-2))]
     granted(judge(parties.producer, entries[0], "agree"))
     refused = judge(parties.producer, entries[1], "agree")
-    advised(refused, "cap-exceeded", "propose a change order that adds the work at its price, and refuse this day")
-    parties.change(contract, parties.extra_work(contract))
-    granted(judge(parties.producer, entries[1], "refuse"))
+    advised(refused, "cap-exceeded", "change order that raises the cap of days; agree to this day once it holds")
+    parties.change(contract, {"kind": "set_caps", "days_cap": 2})
+    granted(judge(parties.producer, entries[1], "agree"))
+    third = granted(log(parties, contract, on=day(-3), quarters=4))
+    advised(judge(parties.producer, third, "agree"), "cap-exceeded", "or refuse it")
+    granted(judge(parties.producer, third, "refuse"))
 
 
 @scene("money.worked_hours.ensure_paid CapExceeded")
@@ -98,13 +101,22 @@ def _hours_beyond_the_cap_are_a_change_order(parties: Parties) -> None:
     contract = by_hour(parties)
     granted(log(parties, contract, minutes=90))
     refused = log(parties, contract, minutes=60)
-    advised(refused, "cap-exceeded", "log up to 30 min, and propose a change order that adds the work at its price")
+    advised(refused, "cap-exceeded", "log up to 30 min, and propose a change order that raises the caps of hours")
     granted(log(parties, contract, minutes=30))
-    parties.change(contract, parties.extra_work(contract))
+    parties.change(contract, {"kind": "set_caps", "hours_cap": 3, "hours_month_cap": 3})
+    granted(log(parties, contract, minutes=60))
     parties.end(contract)
     bare = parties.agreed(deposit(100), **BY_HOUR)
-    advised(log(parties, bare, minutes=150), "cap-exceeded", "log up to 2 h, and sign another contract for it")
-    granted(log(parties, bare, minutes=120))
+    refused = log(parties, bare, minutes=150)
+    advised(refused, "cap-exceeded", "log up to 2 h, and propose a change order that raises the caps of hours")
+    parties.change(bare, {"kind": "set_caps", "hours_cap": 4, "hours_month_cap": 3})
+    granted(log(parties, bare, minutes=150))
+    parties.end(bare)
+    retainer = {"retainer_minor": 90_000, "retainer_hours": 1, "retainer_months": 2}
+    retained = parties.agreed(deposit(100), **retainer)
+    refused = log(parties, retained, minutes=90)
+    advised(refused, "cap-exceeded", "log up to 1 h, and sign another contract for it")
+    granted(log(parties, retained, minutes=60))
     parties.begins_another()
 
 

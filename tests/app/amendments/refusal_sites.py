@@ -59,6 +59,7 @@ def _name(call: ast.Call) -> str:
 
 
 def _is_problem(module: ModuleType, function: str, value: ast.expr | None) -> bool:
-    if not module.__name__.endswith("change_order_review") or not function.startswith("_problems"):
+    is_review = module.__name__.endswith(("change_order_review", ".caps"))
+    if not is_review or not function.startswith(("_problems", "problems")):
         return False
     return isinstance(value, ast.ListComp) or (isinstance(value, ast.List) and bool(value.elts))

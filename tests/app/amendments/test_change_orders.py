@@ -194,7 +194,7 @@ def test_what_is_refused_and_the_act_that_works(order: Order) -> None:
     assert "give Beta a day to come" in problems_of(order, move(order, "Beta", day(-1)))[0]
     assert "put it on the sound list first" in problems_of(order, add(order, uuid4()))[0]
     twice = problems_of(order, about("add_round", beta), about("cut_cue", beta))
-    assert twice == ["one cue or milestone is named by two changes; leave one of them out"]
+    assert twice == ["one cue, date or cap is named by two changes; leave one of them out"]
 
 
 def test_without_a_price_of_rounds_none_is_invented(world: World) -> None:

@@ -3,6 +3,7 @@
 The model keeps no lines. From the cues and what was agreed it reckons what must be owed, each sum rounded once.
 """
 
+from collections.abc import Callable
 from dataclasses import replace
 from datetime import date
 from fractions import Fraction
@@ -33,8 +34,6 @@ TERMS = MoneyTerms(
     retainer_hours=5,
     retainer_months=4,
 )
-HOURS = HourTerms.of(TERMS)
-BESIDE_MINOR = DEPOSIT_MINOR + TERMS.time_cap_minor
 
 
 def rounded(amount_minor: int, part_bp: int) -> int:
@@ -57,6 +56,7 @@ class Life:
         self.bonus_minor = 0
         self.had_bonus = False
         self.is_ended = False
+        self.terms = TERMS
         self.month = 1  # of the contract
         self.approved: dict[int, int] = {}
         self.waiting: list[tuple[int, int]] = []  # month and minutes
@@ -64,6 +64,14 @@ class Life:
     @property
     def book(self) -> LedgerBook:
         return LedgerBook(self.lines, "EUR")
+
+    @property
+    def hours(self) -> HourTerms:
+        return HourTerms.of(self.terms)
+
+    @property
+    def beside_minor(self) -> int:
+        return DEPOSIT_MINOR + self.terms.time_cap_minor
 
     def write(self, entries: list[Entry]) -> None:
         self.lines += [Line(**vars(entry), id=uuid4(), person_id=UUID(int=1)) for entry in entries]
@@ -95,25 +103,38 @@ class Life:
 
     def owed_time(self) -> int:
         """Return what hours and retainer cost by what happened: all hours beyond those included, rounded once."""
-        months = min(self.month, HOURS.months)
+        months = min(self.month, self.hours.months)
         beyond = [
-            max(0, minutes - (HOURS.included_min if month <= HOURS.months else 0))
+            max(0, minutes - (self.hours.included_min if month <= self.hours.months else 0))
             for month, minutes in self.approved.items()
         ]
-        assert max(beyond, default=0) <= HOURS.month_cap_min
-        assert sum(beyond) <= HOURS.cap_min
-        return months * HOURS.retainer_minor + int(Fraction(sum(beyond) * HOURS.rate_minor, 60) + Fraction(1, 2))
+        assert max(beyond, default=0) <= self.hours.month_cap_min
+        assert sum(beyond) <= self.hours.cap_min
+        return months * self.hours.retainer_minor + int(
+            Fraction(sum(beyond) * self.hours.rate_minor, 60) + Fraction(1, 2)
+        )
+
+    def hours_needed(self, together: Callable[[list[int]], int]) -> int:
+        """Return the whole hours that months with what waits in them need, summed or the most of one."""
+        minutes = dict(self.approved)
+        for month, waiting in self.waiting:
+            minutes[month] = minutes.get(month, 0) + waiting
+        included = self.terms.retainer_hours * 60
+        beyond = [
+            max(0, of - (included if month <= self.terms.retainer_months else 0)) for month, of in minutes.items()
+        ]
+        return -(-together([0, *beyond]) // 60)
 
     def charge_months(self) -> list[Entry]:
         charged = {line.month_number for line in self.lines if line.kind is LineKind.RETAINER}
         today = month_begins_on(self.month, AGREED_ON)
         return [
-            Entry(LineKind.RETAINER, HOURS.retainer_minor, "retainer", month_number=month)
-            for month in HOURS.months_due(AGREED_ON, today, charged)
+            Entry(LineKind.RETAINER, self.hours.retainer_minor, "retainer", month_number=month)
+            for month in self.hours.months_due(AGREED_ON, today, charged)
         ]
 
     def approve_hours(self, month: int, minutes: int) -> list[Entry]:
-        amount_minor = HOURS.charge(month, minutes, self.approved)
+        amount_minor = self.hours.charge(month, minutes, self.approved)
         self.approved[month] = self.approved.get(month, 0) + minutes
         kind = LineKind.WORKED_HOURS
         return [Entry(kind, amount_minor, "hours", worked_day_id=uuid4())] if amount_minor else []
@@ -213,7 +234,7 @@ class Lives(RuleBasedStateMachine):
             logged = dict(life.approved)
             for waiting_month, waiting in life.waiting:
                 logged[waiting_month] = logged.get(waiting_month, 0) + waiting
-            minutes = min(minutes, HOURS.left(month, logged))
+            minutes = min(minutes, life.hours.left(month, logged))
             if minutes:
                 life.waiting.append((month, minutes))
 
@@ -224,6 +245,13 @@ class Lives(RuleBasedStateMachine):
             entry = life.waiting.pop(place % len(life.waiting))
             if agrees:
                 life.write(life.approve_hours(*entry))
+
+    @rule(which=st.integers(0, 1), in_all=st.integers(1, 60), in_month=st.integers(1, 60))
+    def set_caps(self, which, in_all, in_month):
+        """A change order raises or lowers the caps, no lower than what is approved or waits."""
+        if life := self.running(which):
+            in_all, in_month = max(in_all, life.hours_needed(sum)), max(in_month, life.hours_needed(max))
+            life.terms = replace(life.terms, hours_cap=in_all, hours_month_cap=in_month)
 
     @rule(which=st.integers(0, 1), times=st.integers(1, 3))
     def begin_month(self, which, times):
@@ -257,7 +285,7 @@ class Lives(RuleBasedStateMachine):
         life.waiting = []
         statement = statement_of(
             *(life.book, life.cues, of, life.rules),
-            beside_cues_minor=BESIDE_MINOR,
+            beside_cues_minor=life.beside_minor,
             deposit_is_set_off=life.is_set_off,
             time=time,
         )
@@ -265,7 +293,7 @@ class Lives(RuleBasedStateMachine):
         life.write(list(statement.entries))
         life.cues = [cue if cue.is_settled else replace(cue, cut_in=of[cue.cue_id]) for cue in life.cues]
         life.is_ended = True
-        assert figures_of(life.book, life.cues, BESIDE_MINOR, is_ended=True) == statement.figures
+        assert figures_of(life.book, life.cues, life.beside_minor, is_ended=True) == statement.figures
         parts = (statement.cues_minor, statement.deposit_minor, statement.rounds_minor, statement.extra_minor)
         assert statement.hours_minor + statement.retainer_minor == life.owed_time()
         assert sum(parts) + life.owed_time() == statement.figures.accepted_minor
@@ -283,9 +311,11 @@ class Lives(RuleBasedStateMachine):
     @invariant()
     def every_cent_is_somewhere(self):
         for life in self.lives:
-            figures = figures_of(life.book, life.cues, BESIDE_MINOR, is_ended=life.is_ended)
+            figures = figures_of(life.book, life.cues, life.beside_minor, is_ended=life.is_ended)
             together = figures.paid_minor + figures.due_minor + figures.open_minor + figures.saved_minor
-            whole = BESIDE_MINOR + sum(cue.amount_minor for cue in life.cues) + sum(life.extras) + life.owed_bonus()
+            whole = (
+                life.beside_minor + sum(cue.amount_minor for cue in life.cues) + sum(life.extras) + life.owed_bonus()
+            )
             assert together == figures.agreed_minor == whole
             assert figures.open_minor >= 0
             assert figures.saved_minor >= 0

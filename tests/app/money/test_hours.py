@@ -148,7 +148,7 @@ def test_the_caps_refuse_what_lies_beyond_and_name_the_way_out(agreed: Agreed) -
     over = log(agreed, 41)
     assert refused(over) == (409, "cap-exceeded")
     assert "at most 4 h a month and 5 h in all are paid by the hour; 40 min left in this month" in over.json()["detail"]
-    assert over.json()["fix"] == "log up to 40 min, and propose a change order that adds the work at its price"
+    assert over.json()["fix"] == "log up to 40 min, and propose a change order that raises the caps of hours"
     approve(agreed, log(agreed, 40))
     began_months_ago(agreed, 1)  # the second month begins today
     assert log(agreed, 60, worked_on=day(0)).status_code == 201

@@ -22,7 +22,14 @@ const KINDS: Record<Kind, string> = {
   add_round: 'Add a round of a cue',
   move_date: 'Move a date',
   add_work: 'Add work beside the cues',
+  set_caps: 'Set the caps of hours or days',
 }
+type CapName = keyof NonNullable<ChangeOrders['caps']>
+const CAPS: { name: CapName; label: string }[] = [
+  { name: 'hours_cap', label: 'Hours at most in all' },
+  { name: 'hours_month_cap', label: 'Hours at most in a month' },
+  { name: 'days_cap', label: 'Days at most in all' },
+]
 const isKind = (value: string): value is Kind => value in KINDS
 
 /** A change that was put together, and the offer that it takes up. */
@@ -142,37 +149,48 @@ interface OneChangeProps {
 }
 
 function OneChange({ all, start, onAdd }: OneChangeProps) {
-  const [kind, setKind] = useState<Kind>(start?.kind ?? (all.cues_to_add.length > 0 ? 'add_cue' : 'reprice_cue'))
+  const [kind, setKind] = useState<Kind>(start?.kind ?? firstKind(all))
   const [cueId, setCueId] = useState(start?.cue_id ?? '')
   const [milestoneId, setMilestoneId] = useState(start?.milestone_id ?? '')
   const [price, setPrice] = useState('')
   const [dueOn, setDueOn] = useState('')
   const [text, setText] = useState(start?.text ?? '')
+  const [typedCaps, setTypedCaps] = useState<Partial<Record<CapName, string>>>({})
   const priceField = useRef<HTMLInputElement>(null)
   useEffect(() => {
     if (start) priceField.current?.focus()
   }, [start])
   const cues = kind === 'add_cue' ? all.cues_to_add : all.cues.map(({ cue }) => cue)
-  const hasCue = kind !== 'move_date' && kind !== 'add_work'
+  const hasCue = kind !== 'move_date' && kind !== 'add_work' && kind !== 'set_caps'
   const hasMilestone = kind === 'add_cue' || kind === 'move_date' || kind === 'add_work'
   const hasPrice = kind === 'add_cue' || kind === 'reprice_cue' || kind === 'add_work'
   const cue = cues.some(({ id }) => id === cueId) ? cueId : (cues[0]?.id ?? '')
   const milestone = all.milestones.some(({ id }) => id === milestoneId) ? milestoneId : (all.milestones[0]?.id ?? '')
   const minor = minorOf(price, all.currency)
-  const change = changeOf(kind, { cue, milestone, minor, dueOn, text: text.trim() })
+  const change = changeOf(kind, {
+    cue,
+    milestone,
+    minor,
+    dueOn,
+    text: text.trim(),
+    caps: changedCaps(all.caps, typedCaps),
+  })
   const submit = (event: FormEvent) => {
     event.preventDefault()
     if (change === null) return
     onAdd(change)
     setPrice('')
     setText('')
+    setTypedCaps({})
   }
   return (
     <form onSubmit={submit} className={classes.form} aria-label="One change">
       <NativeSelect
         label="Change"
         value={kind}
-        data={Object.entries(KINDS).map(([value, label]) => ({ value, label }))}
+        data={Object.entries(KINDS)
+          .filter(([value]) => value !== 'set_caps' || all.caps !== null)
+          .map(([value, label]) => ({ value, label }))}
         onChange={({ currentTarget }) => isKind(currentTarget.value) && setKind(currentTarget.value)}
       />
       {hasCue && (
@@ -192,6 +210,16 @@ function OneChange({ all, start, onAdd }: OneChangeProps) {
           onChange={({ currentTarget }) => setMilestoneId(currentTarget.value)}
         />
       )}
+      {kind === 'set_caps' &&
+        CAPS.filter(({ name }) => capOf(all.caps, name) !== null).map(({ name, label }) => (
+          <TextInput
+            key={name}
+            label={label}
+            inputMode="numeric"
+            value={typedCaps[name] ?? String(capOf(all.caps, name))}
+            onChange={({ currentTarget }) => setTypedCaps({ ...typedCaps, [name]: currentTarget.value })}
+          />
+        ))}
       {kind === 'add_work' && (
         <TextInput
           label="Work"
@@ -225,6 +253,26 @@ function OneChange({ all, start, onAdd }: OneChangeProps) {
   )
 }
 
+/** What most contracts of this kind change first. */
+function firstKind(all: ChangeOrders): Kind {
+  if (all.cues_to_add.length > 0) return 'add_cue'
+  return all.cues.length === 0 && all.caps !== null ? 'set_caps' : 'reprice_cue'
+}
+
+const capOf = (caps: ChangeOrders['caps'], name: CapName) => caps?.[name] ?? null
+
+/** The caps that were typed and differ from those that stand; null where none differs or one is no number. */
+function changedCaps(caps: ChangeOrders['caps'], typed: Partial<Record<CapName, string>>) {
+  const changed: Partial<Record<CapName, number>> = {}
+  for (const { name } of CAPS) {
+    const text = typed[name]?.trim()
+    if (text === undefined || text === String(capOf(caps, name))) continue
+    if (!/^[1-9]\d{0,4}$/.test(text)) return null
+    changed[name] = Number(text)
+  }
+  return Object.keys(changed).length > 0 ? changed : null
+}
+
 /** The change that an offer says whole, null where the party has to name a price. */
 function wholeChange({
   kind,
@@ -232,7 +280,14 @@ function wholeChange({
   milestone_id: milestone,
   due_on: dueOn,
 }: ChangeOffer['change']): Change | null {
-  return changeOf(kind, { cue: cue ?? '', milestone: milestone ?? '', minor: null, dueOn: dueOn ?? '', text: '' })
+  return changeOf(kind, {
+    cue: cue ?? '',
+    milestone: milestone ?? '',
+    minor: null,
+    dueOn: dueOn ?? '',
+    text: '',
+    caps: null,
+  })
 }
 
 interface Given {
@@ -241,10 +296,11 @@ interface Given {
   minor: number | null
   dueOn: string
   text: string
+  caps: Partial<Record<CapName, number>> | null
 }
 
 /** The change that a form says, null while it is not whole. */
-function changeOf(kind: Kind, { cue, milestone, minor, dueOn, text }: Given): Change | null {
+function changeOf(kind: Kind, { cue, milestone, minor, dueOn, text, caps }: Given): Change | null {
   switch (kind) {
     case 'add_cue':
       if (cue === '' || milestone === '' || minor === null) return null
@@ -259,5 +315,7 @@ function changeOf(kind: Kind, { cue, milestone, minor, dueOn, text }: Given): Ch
     case 'add_work':
       if (milestone === '' || text === '' || minor === null || minor < 1) return null
       return { kind, milestone_id: milestone, text, amount_minor: minor }
+    case 'set_caps':
+      return caps === null ? null : { kind, ...caps }
   }
 }

@@ -126,6 +126,7 @@ const ORDERS = {
   offers: [],
   milestones: [{ id: 'm1', name: 'Beta', due_on: '2026-12-18' }],
   cues: [{ cue: cue('mine_arm'), price_minor: 18_000, round_minor: 4_500 }],
+  caps: null,
   cues_to_add: [cue('shield_down')],
 }
 const ME = { id: 'x3', name: 'Sound designer' }
@@ -226,6 +227,36 @@ test('a change is put together, looked at and proposed', async () => {
     changes: [{ kind: 'add_cue', cue_id: 'shield_down', milestone_id: 'm1', price_minor: 22_500 }],
     offers: [],
   })
+})
+
+test('the caps of hours are set where the contract pays by the hour, and what stays is not sent', async () => {
+  const caps = { hours_cap: 5, hours_month_cap: 4, days_cap: null }
+  const { asked, answers } = serve(given({ 'GET /v1/contracts/c1/change-orders': { ...ORDERS, orders: [], caps } }))
+  answers['POST /v1/contracts/c1/change-order-preview'] = { difference: DIFFERENCE, problems: [] }
+  answers['POST /v1/contracts/c1/change-orders'] = ORDERS
+  openApp('/projects/p1/contracts/c1/changes')
+  await userEvent.selectOptions(await screen.findByLabelText('Change'), 'Set the caps of hours or days')
+  expect(screen.getByLabelText('Hours at most in a month')).toHaveValue('4')
+  expect(screen.queryByLabelText('Days at most in all')).toBeNull()
+  const add = screen.getByRole('button', { name: 'Add this change' })
+  expect(add).toBeDisabled()
+  const inAll = screen.getByLabelText('Hours at most in all')
+  await userEvent.clear(inAll)
+  await userEvent.type(inAll, '8')
+  await userEvent.click(add)
+  await userEvent.type(screen.getByLabelText('Reason'), 'More sessions')
+  await userEvent.click(screen.getByRole('button', { name: 'Propose' }))
+  expect(await screen.findByRole('region', { name: 'Change order 1' })).toBeVisible()
+  expect(asked.findLast(({ method }) => method === 'POST')?.body).toMatchObject({
+    changes: [{ kind: 'set_caps', hours_cap: 8 }],
+  })
+})
+
+test('a contract that pays neither by the hour nor by the day offers no caps', async () => {
+  serve(given({ 'GET /v1/contracts/c1/change-orders': { ...ORDERS, orders: [] } }))
+  openApp('/projects/p1/contracts/c1/changes')
+  const kinds = await screen.findByLabelText('Change')
+  expect(within(kinds).queryByRole('option', { name: 'Set the caps of hours or days' })).toBeNull()
 })
 
 const ANEW = {
