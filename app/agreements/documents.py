@@ -36,9 +36,9 @@ class TextPdf:
     content: bytes
 
     @classmethod
-    def of(cls, title: str, markdown: str) -> Self:
-        """Typeset a text; see `typeset` for what is raised."""
-        return cls(sha256_of(markdown), pdf_of(title, markdown))
+    def of(cls, title: str, markdown: str, signatures: Sequence["CertificatePart"] = ()) -> Self:
+        """Typeset a text with its page of signatures; see `typeset` for what is raised."""
+        return cls(sha256_of(markdown), pdf_of(title, markdown, signatures))
 
 
 def sha256_of(text: str) -> str:
@@ -46,9 +46,9 @@ def sha256_of(text: str) -> str:
     return hashlib.sha256(text.encode()).hexdigest()
 
 
-def pdf_of(title: str, markdown: str) -> bytes:
-    """Return the text as PDF, with its hash on every page; see `typeset` for what is raised."""
-    return typeset(_source(title, markdown))
+def pdf_of(title: str, markdown: str, signatures: Sequence["CertificatePart"] = ()) -> bytes:
+    """Return the text and its signatures as PDF, with its hash on every page; see `typeset` for what is raised."""
+    return typeset("\n".join([_source(title, markdown), *_after_the_text(signatures)]))
 
 
 def archival_pdf_of(title: str, markdown: str, *, dated: date) -> bytes:
@@ -69,7 +69,11 @@ def signed_pdf_of(
 ) -> bytes:
     """Return the text as archival PDF, with its hash on every page and the certificate of its signatures after it."""
     text = _source(title, markdown, day=_day(agreed_on), keywords=f"({_string(mark)},)")
-    return typeset("\n".join([text, "#pagebreak()", *map(_certificate_part, certificate)]), is_archival=True)
+    return typeset("\n".join([text, *_after_the_text(certificate)]), is_archival=True)
+
+
+def _after_the_text(parts: Sequence[CertificatePart]) -> list[str]:
+    return ["#pagebreak()", *map(_certificate_part, parts)] if parts else []
 
 
 def _certificate_part(part: CertificatePart) -> str:

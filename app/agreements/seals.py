@@ -3,23 +3,20 @@
 import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass
-from datetime import datetime
 from enum import StrEnum
 from typing import TYPE_CHECKING
 from uuid import UUID
-from zoneinfo import ZoneInfo
 
 from sqlalchemy.orm import Session
 
-from app.accounts.rules import PROOF_WORDS
 from app.agreements import queries, seal_files
+from app.agreements.certificates import in_both, signature_part, studio_zone
 from app.agreements.documents import CertificatePart, signed_pdf_of
-from app.agreements.drawn_names import drawing_sha256, drawing_svg
 from app.agreements.heads import public_key_of
 from app.agreements.models import Contract, ContractAcceptance, ContractVersion, Seal
 from app.agreements.rules import KIND_WORDS
 from app.agreements.seal_files import MARK
-from app.agreements.signing_rules import BY_CODE, CONSENT, WITHOUT_CODE, is_drawn
+from app.agreements.signing_rules import CONSENT
 from app.agreements.text import literal
 from app.agreements.versions import newest_of
 from app.kit.db import new_id
@@ -28,11 +25,6 @@ from app.settings import Settings
 
 if TYPE_CHECKING:
     from pyhanko.sign.signers import Signer
-
-
-UNDRAWN = (
-    "This name has letters that the fonts of this PDF do not have, so they may show as boxes. The audit trail has them."
-)
 
 
 class Verdict(StrEnum):
@@ -99,13 +91,13 @@ def certificate_of(
     contract: Contract, version: ContractVersion, acceptances: Sequence[ContractAcceptance], *, head_key: str
 ) -> list[CertificatePart]:
     """Return the page that says who signed a text, how that is shown, and when."""
-    zone = ZoneInfo(contract.project.studio.time_zone)
+    zone = studio_zone(contract)
     head = [
         "# Certificate of signing",
         f"{KIND_WORDS[contract.kind].capitalize()} **{literal(contract.title)}** between "
         f"{literal(contract.project.studio.name)} and {literal(contract.designer.name)}, version {version.number}.",
         f"SHA-256 of the text: {version.text_sha256}",
-        f"Sent {_in_both(version.sent_at, zone)}. Agreed {_in_both(contract.agreed_at, zone)}.",
+        f"Sent {in_both(version.sent_at, zone)}. Agreed {in_both(contract.agreed_at, zone)}.",
         f"Each of those who signed agreed to this sentence: {literal(CONSENT)}",
     ]
     foot = [
@@ -116,36 +108,9 @@ def certificate_of(
     ]
     return [
         CertificatePart("\n\n".join(head)),
-        *(_signature_part(one, zone) for one in acceptances),
+        *(signature_part(one, zone) for one in acceptances),
         CertificatePart("\n\n".join(foot)),
     ]
-
-
-def _signature_part(one: ContractAcceptance, zone: ZoneInfo) -> CertificatePart:
-    """Return what the certificate says of one signature, and the name as it was drawn."""
-    code = f"{BY_CODE} {_in_both(one.code_entered_at, zone)}" if one.code_entered_at else WITHOUT_CODE
-    facts = [
-        f"- Signed {_in_both(one.accepted_at, zone)}",
-        f"- Mail address: {literal(one.email)}, {PROOF_WORDS[one.email_proof]}",
-        f"- Code: {literal(code)}",
-        f"- Network address: {literal(one.address) or 'unknown'}",
-        f"- Browser: {literal(one.agent) or 'unknown'}",
-        *([f"- Name drawn by hand, SHA-256 {drawing_sha256(one.drawing)}:"] if one.drawing else []),
-    ]
-    lines = [
-        f"## {literal(one.name)}, for the {one.party}",
-        *([] if is_drawn(one.name) else [UNDRAWN]),
-        "\n".join(facts),
-    ]
-    return CertificatePart("\n\n".join(lines), drawing_svg(one.drawing) if one.drawing else None)
-
-
-def _in_both(at: datetime | None, zone: ZoneInfo) -> str:
-    if at is None:
-        return "at no known time"
-    here = at.astimezone(zone)
-    utc = f"{at:%Y-%m-%d %H:%M:%S} UTC"
-    return utc if zone.key == "UTC" else f"{utc} ({here:%Y-%m-%d %H:%M:%S} {zone.key})"
 
 
 def is_known(session: Session, file: bytes) -> bool:

@@ -9,6 +9,7 @@ from app.accounts.models import Person
 from app.accounts.rules import Actor
 from app.agreements import plan_queries, record
 from app.agreements.access import party_of, visible_contract
+from app.agreements.certificates import signatures_page, studio_zone
 from app.agreements.documents import TextPdf, sha256_of
 from app.agreements.errors import NotYourContract
 from app.agreements.models import Contract
@@ -200,10 +201,12 @@ def withdraw(session: Session, actor: Actor, contract_id: UUID, number: int, *, 
 
 
 def change_order_pdf(session: Session, actor: Actor, contract_id: UUID, number: int) -> TextPdf:
-    """Return the text of a change order as PDF."""
+    """Return the text of a change order as PDF, with its signatures."""
     contract = visible_contract(session, actor, contract_id)
     order = _known(session, contract, number)
-    return TextPdf.of(change_order_title(order.number, contract.title), order.text)
+    given = queries.acceptances_of(session, contract.id, order.text_sha256)
+    signed = signatures_page(given, order.text_sha256, studio_zone(contract))
+    return TextPdf.of(change_order_title(order.number, contract.title), order.text, signed)
 
 
 def _close(session: Session, order: ChangeOrder, state: ChangeOrderState, reason: str, *, by: UUID | None) -> None:

@@ -10,6 +10,7 @@ from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
 from app.agreements import lifecycle, plan_queries, record
 from app.agreements.access import party_of, visible_contract
+from app.agreements.certificates import signatures_page, studio_zone
 from app.agreements.documents import TextPdf, sha256_of
 from app.agreements.errors import NotYourContract
 from app.agreements.models import Contract
@@ -160,7 +161,9 @@ def statement_pdf(session: Session, actor: Actor, contract_id: UUID) -> TextPdf:
         raise NoNotice("no notice was given, so there is no statement yet", fix="give notice first")
     read = _read(session, contract, actor)
     text = notice.statement or statement_text(read, contract.project.studio.name)
-    return TextPdf.of(statement_title(read), text)
+    text_sha256 = sha256_of(text)
+    given = queries.acceptances_of(session, contract.id, text_sha256)
+    return TextPdf.of(statement_title(read), text, signatures_page(given, text_sha256, studio_zone(contract)))
 
 
 def _ensure_unsettled(session: Session, contract: Contract) -> None:

@@ -90,7 +90,7 @@ def agree_to_statement(
     responses=PDF_ANSWER | problems(ContractNotFound, NoNotice, DocumentTooLarge, TypesettingBusy),
 )
 def download_statement(contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> Response:
-    """Return the statement as PDF; the same text is the same bytes."""
+    """Return the statement with its signatures as PDF; the same text and signatures are the same bytes."""
     pdf = ending.statement_pdf(session, actor, contract_id)
     return Response(pdf.content, media_type=PDF, headers=attachment("settlement.pdf"))
 
@@ -194,6 +194,6 @@ def withdraw_change_order(
 def download_change_order(
     contract_id: UUID, change_order_number: OrderNumber, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> Response:
-    """Return a change order as PDF; the same text is the same bytes."""
+    """Return a change order with its signatures as PDF; the same text and signatures are the same bytes."""
     pdf = change_orders.change_order_pdf(session, actor, contract_id, change_order_number)
     return Response(pdf.content, media_type=PDF, headers=attachment(f"change order {change_order_number}.pdf"))

@@ -8,7 +8,7 @@ from pydantic import Field, StringConstraints, model_validator
 
 from app.accounts.schemas import PersonBrief
 from app.agreements.rules import Party, WorkState
-from app.agreements.schemas import BlockRead, Reason
+from app.agreements.schemas import BlockRead, Reason, Stroke
 from app.agreements.terms import DepositAtEnd
 from app.amendments.offer_rules import OfferKind
 from app.amendments.rules import ChangeOrderState
@@ -86,6 +86,7 @@ class SignedRead(Schema):
 
     party: Party
     name: str
+    drawing: list[Stroke] | None = Field(description="The name as it was drawn; null: it was not.")
     accepted_at: datetime
 
 

@@ -317,6 +317,30 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/me/picture": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Save My Picture
+         * @description Show a picture beside the caller's name: a PNG, JPEG or WebP, of which the middle is kept as a small square.
+         */
+        put: operations["save_my_picture"];
+        post?: never;
+        /**
+         * Remove My Picture
+         * @description Take the caller's picture away; their initials are shown.
+         */
+        delete: operations["remove_my_picture"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/studios": {
         parameters: {
             query?: never;
@@ -4064,7 +4088,7 @@ export interface paths {
         };
         /**
          * Download Statement
-         * @description Return the statement as PDF; the same text is the same bytes.
+         * @description Return the statement with its signatures as PDF; the same text and signatures are the same bytes.
          */
         get: operations["download_statement"];
         put?: never;
@@ -4208,7 +4232,7 @@ export interface paths {
         };
         /**
          * Download Change Order
-         * @description Return a change order as PDF; the same text is the same bytes.
+         * @description Return a change order with its signatures as PDF; the same text and signatures are the same bytes.
          */
         get: operations["download_change_order"];
         put?: never;
@@ -4733,6 +4757,26 @@ export interface paths {
         get: operations["list_checks"];
         put?: never;
         post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/check-preview": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Preview Checks
+         * @description Say what files would be judged by before they are sent, and what is wrong with their names; nothing is kept.
+         */
+        post: operations["preview_checks"];
         delete?: never;
         options?: never;
         head?: never;
@@ -8111,6 +8155,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/people/{person_id}/picture": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Picture
+         * @description Show the picture of a person whose name the caller sees.
+         */
+        get: operations["get_picture"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/events": {
         parameters: {
             query?: never;
@@ -9446,6 +9510,11 @@ export interface components {
             who: string;
             /** Person Id */
             person_id?: string | null;
+            /**
+             * Picture
+             * @description The address of the person's picture.
+             */
+            picture?: string | null;
             /**
              * Count
              * @default 1
@@ -11170,6 +11239,26 @@ export interface components {
             usual: number | null;
         };
         /**
+         * CheckPreview
+         * @description The files of a delivery before they are sent.
+         */
+        CheckPreview: {
+            /** Files */
+            files: components["schemas"]["FileNamed"][];
+        };
+        /**
+         * CheckPreviewed
+         * @description What files would be judged by, in the order in which they were named.
+         */
+        CheckPreviewed: {
+            /** Checks */
+            checks: components["schemas"]["PreviewedCheck"][];
+            /** Specs */
+            specs: components["schemas"]["SpecView"][];
+            /** Files */
+            files: components["schemas"]["FilePreview"][];
+        };
+        /**
          * CheckRead
          * @description The newest check of a take.
          */
@@ -12388,6 +12477,18 @@ export interface components {
             in_build: ("audit" | "hand") | null;
             /** Heard */
             heard: ("pass" | "hand") | null;
+        };
+        /**
+         * CueLength
+         * @description The length that a cue asks for.
+         */
+        CueLength: {
+            /** Duration S */
+            duration_s: number | null;
+            /** Length Locked */
+            length_locked: boolean;
+            /** Frame Rate Fps */
+            frame_rate_fps: number | null;
         };
         /**
          * CueMark
@@ -13660,6 +13761,48 @@ export interface components {
             open_minor: number;
             /** Saved Minor */
             saved_minor: number;
+        };
+        /**
+         * FileNamed
+         * @description A file that is about to be sent.
+         */
+        FileNamed: {
+            /**
+             * File Name
+             * @description Never used as a path.
+             */
+            file_name: string;
+            /**
+             * Cue Id
+             * @description The cue that it was dropped on; null: as its name says.
+             */
+            cue_id?: string | null;
+        };
+        /**
+         * FilePreview
+         * @description What a file would be judged by, and what is wrong with its name.
+         */
+        FilePreview: {
+            /** @description Null where its name does not say surely which. */
+            cue: components["schemas"]["CueBrief"] | null;
+            /** Variation */
+            variation: number | null;
+            length: components["schemas"]["CueLength"] | null;
+            /**
+             * Spec
+             * @description Its place in `specs`.
+             */
+            spec: number;
+            /**
+             * Is Dry Stem
+             * @description It would be the dry stem of a version, which is not checked.
+             */
+            is_dry_stem: boolean;
+            /**
+             * Findings
+             * @description Of its name alone.
+             */
+            findings: components["schemas"]["FindingRead"][];
         };
         /**
          * FindElsewhereResult
@@ -17935,7 +18078,7 @@ export interface components {
         };
         /**
          * PersonBrief
-         * @description A person's id and name.
+         * @description A person's id and name, and their picture.
          */
         PersonBrief: {
             /**
@@ -17945,6 +18088,11 @@ export interface components {
             id: string;
             /** Name */
             name: string;
+            /**
+             * Picture
+             * @description The address of the picture; null where there is none.
+             */
+            picture?: string | null;
         };
         /**
          * PersonRead
@@ -18984,6 +19132,16 @@ export interface components {
          * @enum {string}
          */
         PreviewState: "none" | "pending" | "made" | "refused";
+        /**
+         * PreviewedCheck
+         * @description A check that a page can make of a file before it is sent.
+         */
+        PreviewedCheck: {
+            /** Name */
+            name: string;
+            /** Label */
+            label: string;
+        };
         /**
          * Problem
          * @description Problem details (RFC 9457); `code` never changes for one condition.
@@ -21730,6 +21888,11 @@ export interface components {
             /** Name */
             name: string;
             /**
+             * Drawing
+             * @description The name as it was drawn; null: it was not.
+             */
+            drawing: number[][][] | null;
+            /**
              * Accepted At
              * Format: date-time
              */
@@ -22170,6 +22333,23 @@ export interface components {
             resolved: components["schemas"]["ResolvedSpec"];
             /** Warnings */
             warnings: string[];
+        };
+        /**
+         * SpecView
+         * @description What the spec asks of files of one category.
+         */
+        SpecView: {
+            /** Category */
+            category: string | null;
+            accept: components["schemas"]["AcceptRead"];
+            limits: components["schemas"]["LimitsRead"];
+            /**
+             * Levels
+             * @description Where the spec itself says how serious a check is, by its name.
+             */
+            levels: {
+                [key: string]: "error" | "warning" | "off";
+            };
         };
         /**
          * SpectraRead
@@ -23995,6 +24175,11 @@ export interface components {
              */
             person_id: string;
             /**
+             * Picture
+             * @description The address of the person's picture.
+             */
+            picture?: string | null;
+            /**
              * Since
              * Format: date-time
              */
@@ -25004,6 +25189,66 @@ export interface operations {
                 content: {
                     "application/json": components["schemas"]["Problem"];
                 };
+            };
+        };
+    };
+    save_my_picture: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/octet-stream": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PersonBrief"];
+                };
+            };
+            /** @description `picture-refused` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `parsing-busy` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    remove_my_picture: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
         };
     };
@@ -39052,6 +39297,59 @@ export interface operations {
             };
         };
     };
+    preview_checks: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["CheckPreview"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CheckPreviewed"];
+                };
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found`, `cue-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `variation-unknown` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     see_check: {
         parameters: {
             query?: never;
@@ -48429,6 +48727,49 @@ export interface operations {
                 };
             };
             /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_picture: {
+        parameters: {
+            query?: {
+                /** @description Of the picture, as its address has it: the answer never changes. */
+                sha256?: string | null;
+            };
+            header?: never;
+            path: {
+                person_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/webp": unknown;
+                };
+            };
+            /** @description `picture-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;

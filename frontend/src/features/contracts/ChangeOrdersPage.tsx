@@ -15,6 +15,7 @@ import { State, type StateKind } from '@/ui/State'
 import { type ChangeOffer, type ChangeOrder, type ChangeOrders, changeOrdersQuery, useChangeOrder } from './api'
 import classes from './Contracts.module.css'
 import { DifferenceView } from './DifferenceView'
+import { DrawnName } from './DrawnName'
 import { OffersCard } from './OffersCard'
 import { ProposeChange } from './ProposeChange'
 import { Refusal } from './Refusal'
@@ -105,9 +106,12 @@ function Order({ order, all }: { order: ChangeOrder; all: ChangeOrders }) {
         )}
       </div>
       <Rows aria-label="Signed by">
-        {order.signed.map(({ party, name, accepted_at: at }) => (
-          <Row key={party} className={classes.row}>
-            <span className="grow">{`Signed by ${name}, for the ${party}`}</span>
+        {order.signed.map(({ party, name, drawing, accepted_at: at }) => (
+          <Row key={at} className={classes.row}>
+            <div className="grow">
+              <p>{`Signed by ${name}, for the ${party}`}</p>
+              {drawing !== null && <DrawnName strokes={drawing} name={name} />}
+            </div>
             <span className="small dim">{`${day(at)}, ${clock(at)}`}</span>
           </Row>
         ))}

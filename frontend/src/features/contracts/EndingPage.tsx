@@ -15,6 +15,7 @@ import { State, type StateKind } from '@/ui/State'
 
 import { type Ending, endingQuery, type StatedCue, useEnding } from './api'
 import classes from './Contracts.module.css'
+import { DrawnName } from './DrawnName'
 import { Refusal } from './Refusal'
 import { SignForm } from './SignForm'
 import { Warning } from './Warning'
@@ -303,9 +304,12 @@ function Signing({ ending }: { ending: Ending }) {
     <Card aria-labelledby="signing">
       <CardHead id="signing" title="Agreed to by" note={`${ending.signed.length} of ${ending.signatures_needed}`} />
       <Rows aria-label="Agreed to by">
-        {ending.signed.map(({ party, name, accepted_at: at }) => (
-          <Row key={party} className={classes.row}>
-            <span className="grow">{`${name}, for the ${party}`}</span>
+        {ending.signed.map(({ party, name, drawing, accepted_at: at }) => (
+          <Row key={at} className={classes.row}>
+            <div className="grow">
+              <p>{`${name}, for the ${party}`}</p>
+              {drawing !== null && <DrawnName strokes={drawing} name={name} />}
+            </div>
             <span className="small dim">{`${day(at)}, ${clock(at)}`}</span>
           </Row>
         ))}

@@ -229,6 +229,32 @@ test('a change is put together, looked at and proposed', async () => {
   })
 })
 
+test.each(['changes', 'ending'])('a name that was drawn is shown beside the typed one on the page %s', async (page) => {
+  const drawn = {
+    party: 'studio',
+    name: 'P. Producer',
+    drawing: [
+      [
+        [10, 20],
+        [300, 250],
+      ],
+    ],
+    accepted_at: '2026-11-16T09:00:00Z',
+  }
+  const typed = { party: 'designer', name: 'N. Designer', drawing: null, accepted_at: '2026-11-16T10:00:00Z' }
+  serve(
+    given({
+      'GET /v1/contracts/c1/change-orders': { ...ORDERS, orders: [{ ...ORDER, signed: [drawn, typed] }] },
+      'GET /v1/contracts/c1/ending': { ...GIVEN, signed: [drawn, typed] },
+    }),
+  )
+  openApp(`/projects/p1/contracts/c1/${page}`)
+  expect(await screen.findByText(/N. Designer, for the designer/)).toBeVisible()
+  expect(screen.getByRole('img', { name: 'P. Producer, drawn by hand' })).toBeVisible()
+  expect(screen.queryByRole('img', { name: 'N. Designer, drawn by hand' })).toBeNull()
+  expect((await axe.run(document.body)).violations.map(({ id }) => id)).toEqual([])
+})
+
 test('the caps of hours are set where the contract pays by the hour, and what stays is not sent', async () => {
   const caps = { hours_cap: 5, hours_month_cap: 4, days_cap: null }
   const { asked, answers } = serve(given({ 'GET /v1/contracts/c1/change-orders': { ...ORDERS, orders: [], caps } }))
