@@ -75,8 +75,10 @@ class SigningOrder:
 
     def ensure_turn(self, party: Party, person_id: UUID, given: Collection[Yes]) -> None:
         """Raise AlreadyAccepted, NotASigner or NotYourTurn unless this person signs for this party now."""
-        if self.has_signed(party, given) or any(yes.person_id == person_id for yes in given):
-            raise AlreadyAccepted(f"the {party} has signed this text already; the other party has not")
+        is_own = any(yes.person_id == person_id for yes in given)
+        if is_own or self.has_signed(party, given):
+            who = f"the {party} has" if self.has_signed(party, given) else "you have"
+            raise AlreadyAccepted(f"{who} signed this text already", fix="wait until the others have signed it too")
         if party is Party.STUDIO and self.signers and person_id not in self.signers:
             raise NotASigner(
                 "others are named to sign this text for the studio",
@@ -103,7 +105,10 @@ class Turn:
 def ensure_signers_fit(person_ids: Sequence[UUID], producers: Collection[UUID]) -> None:
     """Raise TooManySigners, or NotASigner for a person who is no producer of the studio, or is named twice."""
     if len(person_ids) > MAX_SIGNERS:
-        raise TooManySigners(f"a studio has {MAX_SIGNERS} signers at most; these are {len(person_ids)}")
+        raise TooManySigners(
+            f"a studio has {MAX_SIGNERS} signers at most; these are {len(person_ids)}",
+            fix=f"name {MAX_SIGNERS} or fewer",
+        )
     if len(set(person_ids)) < len(person_ids):
         raise NotASigner("one person is named twice", fix="name two people, or one")
     if unknown := set(person_ids) - set(producers):

@@ -103,7 +103,9 @@ def change_template(
     other = queries.template_by_name(session, studio_id, name)
     if other is not None and other.id != template.id:
         message = f'this studio has another template "{name}"'
-        raise TemplateNameTaken(message, errors=[{"where": "name", "message": message}])
+        raise TemplateNameTaken(
+            message, errors=[{"where": "name", "message": message}], fix="give this one another name"
+        )
     template.name, template.terms, template.changed_at = name, dict(terms), clock.now()
     template.clauses = [dict(clause.as_row()) for clause in clauses]
     session.flush()

@@ -73,6 +73,7 @@ class Parties:
         begun = self.contracts.begin(kind)
         if terms:
             included = {"hours": "hour_rate_minor", "retainer": "retainer_minor", "bonus": "bonus_minor"}
+            included |= {"downloads": "downloads_open"}
             clauses = [
                 clause | ({"stands": True} if included.get(clause["key"]) in terms else {})
                 for clause in begun["version"]["clauses"]

@@ -11,7 +11,8 @@ from app.kit.errors import NotFound, Refused
 
 APP = Path(__file__).resolve().parents[3] / "app"
 ROOMS = ("agreements", "amendments", "money")
-CALLS = {"ensure_state": "WrongState", "not_agreed": "NotAgreed"}  # functions that refuse for their caller
+# Functions that refuse for their caller.
+CALLS = {"ensure_state": "WrongState", "not_agreed": "NotAgreed", "_details_missing": "InvoiceDetailsMissing"}
 
 
 def refusal_sites() -> list[str]:

@@ -8,19 +8,18 @@ import pytest
 from tests.app.amendments import (  # noqa: F401  each registers its scenes
     amendment_refusal_scenes,
     contract_refusal_scenes,
+    file_refusal_scenes,
+    invoice_refusal_scenes,
     money_refusal_scenes,
+    signing_refusal_scenes,
     text_refusal_scenes,
 )
 from tests.app.amendments.refusal_parties import SCENES, Parties
 from tests.app.amendments.refusal_sites import refusal_sites
 from tests.support.server import World
 
-# Refusals whose advice is about a file, a text or a name that was sent; their own tests send it corrected.
-OF_CONTENT = (
-    *("agreements.comparison.", "agreements.heads.", "agreements.template_files.", "agreements.templates."),
-    *("agreements.word_file.", "agreements.word_reading.", "agreements.redlines.changes_of_word_file"),
-)
-SIGNING = "agreements.signing"  # turns, codes and names: tests of signing
+# Refusals of a text too long to compare, and of a kept head; their own tests bring them about.
+OF_CONTENT = ("agreements.comparison.", "agreements.heads.")
 OTHERS = {
     "agreements.facts.ensure_open_answers_are_said BriefOpen": "test_open_answers",
     "agreements.redlines.answer BadRedlines 2": "test_redlines",
@@ -28,14 +27,11 @@ OTHERS = {
     "agreements.rules.ensure_address_proven AddressNotProven": "test_signing",
     "agreements.access.contract_for_producer SamePersonOnBothSides": "test_both_sides",
     "agreements.lifecycle.send DraftChanged": "a race while the PDF is drawn: the text is read again and sent",
-    "money.electronic_invoices.invoice_pdf NoElectronicInvoice": "test_electronic_invoices",
-    "money.electronic_invoices._billed NoElectronicInvoice": "test_electronic_invoices",
-    "money.downloads.ensure_open DownloadUnpaid": "tests of downloads: they open with the payment",
 }
 
 
 def is_elsewhere(site: str) -> bool:
-    return site in OTHERS or site.startswith((*OF_CONTENT, SIGNING))
+    return site in OTHERS or site.startswith(OF_CONTENT)
 
 
 def test_every_refusal_has_an_entry() -> None:
