@@ -57,6 +57,7 @@ from app.renders.endpoints import router as renders
 from app.reviews.adoption_endpoints import router as adoptions
 from app.reviews.endpoints import router as reviews
 from app.scenes.endpoints import router as scenes
+from app.reviews.checklist_endpoints import router as checklists
 from app.shares.guest_endpoints import router as guests
 from app.shares.guest_link_endpoints import router as guest_links
 from app.shares.playlist_endpoints import router as playlists
@@ -119,6 +120,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     guest_links,
     guests,
     playlists,
+    checklists,
     saved_views,
     voice_lines,
     voice_releases,

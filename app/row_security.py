@@ -46,6 +46,7 @@ TEAMS_OWN = frozenset(  # no designer reads them
         *("webhooks_webhooks", "webhooks_calls"),
         "projects_budgets",
         "builds_master_fingerprints",
+        *("reviews_checklist_items", "reviews_item_checks", "reviews_approval_rules"),
     }
 )
 READ_ONLY = frozenset({"accounts_operators", "accounts_quotas"})  # set on the command line only

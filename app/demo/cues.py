@@ -55,6 +55,10 @@ CUES: list[dict[str, Any]] = [
          description="Forty small machines; no single one stands out."),
     _cue("mine_arm", "weapon", "Mine wakes as a ship nears", 0.50, description="Three clicks and a hum."),
 ]  # fmt: skip
+CHECKLISTS = {
+    "": ["No clicks at either end", "Sits beside the palette", "Still good the tenth time"],
+    "music": ["Loops without a gap"],
+}
 QUESTION = ("coolant_splash", "What falls in: a drop, a tool, a person?")
 CHANGES = (
     ("suit_hit", "Add a dull metallic clank", 0.06),

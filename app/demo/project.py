@@ -109,6 +109,7 @@ class _Maker:
         """Go through the story of the project so far; return the project's id and its build's token."""
         self._create_project()
         self._write_brief()
+        self._write_checklists()
         self._invite_designer()
         self._post_list()
         self._add_references()
@@ -192,6 +193,11 @@ class _Maker:
                 "based_on_version": 1,
             }
             producer.ask("PUT", f"/projects/{self._project}/spec", json=dry)
+
+    def _write_checklists(self) -> None:
+        for category, items in cues.CHECKLISTS.items():
+            body = {"category": category, "items": items}
+            self._producer.ask("PUT", f"/projects/{self._project}/checklist", json=body)
 
     def _write_brief(self) -> None:
         path = f"/projects/{self._project}/brief"

@@ -16,6 +16,7 @@ from app.reviews.errors import (
     AcknowledgementNotDue,
     AlreadyAccepted,
     AlreadySent,
+    ApprovalBlocked,
     ChangeRequestNotFound,
     CommentNotFound,
     NoteNeeded,
@@ -102,6 +103,7 @@ def get_cue_review(cue_id: UUID, session: DbSession, actor: Actor = allows(Audie
         NoteNeeded,
         RangeInvalid,
         NotMentionable,
+        ApprovalBlocked,
     ),
 )
 def give_verdict(
@@ -135,7 +137,14 @@ def undo_verdict(take_id: UUID, session: DbSession, actor: Actor = allows(Audien
     "/cues/{cue_id}/accept-set",
     response_model=SetAccepted,
     responses=problems(
-        CueNotFound, ApproverNeeded, SetIncomplete, AlreadyAccepted, NotReviewable, NotOfThisCue, CueIsCut
+        CueNotFound,
+        ApproverNeeded,
+        SetIncomplete,
+        AlreadyAccepted,
+        NotReviewable,
+        NotOfThisCue,
+        CueIsCut,
+        ApprovalBlocked,
     ),
 )
 def accept_set(

@@ -81,3 +81,19 @@ class NotMentionable(Invalid):
 
 class AcknowledgementNotDue(Conflict):
     """A comment is acknowledged by those it mentions and by the designer of the version."""
+
+
+class ApprovalBlocked(Conflict):
+    """Something is open that the project wants closed before approval."""
+
+
+class ChecklistInvalid(Invalid):
+    """A checklist has an item twice."""
+
+
+class TooManyChecklists(Conflict):
+    """As many categories have a checklist as may have one."""
+
+
+class ChecklistItemNotFound(NotFound):
+    """No such item on the checklist of the version's category."""

@@ -12,7 +12,7 @@ from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit import clock
 from app.kit.db import Base, new_id
-from app.reviews.rules import VerdictKind, mentioned_in
+from app.reviews.rules import ApprovalBlockers, VerdictKind, mentioned_in
 from app.sound_lists.models import Cue
 
 
@@ -201,7 +201,7 @@ class Comment(Base):
         """Who wrote it, as people read it; a guest has no account."""
         if self.author is None:
             return {"id": None, "name": f"guest {self.guest_name}"}
-        return {"id": self.author.id, "name": self.author.name}
+        return {"id": self.author.id, "name": self.author.name, "picture": self.author.picture}
 
     @property
     def mentioned(self) -> list[dict[str, Any]]:
@@ -245,6 +245,52 @@ class NoteAnswer(Base):
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     take: Mapped[Take] = relationship(lazy="raise")
     author: Mapped[Person] = relationship(lazy="raise")
+
+
+class ChecklistItem(Base):
+    """Something to check of every version of a category's cues before it is approved."""
+
+    __tablename__ = "reviews_checklist_items"
+    __table_args__ = (
+        UniqueConstraint("project_id", "category", "text"),
+        CheckConstraint("text <> ''", name="has_text"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
+    category: Mapped[str]  # empty: of every cue
+    text: Mapped[str]
+    place: Mapped[int]  # in its checklist, from 0
+    written_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    removed_at: Mapped[datetime | None]  # kept with its checks, and back with them once it is written again
+
+
+class ItemCheck(Base):
+    """A person checked an item of the checklist for one take."""
+
+    __tablename__ = "reviews_item_checks"
+
+    take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), primary_key=True)
+    item_id: Mapped[UUID] = mapped_column(ForeignKey("reviews_checklist_items.id"), primary_key=True)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
+    checked_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    checked_at: Mapped[datetime] = mapped_column(default=clock.now)
+    person: Mapped[Person] = relationship(lazy="raise")
+
+
+class ApprovalRule(Base):
+    """What blocks approval in a project, as a producer set it; without a row nothing does."""
+
+    __tablename__ = "reviews_approval_rules"
+
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), primary_key=True)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    blockers: Mapped[ApprovalBlockers]
+    set_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    set_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
 # Of a cue's variation at most one take is picked, even when two people click at once.

@@ -30,6 +30,7 @@ from app.renders.service import sound_places
 from app.renders.shown_renders import ShownPicture
 from app.reviews import queries, queue_queries
 from app.reviews.carried_notes import carried_notes
+from app.reviews.checklists import cue_checklist
 from app.reviews.deemed_cues import LastDay, last_days
 from app.reviews.models import ChangeRequest, Comment, Verdict
 from app.reviews.queue_queries import CueOnReview, QueuePlace, TakeOnReview, WaitingCue
@@ -294,6 +295,7 @@ def cue_review(session: Session, actor: Actor, cue_id: UUID) -> CueReviewRead:
             for one in queries.change_requests_of(session, ChangeRequest.cue_id == cue.id)
         ],
         carried_notes=carried_notes(session, cue.id),
+        checklist=cue_checklist(session, cue, takes),
         rounds=[RoundRead.model_validate(one) for one in queries.rounds_of(session, cue.id)],
     )
 

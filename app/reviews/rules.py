@@ -7,7 +7,7 @@ from uuid import UUID
 
 from app.agreements.rules import WorkState
 from app.deliveries.rules import TakeState
-from app.reviews.errors import NotMentionable, RangeInvalid, StaleView, TooLateToUndo
+from app.reviews.errors import ChecklistInvalid, NotMentionable, RangeInvalid, StaleView, TooLateToUndo
 
 
 class VerdictKind(StrEnum):
@@ -27,8 +27,28 @@ class QueueKind(StrEnum):
     SET = "set"  # variations are played and accepted together
 
 
+class ApprovalBlockers(StrEnum):
+    """What has to be closed in a project before a take is approved."""
+
+    NONE = "none"
+    NOTES = "notes"
+    ITEMS = "items"
+    BOTH = "both"
+
+    @property
+    def are_notes(self) -> bool:
+        """Whether notes that are open block approval."""
+        return self in (ApprovalBlockers.NOTES, ApprovalBlockers.BOTH)
+
+    @property
+    def are_items(self) -> bool:
+        """Whether items of the checklist that are not checked block approval."""
+        return self in (ApprovalBlockers.ITEMS, ApprovalBlockers.BOTH)
+
+
 UNDO_WITHIN = timedelta(minutes=1)
 REVERSAL = "the approver reversed an approval"
+NAMED_ITEMS = 3  # of those that are not checked
 SECONDS_BEYOND_END = 0.01  # a time typed or clicked at the very end may round up
 
 STATE_WORDS = {
@@ -123,3 +143,30 @@ def names_mentioned(text: str, wanted: Collection[UUID], people: Mapping[UUID, s
 def mentioned_in(mentions: Mapping[str, str]) -> list[dict[str, str]]:
     """Return the people whom a text mentions, as a list."""
     return [{"person_id": person_id, "name": name} for person_id, name in mentions.items()]
+
+
+def what_is_open(comments: int, notes: int, items: Sequence[str]) -> str:
+    """Return in words what is open of a take: comments on it, notes on earlier versions, items that are not checked."""
+    parts = []
+    if comments:
+        parts.append(f"{comments} {'comment is' if comments == 1 else 'comments are'} not resolved")
+    if notes:
+        named = "note on an earlier version is" if notes == 1 else "notes on earlier versions are"
+        parts.append(f"{notes} {named} not done")
+    if items:
+        named = ", ".join(f"“{item}”" for item in items[:NAMED_ITEMS])
+        more = f" and {len(items) - NAMED_ITEMS} more" if len(items) > NAMED_ITEMS else ""
+        parts.append(f"{named}{more} {'is' if len(items) == 1 else 'are'} not checked")
+    return "; ".join(parts)
+
+
+def ensure_checklist(items: Sequence[str]) -> None:
+    """Raise ChecklistInvalid unless each item of a checklist is written once."""
+    seen: set[str] = set()
+    for place, item in enumerate(items):
+        if item in seen:
+            message = f"“{item}” stands in the checklist twice"
+            raise ChecklistInvalid(
+                message, errors=[{"where": f"items.{place}", "message": message}], fix="keep one of the two"
+            )
+        seen.add(item)

@@ -13,6 +13,7 @@ from app.deliveries.rules import TakeState
 from app.kit.http import Schema
 from app.renders.rules import RenderState
 from app.renders.schemas import SoundBrief
+from app.reviews.checklist_schemas import CueChecklist
 from app.reviews.rules import QueueKind, VerdictKind
 from app.sound_lists.rules import CueState, Reverb
 
@@ -261,6 +262,7 @@ class CommentAuthor(Schema):
 
     id: UUID | None = Field(description="Null for a guest, who has no account.")
     name: str = Field(examples=["guest Ada"])
+    picture: str | None = Field(None, description="The address of the person's picture.")
 
 
 class CommentRead(Schema):
@@ -360,6 +362,7 @@ class CueReviewRead(Schema):
     verdicts: list[VerdictRead]
     change_requests: list[ChangeRequestRead]
     carried_notes: list[CarriedNote]
+    checklist: CueChecklist
     rounds: list[RoundRead]
 
 

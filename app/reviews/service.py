@@ -17,6 +17,7 @@ from app.projects.approval import approval_rights, ensure_may_approve
 from app.projects.errors import ProducerNeeded
 from app.projects.service import ProjectAccess
 from app.reviews import queries
+from app.reviews.checklists import ensure_nothing_open
 from app.reviews.decisions import STATE_AFTER, Decision, new_verdict
 from app.reviews.errors import (
     AlreadyAccepted,
@@ -77,6 +78,7 @@ def give_verdict(
         return _draft_change(session, access, take, cue, text=note, start_s=start_s, end_s=end_s, mentions=named)
     decision = Decision(session, actor.person, note, on_behalf_of=for_whom)
     if kind is VerdictKind.APPROVE:
+        ensure_nothing_open(session, cue, [take])
         decision.approve(take)
     else:
         decision.set_aside(take)
@@ -249,6 +251,7 @@ def accept_set(
     new = [take for take in picks if take.state is not TakeState.APPROVED]
     if not new:
         raise AlreadyAccepted(f"{cue.name} is accepted, and no newer version waits")
+    ensure_nothing_open(session, cue, new)
     decision = Decision(session, actor.person, note, on_behalf_of=for_whom)
     for take in new:
         decision.approve(take)

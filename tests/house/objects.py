@@ -50,7 +50,7 @@ from app.projects.rules import EngagementKind
 from app.projects.service import create_project
 from app.renders.models import Batch, MasterExport, Picture, Reel, Render, RenderSet
 from app.renders.rules import RenderState
-from app.reviews.models import ChangeRequest, Comment
+from app.reviews.models import ChangeRequest, ChecklistItem, Comment
 from app.sound_lists.models import Cue, Question, SpokenPlaceholder, Stem
 from tests.house.audit_objects import add_audit
 from tests.house.posting_objects import add_posting
@@ -172,6 +172,8 @@ class House(World):
         session.add_all([deputy, credit_line])
         comment = Comment(**of, take_id=take.id, text="Loud.", written_by=self.designer_id, decides=False)
         note = Comment(**of, take_id=changed.id, text="Long.", written_by=self.reviewer_id, decides=False)
+        item = ChecklistItem(**of, category="", text="No clicks", place=0, written_by=self.producer_id)
+        session.add(item)
         build = Build(**of, label="1.0", files=0, rejected=0, warnings=0, report=report())
         batch = Batch(**of, number=1)
         pack = SealedPack(**of, target="game", number=1, sealed_by=self.producer_id)
@@ -276,6 +278,7 @@ class House(World):
             "credit_line_id": credit_line.id,
             "part": "designer",
             "version": 1,
+            "checklist_item_id": item.id,
             "fact": "size",
             "cue_id": cue.id,
             "question_id": question.id,

@@ -131,6 +131,7 @@ export function aReview(item: QueueItem, review: Partial<CueReview> = {}): CueRe
     verdicts: [],
     change_requests: [],
     carried_notes: [],
+    checklist: { blockers: 'none', items: [], checks: [], blocked: [] },
     rounds: [],
     ...review,
   }

@@ -5,6 +5,7 @@ import { projectQuery, studioPeopleQuery } from '@/api/project'
 import { useTitle } from '@/app/title'
 
 import { type Project } from './api'
+import { ApprovalCard } from './people/ApprovalCard'
 import { ApproverCard } from './people/ApproverCard'
 import { CategoriesCard } from './people/CategoriesCard'
 import { DeputiesCard } from './people/DeputiesCard'
@@ -51,6 +52,7 @@ export function PeoplePage() {
           <div className="stack">
             <ApproverCard project={project} members={members} />
             <DeputiesCard project={project} members={members} />
+            <ApprovalCard project={project} />
             <HearingCard project={project} />
           </div>
         </div>

@@ -17,11 +17,13 @@ interface CarriedNotesProps {
   hand: ReviewTake
   cueId: string
   projectId: string
+  /** Whether notes that are open block approval in this project. */
+  areBlocking: boolean
   onSpot: (startS: number) => void
 }
 
 /** What was said of earlier versions, each asked of this one: is it done? */
-export function CarriedNotes({ carried, hand, cueId, projectId, onSpot }: CarriedNotesProps) {
+export function CarriedNotes({ carried, hand, cueId, projectId, areBlocking, onSpot }: CarriedNotesProps) {
   const answer = useAnswerNote(projectId, cueId)
   const next = carried.find((one) => !isAnswered(one, hand))
   const done = carried.filter(({ note }) => note.answer?.is_done).length
@@ -66,7 +68,11 @@ export function CarriedNotes({ carried, hand, cueId, projectId, onSpot }: Carrie
           />
         ))}
       </ul>
-      {next && <p className={`small dim ${classes.carriedHead}`}>Approving marks what is left as done.</p>}
+      {next && (
+        <p className={`small dim ${classes.carriedHead}`}>
+          {areBlocking ? 'A version is approved once all are done.' : 'Approving marks what is left as done.'}
+        </p>
+      )}
       {answer.error instanceof ApiProblem && <ProblemNote detail={answer.error.detail} fix={answer.error.fix} />}
     </section>
   )
@@ -89,7 +95,7 @@ function Line({ carried, hand, isNext, onSpot, onSay }: LineProps) {
     <li className={classes.said} aria-current={isNext || undefined}>
       <p className="row">
         {number !== null && <span className={classes.saidNumber}>{number}</span>}
-        <Face name={note.author.name} />
+        <Face name={note.author.name} picture={note.author.picture} />
         <span className="strong cut-text">{note.author.name}</span>
         {startS !== null && (
           <button type="button" className="link small mono dim end nowrap" onClick={() => onSpot(startS)}>

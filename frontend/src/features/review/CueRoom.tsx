@@ -16,6 +16,7 @@ import { useLazy } from '@/ui/useLazy'
 
 import { useComment } from './api'
 import { Asked } from './Asked'
+import { blockedWords, whyBlocked } from './blocked'
 import { carriedMarks, carriedTo } from './carried'
 import { type Writing } from './Composer'
 import { CueHead } from './CueHead'
@@ -34,6 +35,7 @@ import { Verdict } from './Verdict'
 import { WaveStage } from './WaveStage'
 
 const loadScene = () => import('./scene/SceneStage').then(({ SceneStage }) => SceneStage)
+const loadChecklist = () => import('./Checklist').then(({ Checklist }) => Checklist)
 const loadAgainst = () => import('./scene/AgainstPanel').then(({ AgainstPanel }) => AgainstPanel)
 
 interface CueRoomProps {
@@ -87,6 +89,7 @@ export function CueRoom(props: CueRoomProps) {
   const [comparing, setComparing] = useState(false)
   const AgainstPanel = useLazy(loadAgainst, comparing, () => setComparing(false))
   const SceneStage = useLazy(loadScene, inScene, () => setInScene(false))
+  const Checklist = useLazy(loadChecklist, review.checklist.items.length > 0)
   const source = useHearing(player, cue.id, hand, target, gains, placing)
   /** Where the version begins in what is heard. */
   const firstS = placing?.startS ?? 0
@@ -104,7 +107,10 @@ export function CueRoom(props: CueRoomProps) {
 
   const meant = picked.size > 0 ? heard.filter(({ id }) => picked.has(id)) : hand ? [hand] : []
   const realName = (take: ReviewTake) => takeName(take, cue, waiting)
-  const meantName = meant.length > 1 ? `${meant.length} variations` : meant.map(realName).join('')
+  const why = whyBlocked(review)
+  const free = meant.filter(({ id }) => !why.has(id))
+  const toApprove = free.length > 0 ? free : meant
+  const meantName = toApprove.length > 1 ? `${toApprove.length} variations` : toApprove.map(realName).join('')
   const whole = isWholeSet(cue, waiting, review.approved_variations)
 
   const leaves = (takes: readonly ReviewTake[]) => {
@@ -112,15 +118,15 @@ export function CueRoom(props: CueRoomProps) {
     return waiting.every((take) => variations.has(take.variation) || take.draft_change !== null)
   }
   const approve = () => {
-    if (meant.length === 0) return
+    if (free.length === 0) return
     player.pause()
-    const last = leaves(meant)
-    void judge.approve(cue, meant, meantName)
+    const last = leaves(free)
+    void judge.approve(cue, free, meantName)
     takes.showNames()
     takes.unpick()
     if (last) onJudged()
     else {
-      const decided = new Set(meant.map(({ variation }) => variation))
+      const decided = new Set(free.map(({ variation }) => variation))
       takes.moveOn(({ variation }) => decided.has(variation))
     }
   }
@@ -128,6 +134,12 @@ export function CueRoom(props: CueRoomProps) {
     player.pause()
     void judge.acceptSet(cue, waiting, pickedOfSet(waiting, chosen))
     onJudged()
+  }
+  const ofSet = whole ? pickedOfSet(waiting, chosen) : meant
+  const blocked = {
+    says: review.may_approve ? blockedWords(ofSet, why, blind ? nameOf : realName) : '',
+    free: free.length,
+    isSet: whole && ofSet.some(({ id }) => why.has(id)),
   }
   const openChange = () => {
     player.pause()
@@ -298,6 +310,12 @@ export function CueRoom(props: CueRoomProps) {
             hand={hand}
             meant={meant}
             name={blind && hand ? nameOf(hand) : meantName}
+            blocked={blocked}
+            checklist={
+              hand && Checklist && blind === null ? (
+                <Checklist key={hand.id} checklist={review.checklist} hand={hand} cueId={cue.id} />
+              ) : null
+            }
             whole={whole}
             waiting={waiting}
             judge={judge}

@@ -24,6 +24,7 @@ import { type Comment, useComment, useMarkComment } from './api'
 import type { Carried } from './carried'
 import { CarriedNotes } from './CarriedNotes'
 import { Composer, type Writing } from './Composer'
+import { notesBlock } from './blocked'
 import { Figures } from './Figures'
 import { PalettePlot } from './PalettePlot'
 import classes from './Review.module.css'
@@ -128,7 +129,14 @@ function Comments({ review, projectId, hand, heard, nameOf, said, carried, openS
   return (
     <>
       {hand && carried.length > 0 && (
-        <CarriedNotes carried={carried} hand={hand} cueId={review.cue.id} projectId={projectId} onSpot={onSpot} />
+        <CarriedNotes
+          carried={carried}
+          hand={hand}
+          cueId={review.cue.id}
+          projectId={projectId}
+          areBlocking={notesBlock(review.checklist.blockers)}
+          onSpot={onSpot}
+        />
       )}
       {said.length === 0 && <p className={`${classes.quiet} mid`}>No comments yet</p>}
       <ul aria-label="Comments">

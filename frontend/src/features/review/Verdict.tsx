@@ -1,3 +1,5 @@
+import type { ReactNode } from 'react'
+
 import { HotkeyButton } from '@/app/keys'
 import type { TimeRange } from '@/audio'
 import type { CueReview, ReviewTake } from '@/judging/api'
@@ -20,6 +22,10 @@ interface VerdictProps {
   /** What a verdict is for: the current take, or the selected ones. */
   meant: readonly ReviewTake[]
   name: string
+  /** What is open of those a verdict is for, and which of them can be approved. */
+  blocked: { says: string; free: number; isSet: boolean }
+  /** The checklist of the version, above the buttons. */
+  checklist: ReactNode
   /** A whole set waits and can be accepted at once. */
   whole: boolean
   waiting: readonly ReviewTake[]
@@ -49,7 +55,7 @@ const STATE_WORDS: Partial<Record<ReviewTake['state'], string>> = {
 
 /** Who decides, what follows, and the buttons that do it. */
 export function Verdict(props: VerdictProps) {
-  const { review, hand, meant, name, whole, judge, changing } = props
+  const { review, hand, meant, name, whole, judge, changing, blocked } = props
   const { cue, may_approve } = review
   const state = hand?.state
   const canApprove = state === 'conforming' || state === 'set_aside'
@@ -58,8 +64,9 @@ export function Verdict(props: VerdictProps) {
   const isCut = cue.state === 'cut'
   const refusal = judge.refusal
 
-  const above = (changing || refusal) && (
+  const above = (changing || refusal || props.checklist) && (
     <>
+      {!changing && props.checklist}
       {refusal && <ProblemNote detail={`${refusal.what} ${refusal.problem.detail}`} fix={refusal.problem.fix} />}
       {changing && (
         <ChangeForm
@@ -89,7 +96,7 @@ export function Verdict(props: VerdictProps) {
   return (
     <VerdictBar
       who={whoDecides(review, props.money)}
-      follows={[follows(props), due(props)].filter(Boolean).join(' ')}
+      follows={[blocked.says, follows(props), due(props)].filter(Boolean).join(' ')}
       above={above}
       narrow={
         <Button
@@ -129,6 +136,7 @@ export function Verdict(props: VerdictProps) {
           icon={whole ? undefined : 'tick'}
           tall
           className={whole ? classes.optional : undefined}
+          disabled={blocked.free === 0}
           onPress={props.onApprove}
         >
           Approve {name}
@@ -142,6 +150,7 @@ export function Verdict(props: VerdictProps) {
           variant="primary"
           icon="tick"
           tall
+          disabled={blocked.isSet}
           onPress={props.onAcceptSet}
         >
           Accept the set
@@ -155,6 +164,7 @@ export function Verdict(props: VerdictProps) {
           variant="primary"
           icon="tick"
           tall
+          disabled={blocked.free === 0}
           onPress={props.onApprove}
         >
           Approve {name}

@@ -68,6 +68,35 @@ export const useNameCategoryApprover = (projectId: string) =>
     answered(api.PUT('/v1/projects/{project_id}/category-approvers', { ...inProject(projectId), body })),
   )
 
+/** The checklists of a project, and what blocks approval there. */
+export const approvalSettingsQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: queryKeys.approvalSettings(projectId),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/approval-settings', inProject(projectId))),
+  })
+
+function useApprovalSettingsChange<Asked>(
+  projectId: string,
+  change: (asked: Asked) => Promise<Schemas['ApprovalSettingsRead']>,
+) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: change,
+    onSuccess: (settings) => client.setQueryData(approvalSettingsQuery(projectId).queryKey, settings),
+    onSettled: () => invalidate(client, queryKeys.approvalSettings(projectId), queryKeys.cueReview.all),
+  })
+}
+
+export const useSetChecklist = (projectId: string) =>
+  useApprovalSettingsChange(projectId, (body: Schemas['ChecklistSet']) =>
+    answered(api.PUT('/v1/projects/{project_id}/checklist', { ...inProject(projectId), body })),
+  )
+
+export const useSetBlockers = (projectId: string) =>
+  useApprovalSettingsChange(projectId, (blockers: Schemas['ApprovalBlockers']) =>
+    answered(api.PUT('/v1/projects/{project_id}/approval-blockers', { ...inProject(projectId), body: { blockers } })),
+  )
+
 /** The deputies of today and of later days. */
 export const deputiesQuery = (projectId: string) =>
   queryOptions({

@@ -1,0 +1,89 @@
+import { useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { useHotkeys } from '@/app/keys'
+import type { CueReview, ReviewTake } from '@/judging/api'
+import { Button } from '@/ui/Button'
+import { age } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import classes from './Checklist.module.css'
+import { useCheckItem } from './checklistApi'
+
+interface ChecklistProps {
+  checklist: CueReview['checklist']
+  hand: ReviewTake
+  cueId: string
+}
+
+/** What is checked of a version before it is approved: the next item with its key, and all of them when opened. */
+export function Checklist({ checklist, hand, cueId }: ChecklistProps) {
+  const [isOpen, setOpen] = useState(false)
+  const check = useCheckItem(cueId)
+  const checks = new Map(checklist.checks.filter(({ take_id }) => take_id === hand.id).map((one) => [one.item_id, one]))
+  const next = checklist.items.find(({ id }) => !checks.has(id))
+  const set = (itemId: string, isChecked: boolean) => {
+    if (!check.isPending) check.mutate({ takeId: hand.id, itemId, isChecked })
+  }
+  const checkNext = () => next && set(next.id, true)
+  useHotkeys([
+    { keys: 'i', label: 'Check the next item', group: 'Review', run: checkNext, disabled: next === undefined },
+    { keys: 'shift+i', label: 'Show or hide the checklist', group: 'Review', run: () => setOpen(!isOpen) },
+  ])
+  const done = checklist.items.filter(({ id }) => checks.has(id)).length
+  return (
+    <section aria-label="Checklist" className={classes.checklist}>
+      <div className={classes.line}>
+        <p className="small">
+          <span className="strong">Checklist</span>{' '}
+          <span className="mid" role="status">
+            {done} of {checklist.items.length} checked
+          </span>
+        </p>
+        {next && !isOpen && <p className={`small ${classes.next}`}>{next.text}</p>}
+        <span className={classes.acts}>
+          {next && !isOpen && (
+            <Button keys="i" icon="tick" className="small" onClick={checkNext}>
+              Check<span className="visually-hidden">: {next.text}</span>
+            </Button>
+          )}
+          <Button
+            variant="quiet"
+            className="small"
+            keys="shift+i"
+            aria-expanded={isOpen}
+            aria-controls="checklist-items"
+            onClick={() => setOpen(!isOpen)}
+          >
+            {isOpen ? 'Hide' : 'Show all'}
+          </Button>
+        </span>
+      </div>
+      {isOpen && (
+        <ul id="checklist-items" className={classes.items}>
+          {checklist.items.map(({ id, text }) => {
+            const checked = checks.get(id)
+            return (
+              <li key={id}>
+                <label className={classes.item}>
+                  <input
+                    type="checkbox"
+                    checked={checked !== undefined}
+                    onChange={(event) => set(id, event.currentTarget.checked)}
+                  />
+                  <span>{text}</span>
+                </label>
+                {checked && (
+                  <span className="small dim nowrap">
+                    {checked.by.name}, {age(checked.checked_at)}
+                  </span>
+                )}
+              </li>
+            )
+          })}
+        </ul>
+      )}
+      {check.error instanceof ApiProblem && <ProblemNote detail={check.error.detail} fix={check.error.fix} />}
+    </section>
+  )
+}

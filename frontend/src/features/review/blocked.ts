@@ -1,0 +1,21 @@
+import type { CueReview, ReviewTake } from '@/judging/api'
+
+/** Whether notes that are open block approval. */
+export const notesBlock = (blockers: CueReview['checklist']['blockers']): boolean =>
+  blockers === 'notes' || blockers === 'both'
+
+/** What is open of versions that cannot be approved yet, by version. */
+export const whyBlocked = ({ checklist }: CueReview): ReadonlyMap<string, string> =>
+  new Map(checklist.blocked.map(({ take_id, why }) => [take_id, why]))
+
+/** "Left out: B, 1 comment is not resolved." of those of some versions that cannot be approved yet; else nothing. */
+export function blockedWords(
+  takes: readonly ReviewTake[],
+  why: ReadonlyMap<string, string>,
+  nameOf: (take: ReviewTake) => string,
+): string {
+  const open = takes.filter(({ id }) => why.has(id))
+  if (open.length === 0) return ''
+  if (takes.length === 1) return `Not to be approved yet: ${why.get(takes[0]?.id ?? '') ?? ''}.`
+  return `Left out: ${open.map((take) => `${nameOf(take)}, ${why.get(take.id) ?? ''}`).join('; ')}.`
+}
