@@ -114,6 +114,7 @@ export const queryKeys = {
   cueReview: family<[cueId: string]>('cue-review'),
   changeRequests: family<[projectId: string, state: 'draft']>('change-requests'),
   takeHistory: family<[takeId: string]>('take-history'),
+  approvalSettings: family<[projectId: string]>('approval-settings'),
   judged: family<[projectId: string]>('judged'),
   adoptions: family<[projectId: string]>('adoptions'),
   adoption: family<[adoptionId: string, part?: 'plan']>('adoption'),
