@@ -6,6 +6,7 @@ from app.accounts.calendar_endpoints import router as calendars
 from app.accounts.endpoints import router as accounts
 from app.accounts.invoice_endpoints import router as invoice_details
 from app.accounts.me_endpoints import router as me
+from app.accounts.picture_endpoints import router as my_picture
 from app.accounts.sign_up_endpoints import router as sign_up
 from app.accounts.studio_endpoints import router as studios
 from app.agreements.award_endpoints import router as awards
@@ -33,6 +34,7 @@ from app.dashboards.endpoints import router as dashboards
 from app.dashboards.event_endpoints import router as events
 from app.dashboards.hours_endpoints import router as project_hours
 from app.deliveries.endpoints import router as deliveries
+from app.dashboards.picture_endpoints import router as pictures
 from app.deliveries.sources import ensure_stated_to_invoice
 from app.hiring.bid_endpoints import router as bids
 from app.hiring.endpoints import router as hiring
@@ -81,6 +83,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     sign_up,
     me,
     studios,
+    my_picture,
     calendars,
     invoice_details,
     projects,
@@ -140,6 +143,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     project_hours,
     events,
     notifications,
+    pictures,
     notices,
     mail_preferences,
     webhooks,
@@ -177,6 +181,8 @@ PARSERS = (
     "app.deliveries.game_projects",
     "app.sound_lists.sheets",
     "app.sound_lists.spoken_rules",
+    "app.accounts.picture_drawing",
+    "PIL.ImageOps",
     "audio_checks.placeholders.recorded",
     "app.voice_lines.script_text",
     "app.hiring.roster_files",

@@ -33,6 +33,7 @@ SERVERS_OWN = frozenset({"kit_heartbeats", "accounts_rate_limits", "accounts_sig
 PERSONAL = frozenset(
     {
         *("accounts_sign_ins", "accounts_password_resets", "accounts_email_verifications", "accounts_operators"),
+        "accounts_pictures",  # whose name a caller sees, a query decides
         *("notifications_mail_preferences", "notifications_notices"),
         "shares_saved_views",
     }

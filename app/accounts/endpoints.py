@@ -54,9 +54,7 @@ def read_session(
     if auth.secret:
         give_csrf_token(response, runtime.settings, auth.secret)
     person = session.get_one(Person, actor.person_id)
-    return SessionRead(
-        signed_in=True, demo=auth.demo_part is not None, person=PersonBrief(id=person.id, name=person.name)
-    )
+    return SessionRead(signed_in=True, demo=auth.demo_part is not None, person=PersonBrief.model_validate(person))
 
 
 @_unsaved_router.post("/sign-in", response_model=PersonRead, responses=problems(WrongSignIn, TooManyAttempts))

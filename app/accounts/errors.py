@@ -159,3 +159,11 @@ class StorageQuotaReached(Refused):
     """The studio keeps as many bytes as the operator allows."""
 
     status = 507
+
+
+class PictureRefused(Invalid):
+    """What was sent is no picture that can be shown beside a name."""
+
+
+class PictureNotFound(NotFound):
+    """The person has no such picture, or the caller does not see who they are."""

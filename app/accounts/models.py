@@ -57,7 +57,24 @@ class Person(Base):
     demo_part: Mapped[str | None] = mapped_column(unique=True)  # producer, approver, designer … of the demo studio
     email_verified_at: Mapped[datetime | None]  # None: not verified
     email_proof: Mapped[AddressProof | None]  # how it was verified
+    picture_sha256: Mapped[str | None]  # of its PersonPicture; None: initials are shown
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+    @property
+    def picture(self) -> str | None:
+        """The address of the picture, another one for each that the person chooses."""
+        return f"/v1/people/{self.id}/picture?sha256={self.picture_sha256}" if self.picture_sha256 else None
+
+
+class PersonPicture(Base):
+    """The picture of a person, as the small square that is shown; it goes with the account."""
+
+    __tablename__ = "accounts_pictures"
+
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id", ondelete="CASCADE"), primary_key=True)
+    sha256: Mapped[str]
+    content: Mapped[bytes]
+    saved_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
 class Membership(Base):

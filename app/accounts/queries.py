@@ -15,6 +15,7 @@ from app.accounts.models import (
     Operator,
     PasswordReset,
     Person,
+    PersonPicture,
     SignIn,
     SignUp,
     Studio,
@@ -111,6 +112,11 @@ def people_by_id(session: Session, ids: set[UUID]) -> dict[UUID, Person]:
 def person_by_email(session: Session, email: str) -> Person | None:
     """Return who has this normalised address."""
     return session.scalar(select(Person).where(Person.email == email))
+
+
+def picture_of(session: Session, person_id: UUID) -> PersonPicture | None:
+    """Return the picture of a person; callers have checked who sees it."""
+    return session.get(PersonPicture, person_id)
 
 
 def has_account(session: Session, email: str) -> bool:

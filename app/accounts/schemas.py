@@ -19,10 +19,11 @@ Password = Annotated[str, StringConstraints(max_length=MAX_PASSWORD_LENGTH)]
 
 
 class PersonBrief(Schema):
-    """A person's id and name."""
+    """A person's id and name, and their picture."""
 
     id: UUID
     name: str
+    picture: str | None = Field(None, description="The address of the picture; null where there is none.")
 
 
 class PersonRead(Schema):

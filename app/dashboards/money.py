@@ -65,7 +65,7 @@ def _contract_money(session: Session, contract: Contract, *, with_slips: bool) -
     return schemas.ContractMoney(
         contract_id=contract.id,
         title=contract.title,
-        designer=PersonBrief(id=contract.designer_id, name=contract.designer.name),
+        designer=PersonBrief.model_validate(contract.designer),
         currency=contract.currency,
         release=contract.release_clause,
         kill_fee_in_work_bp=terms.kill_fee_in_work_bp,
@@ -108,7 +108,7 @@ def milestone_sheet(session: Session, actor: Actor, milestone_id: UUID) -> schem
         contract_id=contract.id,
         contract_title=contract.title,
         contract_state=contract.state,
-        designer=PersonBrief(id=contract.designer_id, name=contract.designer.name),
+        designer=PersonBrief.model_validate(contract.designer),
         currency=contract.currency,
         release=contract.release_clause,
         milestone=milestone,

@@ -7,6 +7,7 @@ from uuid import UUID
 from sqlalchemy import ColumnElement, and_
 from sqlalchemy.orm import Session
 
+from app.accounts.models import Person
 from app.accounts.queries import people_by_id
 from app.accounts.rules import Actor
 from app.agreements import queries as agreements
@@ -89,7 +90,7 @@ class _Steps:
         self._verdicts()
         self._named()
         back_since = queries.back_since(session, project.id, project.studio_id)
-        self._await(AwaitedKind.FIXES, "", None, (sum(counts.get(status, 0) for status in CAME_BACK), back_since))
+        self._await(AwaitedKind.FIXES, "", (sum(counts.get(status, 0) for status in CAME_BACK), back_since))
 
     def of_designer(self) -> None:
         """Collect what a designer is to do; before the NDA that is signing it."""
@@ -98,7 +99,7 @@ class _Steps:
         engagement = access.engagement
         if engagement is not None and nda_is_pending(project, engagement):
             if not self.steps and not self.awaited:  # no NDA is with either side yet
-                self._await(AwaitedKind.NDA, project.name, None, (1, engagement.created_at))
+                self._await(AwaitedKind.NDA, project.name, (1, engagement.created_at))
             return
         designer_id = access.actor.person
         counts = counted(progress_queries.cue_groups(session, project.id, designer_id))
@@ -113,19 +114,24 @@ class _Steps:
         else:
             since = queries.conforming_takes_since(session, project.id, designer_id)
             waiting = counts.get(CueStatus.TO_REVIEW, 0), since
-            self._await(AwaitedKind.VERDICTS, *self._acting_for(rights, rights.approver_id), waiting)
+            self._await(AwaitedKind.VERDICTS, self._acting_for(rights, rights.approver_id), waiting)
         asked = queries.questions_open_since(session, project.id, asked_by=designer_id)
-        self._await(AwaitedKind.ANSWER, project.name, None, asked)
+        self._await(AwaitedKind.ANSWER, project.name, asked)
 
     def _counted(self, kind: NextStepKind, found: tuple[int, datetime | None]) -> None:
         count, since = found
         if count:
             self.steps.append(NextStep(kind=kind, count=count, since=since))
 
-    def _await(self, kind: AwaitedKind, who: str, person_id: UUID | None, found: tuple[int, datetime | None]) -> None:
+    def _await(self, kind: AwaitedKind, who: Person | str, found: tuple[int, datetime | None]) -> None:
         count, since = found
-        if count:
-            self.awaited.append(Awaited(kind=kind, who=who, person_id=person_id, count=count, since=since))
+        if not count:
+            return
+        if isinstance(who, str):
+            awaited = Awaited(kind=kind, who=who, count=count, since=since)
+        else:
+            awaited = Awaited(kind=kind, who=who.name, person_id=who.id, picture=who.picture, count=count, since=since)
+        self.awaited.append(awaited)
 
     def _named(self) -> None:
         """Add the cues that name the caller: those to record, and accepted ones that are not in the build."""
@@ -160,12 +166,12 @@ class _Steps:
             if person_id == approver_id or person_id in rights.deputies.get(approver_id, ()):
                 continue
             scope = rights.scope_of(approver_id, as_deputy=False)
-            self._await(AwaitedKind.VERDICTS, *self._acting_for(rights, approver_id), self._waiting(scope, *of_takes))
+            self._await(AwaitedKind.VERDICTS, self._acting_for(rights, approver_id), self._waiting(scope, *of_takes))
 
-    def _acting_for(self, rights: ApprovalRights, approver_id: UUID) -> tuple[str, UUID]:
-        """Return name and id of an approver, or of the deputy who stands in for them today."""
+    def _acting_for(self, rights: ApprovalRights, approver_id: UUID) -> Person:
+        """Return an approver, or the deputy who stands in for them today."""
         acting_id = next(iter(rights.deputies.get(approver_id, ())), approver_id)
-        return people_by_id(self._session, {acting_id})[acting_id].name, acting_id
+        return people_by_id(self._session, {acting_id})[acting_id]
 
     def _postings(self, postings: list[hiring.WaitingPosting]) -> None:
         for posting in postings:

@@ -50,10 +50,10 @@ def my_liaisons(session: Session, person_id: UUID) -> set[UUID]:
     return set(session.scalars(select(Liaison.project_id).where(Liaison.person_id == person_id)))
 
 
-def unmatched_takes(session: Session, project_id: UUID) -> Sequence[Row[Take, str]]:
-    """Return the takes without a cue that wait longest, with their designers' names."""
+def unmatched_takes(session: Session, project_id: UUID) -> Sequence[Row[Take, Person]]:
+    """Return the takes without a cue that wait longest, with their designers."""
     return session.execute(
-        select(Take, Person.name)
+        select(Take, Person)
         .join(Person, Person.id == Take.designer_id)
         .where(*in_tray(project_id, None))
         .order_by(Take.state_since, Take.id)
@@ -61,8 +61,8 @@ def unmatched_takes(session: Session, project_id: UUID) -> Sequence[Row[Take, st
     ).all()
 
 
-def takes_with_designers(session: Session, project: Project) -> Sequence[Row[Take, Cue, str]]:
-    """Return the takes that came back, are the newest of a cue, and still needed, with cue and designer's name."""
+def takes_with_designers(session: Session, project: Project) -> Sequence[Row[Take, Cue, Person]]:
+    """Return the takes that came back, are the newest of a cue, and still needed, with cue and designer."""
     picked = aliased(Take)
     approved = (
         select(func.count())
@@ -72,7 +72,7 @@ def takes_with_designers(session: Session, project: Project) -> Sequence[Row[Tak
     )
     back = (CueSums.viewer_id == project.studio_id, CueSums.newest_back_since.is_not(None))
     return session.execute(
-        select(Take, Cue, Person.name)
+        select(Take, Cue, Person)
         .select_from(CueSums)
         .join(Take, Take.id == CueSums.newest_id)
         .join(Cue, Cue.id == CueSums.cue_id)

@@ -26,7 +26,7 @@ def asked_questions(project: Project, rows: Sequence[Row[Question, Cue, Person]]
             id=question.id,
             cue=brief(project, cue),
             text=question.text,
-            asked_by=PersonBrief(id=asker.id, name=asker.name),
+            asked_by=PersonBrief.model_validate(asker),
             asked_at=question.asked_at,
             answer=question.answer,
             answered_at=question.answered_at,

@@ -147,6 +147,7 @@ class WithOthers(Schema):
     status: Literal["returned", "unmatched", "change_requested", "unjudged"]
     who: str
     person_id: UUID
+    picture: str | None = Field(None, description="The address of the person's picture.")
     since: datetime
 
 

@@ -44,7 +44,7 @@ def me(session: Session, actor: Actor) -> schemas.Me:
     scopes = {project_id: of_project.scope_of(person.id) for project_id, of_project in rights.items()}
     named = queries.studio_names(session, list(actor.roles))
     return schemas.Me(
-        person=PersonBrief(id=person.id, name=person.name),
+        person=PersonBrief.model_validate(person),
         email=person.email,
         email_verified_at=person.email_verified_at,
         is_operator=accounts.is_operator(session, person.id),
@@ -96,13 +96,14 @@ def today(session: Session, actor: Actor, project_id: UUID) -> schemas.Today:
 def _with_others(session: Session, project: Project) -> list[schemas.WithOthers]:
     """Return what waits for others than the approver, the oldest first."""
 
-    def waits(take: Take, cue: CueBrief | None, status: Any, who: str) -> schemas.WithOthers:
+    def waits(take: Take, cue: CueBrief | None, status: Any, who: Person) -> schemas.WithOthers:
         return schemas.WithOthers(
             cue=cue,
             file_name=take.file_name,
             status=status,
-            who=who,
-            person_id=take.designer_id,
+            who=who.name,
+            person_id=who.id,
+            picture=who.picture,
             since=take.state_since,
         )
 

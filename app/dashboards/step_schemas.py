@@ -31,6 +31,7 @@ class Awaited(Schema):
     kind: AwaitedKind
     who: str
     person_id: UUID | None = None
+    picture: str | None = Field(default=None, description="The address of the person's picture.")
     count: int = 1
     subject: str = ""
     since: datetime | None

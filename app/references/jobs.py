@@ -5,6 +5,7 @@ from uuid import UUID
 
 import structlog
 
+from app.kit import pictures
 from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
 from app.references import drawing
@@ -59,5 +60,5 @@ def _sandbox() -> Sandbox:
         memory_bytes=MEMORY_BYTES,
         file_bytes=FILE_BYTES,
         preload=(drawing.__name__,),
-        rehearsal=drawing.rehearse,
+        rehearsal=pictures.rehearse,
     )

@@ -134,7 +134,7 @@ def people_for(session: Session, actor: Actor, take_id: UUID) -> list[PersonBrie
     """Return whom the caller can mention on a take."""
     take, _ = take_for(session, actor, take_id)
     people = people_to_mention(session, take)
-    return [PersonBrief(id=id_, name=name) for id_, name in people.items() if id_ != actor.person]
+    return [PersonBrief.model_validate(person) for person in people if person.id != actor.person]
 
 
 def resolve_comment(session: Session, actor: Actor, comment_id: UUID) -> CommentRead:

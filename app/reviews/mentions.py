@@ -1,10 +1,11 @@
 """People who are mentioned in comments, replies and change requests: those who may see the version."""
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
+from app.accounts.models import Person
 from app.deliveries.models import Take
 from app.kit.db import bypass_row_policies
 from app.kit.events import publish
@@ -13,15 +14,18 @@ from app.reviews.models import ChangeRequest, Comment
 from app.reviews.rules import names_mentioned
 
 
-def people_to_mention(session: Session, take: Take) -> dict[UUID, str]:
-    """Return the names of the people who may see a take, by id."""
+def people_to_mention(session: Session, take: Take) -> Sequence[Person]:
+    """Return the people who may see a take."""
     with bypass_row_policies(session):  # a designer reads no memberships, and may mention the team
-        return {person.id: person.name for person in queries.people_who_see(session, take)}
+        return queries.people_who_see(session, take)
 
 
 def mentions_in(session: Session, take: Take, text: str, person_ids: Collection[UUID]) -> dict[str, str]:
     """Return whom a text about a take mentions, with their names; raise NotMentionable."""
-    return names_mentioned(text, person_ids, people_to_mention(session, take)) if person_ids else {}
+    if not person_ids:
+        return {}
+    names = {person.id: person.name for person in people_to_mention(session, take)}
+    return names_mentioned(text, person_ids, names)
 
 
 def publish_mentions(session: Session, said: Comment | ChangeRequest, *, without: UUID | None = None) -> None:

@@ -159,6 +159,8 @@ def ask(client: TestClient, house: House, operation: Operation) -> Response:
         case "continue_upload":
             more["headers"] = TUS | {"Upload-Offset": "0", "Content-Type": "application/offset+octet-stream"}
             more["content"] = FILE
+        case "save_my_picture":
+            more["content"] = b"GIF89a"
         case "see_upload" | "cancel_upload":
             more["headers"] = TUS
         case "put_upload" | "add_file":

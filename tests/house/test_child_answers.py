@@ -8,6 +8,7 @@ import pytest
 from structlog.testing import capture_logs
 
 from app import rooms
+from app.accounts.picture_drawing import draw_square
 from app.agreements.template_files import parse_toml
 from app.conformance import fixing
 from app.kit import typesetting
@@ -35,7 +36,7 @@ from audio_checks.audio.sandbox import returned_type
 from audio_checks.audit.fingerprinted import decode
 
 DOORS: tuple[Callable[..., Any], ...] = (
-    check_file, decode, drawing.draw, drawing.prepare, export_master, fingerprint_files, fixing.fix, known_sound,
+    check_file, decode, draw_square, drawing.draw, drawing.prepare, export_master, fingerprint_files, fixing.fix, known_sound,
     parse_bytes,
     parse_spec, parse_text, parse_toml, reel_sound.make_reel, compare_reverb_of_takes, timbre.measure,
     draw_previews, typesetting.compile_pdf, unpack, listening.compare, listening.measure_preview,

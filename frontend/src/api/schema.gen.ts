@@ -11580,6 +11580,11 @@ export interface components {
              * @example guest Ada
              */
             name: string;
+            /**
+             * Picture
+             * @description The address of the person's picture.
+             */
+            picture?: string | null;
         };
         /**
          * CommentRead

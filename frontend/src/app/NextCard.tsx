@@ -59,7 +59,7 @@ export function AwaitedRows({ awaited, projectId }: { awaited: readonly Awaited[
   return awaited.map((one) => (
     <Row key={`${one.kind} ${one.who} ${one.subject}`}>
       <span className="grow">
-        <Person name={one.who || 'Designers'} role={roleOf(one.person_id)} />{' '}
+        <Person name={one.who || 'Designers'} picture={one.picture} role={roleOf(one.person_id)} />{' '}
         <span className="mid">{awaitedWords(one)}</span>
       </span>
       {one.since && <span className="dim num small nowrap">{age(one.since)}</span>}

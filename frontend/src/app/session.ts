@@ -8,7 +8,7 @@ export interface ShellProject {
 /** What the top bar shows of the current person. */
 export interface ShellData {
   /** Not signed in: null. */
-  person: { name: string; role: string } | null
+  person: { name: string; role: string; picture?: string | null } | null
   /** Designers have a Desk; everyone of the studio has Today and Review. */
   side: 'studio' | 'designer'
   project: ShellProject | null

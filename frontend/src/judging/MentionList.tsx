@@ -87,7 +87,7 @@ export function MentionList({ takeId, field, text, onText }: MentionsProps) {
             choose(person)
           }}
         >
-          <Face name={person.name} />
+          <Face name={person.name} picture={person.picture} />
           {person.name}
         </div>
       ))}

@@ -18,7 +18,7 @@ export function refusal(status: number, code: string, detail: string, more: Reco
 
 export const answer = (body: unknown, status = 200): Reply => ({ status, body })
 
-const FILE_TYPES = ['application/pdf', 'application/offset+octet-stream']
+const FILE_TYPES = ['application/pdf', 'application/octet-stream', 'application/offset+octet-stream']
 
 /** Whether a file is sent by itself; jsdom makes it a text. */
 const isFile = (request: Request) => FILE_TYPES.includes(request.headers.get('Content-Type') ?? '')

@@ -3,15 +3,16 @@ import classes from './Person.module.css'
 
 interface PersonProps {
   name: string
+  picture?: string | null
   /** What they are here: "approver", "designer". */
   role?: string
 }
 
 /** A person as they are named everywhere: their picture, their name, and what they are. */
-export function Person({ name, role }: PersonProps) {
+export function Person({ name, picture, role }: PersonProps) {
   return (
     <span className={classes.person}>
-      <Face name={name} />
+      <Face name={name} picture={picture} />
       <span className={classes.words}>
         <span className="cut-text">{name}</span>
         {role && <span className="small dim nowrap">{role}</span>}

@@ -1,4 +1,4 @@
-import { screen, within } from '@testing-library/react'
+import { fireEvent, screen, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import { describe, expect, test, vi } from 'vitest'
 
@@ -191,6 +191,17 @@ test.each([
 ])('%s has the face %s', (name, letters) => {
   draw(<Face name={name} />)
   expect(screen.getByText(letters)).toBeInTheDocument()
+})
+
+test('a face is the picture of the person, and letters where that does not load', () => {
+  const { container } = draw(<Face name="Audio director" picture="/v1/people/p1/picture?sha256=ab" />)
+  const picture = container.querySelector('img')
+  expect(picture).toHaveAttribute('src', '/v1/people/p1/picture?sha256=ab')
+  expect(picture).toHaveAttribute('alt', '') // the name stands beside it
+  expect(screen.queryByText('AD')).not.toBeInTheDocument()
+  if (picture) fireEvent.error(picture)
+  expect(container.querySelector('img')).toBeNull()
+  expect(screen.getByText('AD')).toBeInTheDocument()
 })
 
 describe('DataTable', () => {

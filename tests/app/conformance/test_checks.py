@@ -302,7 +302,11 @@ class TestWaiver:
         found = waived.json()
         assert (found["state"], found["verdict"]) == ("conforming", "rejected")
         assert found["waiver"]["codes"] == ["sample-peak:over"]
-        assert found["waiver"]["waived_by"] == {"id": str(world.approver_id), "name": "Audio director"}
+        assert found["waiver"]["waived_by"] == {
+            "id": str(world.approver_id),
+            "name": "Audio director",
+            "picture": None,
+        }
         marked = {finding["code"]: finding["waived"] for finding in found["findings"]}
         assert marked.pop("sample-peak:over") is True
         assert not any(marked.values())

@@ -172,7 +172,7 @@ def test_comments_arrive_on_the_version_as_from_a_guest_and_the_designer_reads_t
     assert world.nobody.post(url, json={"text": "Too long", "start_s": 2}).json()["code"] == "range-invalid"
     for client in (world.designer, world.reviewer):
         [comment] = client.get(f"/v1/takes/{take_id}/comments").json()
-        assert comment["author"] == {"id": None, "name": "guest Ada"}
+        assert comment["author"] == {"id": None, "name": "guest Ada", "picture": None}
         assert (comment["text"], comment["start_s"], comment["decides"]) == ("Too bright", 0.2, False)
     history = world.designer.get(f"/v1/takes/{take_id}/history").json()
     assert history[-1]["text"] == "guest Ada: Too bright"

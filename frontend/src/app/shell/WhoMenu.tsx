@@ -12,7 +12,7 @@ export function WhoMenu({ data, onKeys }: { data: ShellData; onKeys: () => void 
   const { person } = data
   const button = (
     <button type="button" className={classes.who}>
-      {person ? <Face name={person.role} filled /> : <Icon name="sliders" />}
+      {person ? <Face name={person.role} picture={person.picture} filled /> : <Icon name="sliders" />}
       <span className={classes.whoWords} aria-hidden="true">
         {person?.role ?? 'Settings'}
       </span>

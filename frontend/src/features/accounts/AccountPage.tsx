@@ -13,6 +13,7 @@ import { Field, Form } from '@/app/Form'
 import { InvoiceDetailsCard } from './InvoiceDetailsCard'
 import { MailCard } from './MailCard'
 import { ROLE_WORDS } from './parts'
+import { PictureCard } from './PictureCard'
 import { AddressCard, SignInsCard } from './SecurityCards'
 
 const KIND_WORDS = { advisory: 'advises', contract: 'by contract', 'in-house': 'in-house' } as const
@@ -40,6 +41,7 @@ export function AccountPage() {
       </p>
       <div className={classes.cards}>
         <NameCard me={me} />
+        <PictureCard me={me} />
         {session?.demo !== true && <AddressCard me={me} />}
         <PasswordCard demo={session?.demo === true} />
         {session?.demo !== true && <SignInsCard />}

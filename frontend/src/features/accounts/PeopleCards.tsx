@@ -74,7 +74,7 @@ export function PeopleCard({ studioId, meId, isProducer }: PeopleCardProps) {
       <Rows aria-labelledby="people">
         {people?.map((member) => (
           <Row key={member.person.id}>
-            <Face name={member.person.name} />
+            <Face name={member.person.name} picture={member.person.picture} />
             <span className="grow">
               <span className="strong">{member.person.name}</span>
               {member.person.id === meId && <span className="small dim"> you</span>}

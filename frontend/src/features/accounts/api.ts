@@ -167,6 +167,24 @@ export function useRename() {
   })
 }
 
+/** Choose a picture, or with null take it away. */
+export function useSavePicture() {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (file: Blob | null) =>
+      file === null
+        ? answered(api.DELETE('/v1/me/picture'))
+        : answered(
+            api.PUT('/v1/me/picture', {
+              headers: { 'Content-Type': 'application/octet-stream' },
+              body: file as unknown as string, // how OpenAPI's `binary` is typed
+              bodySerializer: (body: unknown) => body as BodyInit,
+            }),
+          ),
+    onSuccess: () => client.invalidateQueries(),
+  })
+}
+
 export const useChangePassword = () =>
   useMutation({
     mutationFn: (body: Schemas['PasswordChange']) => answered(api.PUT('/v1/me/password', { body })),

@@ -84,7 +84,7 @@ function useShell(): ShellData {
   if (me === undefined) return NOBODY
   const isDemo = session?.demo === true
   return {
-    person: { name: me.person.name, role: isDemo ? me.person.name : partWord(me, project) },
+    person: { name: me.person.name, role: isDemo ? me.person.name : partWord(me, project), picture: me.person.picture },
     side: project ? (isTeam ? 'studio' : 'designer') : me.studios.length > 0 ? 'studio' : 'designer',
     project: project ? { id: project.id, name: project.name } : null,
     ndaOpen: project?.nda_open ?? false,

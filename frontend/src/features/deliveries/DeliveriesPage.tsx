@@ -65,7 +65,7 @@ function Line({ delivery, showsDesigner }: { delivery: Delivery; showsDesigner: 
         Delivery {delivery.number}
       </Link>
       <span className={classes.note}>{delivery.note}</span>
-      {showsDesigner && <Person name={delivery.designer.name} />}
+      {showsDesigner && <Person name={delivery.designer.name} picture={delivery.designer.picture} />}
       <span className="small mid num nowrap">{filesOf(delivery.takes_count)}</span>
       <span className="small dim">{daysOf(delivery)}</span>
     </Row>

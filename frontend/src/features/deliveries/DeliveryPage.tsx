@@ -49,7 +49,7 @@ function Head({ delivery }: { delivery: DeliveryDetail }) {
     <header className={classes.head}>
       <h1>Delivery {delivery.number}</h1>
       <p className={classes.facts}>
-        <Person name={delivery.designer.name} role={roleOf(delivery.designer.id)} />
+        <Person name={delivery.designer.name} picture={delivery.designer.picture} role={roleOf(delivery.designer.id)} />
         <span className="mid">{daysOf(delivery)}</span>
       </p>
       {delivery.note && <p>“{delivery.note}”</p>}

@@ -193,7 +193,7 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
         <ul className={classes.changes} aria-label="Comments">
           {advice.map((one) => (
             <li key={one.id}>
-              <Face name={one.author.name} />
+              <Face name={one.author.name} picture={one.author.picture} />
               <div className="grow">
                 <p>
                   <span className="strong">{one.author.name}</span>{' '}

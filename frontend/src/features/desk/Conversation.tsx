@@ -43,7 +43,7 @@ export function Conversation({ projectId, takeId, noteId, kind, to, replies, com
         <ul className={classes.replies} aria-label={`Replies to ${to}`}>
           {replies.map((one) => (
             <li key={one.id}>
-              <Person name={one.author.name} role={roleOf(one.author.id)} />{' '}
+              <Person name={one.author.name} picture={one.author.picture} role={roleOf(one.author.id)} />{' '}
               <span className="small dim">{ago(one.created_at)}</span>
               <p>
                 <MentionedText text={one.text} mentions={one.mentions} />

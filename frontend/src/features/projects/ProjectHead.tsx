@@ -18,6 +18,7 @@ import { against, KIND_WORDS, speaks } from './words'
 interface Someone {
   id: string
   name: string
+  picture?: string | null
   part: string
 }
 
@@ -31,12 +32,13 @@ function usePeople(project: Project): Someone[] {
   )
   return [
     { ...approver, part: `${approver.name}, approver` },
-    ...producers.map(({ person: { id, name } }) => ({
+    ...producers.map(({ person: { id, name, picture } }) => ({
       id,
       name,
+      picture,
       part: /producer/i.test(name) ? name : `${name}, producer`,
     })),
-    ...designers.map(({ designer: { id, name }, kind }) => ({ id, name, part: `${name}, ${KIND_WORDS[kind]}` })),
+    ...designers.map(({ designer, kind }) => ({ ...designer, part: `${designer.name}, ${KIND_WORDS[kind]}` })),
   ]
 }
 
@@ -72,9 +74,9 @@ export function ProjectHead({ project, members = 0 }: ProjectHeadProps) {
       </div>
       <div className={`${classes.people} small mid`}>
         <ul>
-          {people.map(({ id, name, part }) => (
+          {people.map(({ id, name, picture, part }) => (
             <li key={id}>
-              <Face name={name} />
+              <Face name={name} picture={picture} />
               {part}
             </li>
           ))}

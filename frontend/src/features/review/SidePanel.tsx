@@ -230,7 +230,7 @@ function SaidLine({ said, roleOf, open, on, onOpen, myId, onMark, onReply }: Sai
     <li className={classes.said} data-open={open || undefined} data-resolved={resolved || undefined}>
       <p className="row">
         {said.number !== null && <span className={classes.saidNumber}>{said.number}</span>}
-        <Face name={said.who} />
+        <Face name={said.who} picture={said.picture} />
         <span className="strong cut-text">{said.who}</span>
         <span className={said.kind === 'change' ? 'small tone-change toned nowrap' : 'small dim nowrap'}>{role}</span>
         <span className="small mono dim end nowrap">{where}</span>
@@ -245,7 +245,7 @@ function SaidLine({ said, roleOf, open, on, onOpen, myId, onMark, onReply }: Sai
         <ul className={classes.replies} aria-label={`Replies to ${said.who}`}>
           {said.replies.map((one) => (
             <li key={one.id}>
-              <Person name={one.author.name} role={roleOf(one.author.id)} />{' '}
+              <Person name={one.author.name} picture={one.author.picture} role={roleOf(one.author.id)} />{' '}
               <span className="small dim">{age(one.created_at)}</span>
               <p>
                 <MentionedText text={one.text} mentions={one.mentions} />

@@ -11,6 +11,7 @@ export interface Said {
   /** Its number in the wave and in the list; things said of the whole sound have none. */
   number: number | null
   who: string
+  picture?: string | null
   decides: boolean
   kind: 'comment' | 'change'
   /** A change that is noted and not sent. */
@@ -37,6 +38,7 @@ export function saidOf(review: CueReview, takes: readonly ReviewTake[]): Said[] 
         id: comment.id,
         takeId: comment.take_id,
         who: comment.author.name,
+        picture: comment.author.picture,
         decides: comment.decides,
         kind: 'comment' as const,
         draft: false,
@@ -54,6 +56,7 @@ export function saidOf(review: CueReview, takes: readonly ReviewTake[]): Said[] 
         id: change.id,
         takeId: change.take_id,
         who: change.written_by.name,
+        picture: change.written_by.picture,
         decides: true,
         kind: 'change' as const,
         draft: change.sent_at === null,

@@ -59,10 +59,11 @@ export function LivePanel({ hand, meId }: { hand: LiveHand; meId: string | undef
       </div>
       {present.length > 0 && (
         <Rows aria-label="In the session">
-          {present.map(({ id, name }) => (
+          {present.map(({ id, name, picture }) => (
             <Row key={id} dense>
               <Person
                 name={id === meId ? `${name} (you)` : name}
+                picture={picture}
                 role={live?.holder?.id === id ? 'holds the keys' : undefined}
               />
               {live?.is_holder && id !== meId && (

@@ -43,7 +43,7 @@ export function WithOthersCard({ waiting, awaited, projectId }: WithOthersProps)
             <span className="grow">
               <span className={`cut-text ${classes.block}`}>{one.cue?.name ?? one.file_name}</span>
               <span className={`row small ${classes.block}`}>
-                <Person name={one.who} role={roleOf(one.person_id)} />
+                <Person name={one.who} picture={one.picture} role={roleOf(one.person_id)} />
                 <span className="dim nowrap">{age(one.since)}</span>
               </span>
             </span>

@@ -119,7 +119,11 @@ function QuestionLine({ question, projectId }: { question: AskedQuestion; projec
         <span className="strong cut-text">{cue.name}</span>{' '}
         <span className={`mid ${open ? '' : 'cut-text'} ${classes.why}`}>“{question.text}”</span>
         <span className={`small mid ${classes.lineWave}`}>
-          <Person name={question.asked_by.name} role={roleOf(question.asked_by.id)} />
+          <Person
+            name={question.asked_by.name}
+            picture={question.asked_by.picture}
+            role={roleOf(question.asked_by.id)}
+          />
         </span>
         <span className={classes.state}>
           <State kind="question" />
@@ -162,8 +166,8 @@ function Answer({ question, projectId, onClose }: AnswerProps) {
       }}
     >
       <p className="small dim">
-        <Person name={question.asked_by.name} role={roleOf(question.asked_by.id)} /> asks. The answer is added to the
-        description of {question.cue.name}.
+        <Person name={question.asked_by.name} picture={question.asked_by.picture} role={roleOf(question.asked_by.id)} />{' '}
+        asks. The answer is added to the description of {question.cue.name}.
       </p>
       <div className={classes.answerLine}>
         <input

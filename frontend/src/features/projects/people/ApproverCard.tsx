@@ -53,7 +53,7 @@ export function ApproverCard({ project, members = [] }: { project: Project; memb
     <Card aria-labelledby="approver">
       <CardHead id="approver" title="Approver" note={ofWhat(project)} />
       <div className={classes.approver}>
-        <Face name={approver.name} filled />
+        <Face name={approver.name} picture={approver.picture} filled />
         <div className="grow">
           <p className="strong">{approver.name}</p>
           {history?.[0] && (

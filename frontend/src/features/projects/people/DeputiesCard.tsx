@@ -39,7 +39,7 @@ export function DeputiesCard({ project, members = [] }: { project: Project; memb
       <Rows aria-label="Deputies">
         {found?.deputies.map((one) => (
           <Row key={one.id} className={classes.person}>
-            <Face name={one.deputy.name} />
+            <Face name={one.deputy.name} picture={one.deputy.picture} />
             <div className="grow">
               <p className="strong">{`${one.deputy.name} for ${one.person.name}`}</p>
               <p className="small mid">{spanOf(one)}</p>

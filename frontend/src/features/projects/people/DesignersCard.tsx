@@ -80,7 +80,7 @@ function Designer({ engagement, project }: { engagement: Engagement; project: Pr
   return (
     <>
       <Row className={classes.person}>
-        <Face name={designer.name} />
+        <Face name={designer.name} picture={designer.picture} />
         <div className="grow">
           <p className={ended ? 'struck' : 'strong'}>{designer.name}</p>
           <p className="small mid">

@@ -59,7 +59,7 @@ export function TeamCard({ project, members }: { project: Project; members: read
           ]
           return (
             <Row key={person.id} className={classes.person}>
-              <Face name={person.name} />
+              <Face name={person.name} picture={person.picture} />
               <div className="grow">
                 <p className="strong">{person.name}</p>
                 <p className={`small mid ${classes.mail}`}>{[parts.join(', '), email].filter(Boolean).join(' · ')}</p>

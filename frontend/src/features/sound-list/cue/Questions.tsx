@@ -37,7 +37,11 @@ export function QuestionLine({
           </>
         )}
         {question.asked_by ? (
-          <Person name={question.asked_by.name} role={roleOf(question.asked_by.id)} />
+          <Person
+            name={question.asked_by.name}
+            picture={question.asked_by.picture}
+            role={roleOf(question.asked_by.id)}
+          />
         ) : (
           'Another designer'
         )}{' '}
@@ -47,7 +51,13 @@ export function QuestionLine({
       {question.answer !== null && (
         <>
           <p className="small dim">
-            {question.answered_by && <Person name={question.answered_by.name} role={roleOf(question.answered_by.id)} />}{' '}
+            {question.answered_by && (
+              <Person
+                name={question.answered_by.name}
+                picture={question.answered_by.picture}
+                role={roleOf(question.answered_by.id)}
+              />
+            )}{' '}
             answered {question.answered_at && ago(question.answered_at)}
           </p>
           <p className={classes.quote}>{question.answer}</p>
