@@ -122,6 +122,7 @@ docs: setup  ## Write the generated pages
 openapi: .make/python .make/node  ## Write the OpenAPI document and the frontend's types
 	$(BIN)/soundlist openapi frontend/openapi.json
 	$(BIN)/python -m tests.support.described_checks frontend/src/test/checks.json
+	$(BIN)/python -m tests.support.browser_vectors frontend/src/features/desk/precheck/vectors.json
 	cd frontend && npm run --silent gen
 
 audit-dependencies: .make/python  ## Look for known vulnerabilities in what is locked, where advisories can be reached

@@ -21,7 +21,14 @@ if TYPE_CHECKING:
     from audio_checks.audit.manifest import manifest_entry, manifest_of, read_manifest, write_manifest
     from audio_checks.audit.played import with_plays, with_project
     from audio_checks.audit.report import Audit
-    from audio_checks.audit.same_sound import Difference, KnownSound, difference_of, known_sound, likely_sounds
+    from audio_checks.audit.same_sound import (
+        Difference,
+        KnownSound,
+        difference_of,
+        known_sound,
+        likely_sounds,
+        sounds_of_manifest,
+    )
     from audio_checks.checks import Check, CheckLimit, all_checks
     from audio_checks.errors import (
         AudioChecksError,
@@ -61,6 +68,7 @@ if TYPE_CHECKING:
     from audio_checks.report.findings import FileReport, Finding, Report
     from audio_checks.report.judged import JudgedFile
     from audio_checks.run.memory_budget import Memory, MemoryUse, SoundSize, memory_use, requested_sizes
+    from audio_checks.run.name_check import check_name
     from audio_checks.run.rehearsal import rehearse_check, write_rehearsal_sound
     from audio_checks.run.runner import check_file, check_files, is_placeholder, measure_file
     from audio_checks.run.sets import offset_from_set_lu, set_findings
@@ -146,6 +154,7 @@ __all__ = [
     "average_spectrum",
     "check_file",
     "check_files",
+    "check_name",
     "compare_reverb_of_takes",
     "compare_reverb_with_dry",
     "confinement_gaps",
@@ -192,6 +201,7 @@ __all__ = [
     "requested_sizes",
     "set_findings",
     "slug",
+    "sounds_of_manifest",
     "spectrogram",
     "stem_of_file",
     "stems_of",
@@ -214,7 +224,10 @@ _HOMES = {
     "audio_checks.audit.manifest": ("manifest_entry", "manifest_of", "read_manifest", "write_manifest"),
     "audio_checks.audit.played": ("with_plays", "with_project"),
     "audio_checks.audit.report": ("Audit",),
-    "audio_checks.audit.same_sound": ("Difference", "KnownSound", "difference_of", "known_sound", "likely_sounds"),
+    "audio_checks.audit.same_sound": (
+        *("Difference", "KnownSound", "difference_of", "known_sound", "likely_sounds"),
+        "sounds_of_manifest",
+    ),
     "audio_checks.middleware.project": ("read_project", "read_project_texts"),
     "audio_checks.middleware.values": ("Part", "PlayedSound", "Project"),
     "audio_checks.judge.compare.dry_stem": ("compare_reverb_with_dry",),
@@ -260,6 +273,7 @@ _HOMES = {
     "audio_checks.render.render": ("render_master",),
     "audio_checks.render.work": ("RENDERER_VERSION",),
     "audio_checks.render.rendered": ("Loss", "Rendered"),
+    "audio_checks.run.name_check": ("check_name",),
     "audio_checks.run.runner": ("check_file", "check_files", "is_placeholder", "measure_file"),
     "audio_checks.audio.sandbox": ("Sandbox", "SandboxChild", "confinement_gaps", "ensure_declared"),
     "audio_checks.report.judged": ("JudgedFile",),

@@ -8,14 +8,23 @@ from fastapi import Response
 import audio_checks
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.conformance import fixes, service
+from app.conformance import fixes, previews, service
 from app.conformance.errors import CheckNotFound, FixNotReady, NothingToFix, NothingToWaive
-from app.conformance.schemas import CheckDescription, CheckRead, FixOffer, FixRead, WaiverAdd
-from app.deliveries.errors import OwnDesignerNeeded, TakeNotFound, WrongState
+from app.conformance.schemas import (
+    CheckDescription,
+    CheckPreview,
+    CheckPreviewed,
+    CheckRead,
+    FixOffer,
+    FixRead,
+    WaiverAdd,
+)
+from app.deliveries.errors import OwnDesignerNeeded, TakeNotFound, VariationUnknown, WrongState
 from app.deliveries.schemas import TakeRead
 from app.deliveries.service import read_take, take_for
 from app.kit.http import DbSession, Route, Router, problems
-from app.projects.errors import ApproverNeeded, ProjectNotFound
+from app.projects.errors import ApproverNeeded, ProjectNotFound, TeamNeeded
+from app.sound_lists.errors import CueNotFound
 
 router = Router(prefix="/v1", tags=["conformance"], route_class=Route)
 SAME_TAKE: dict[int | str, dict[str, Any]] = {
@@ -27,6 +36,18 @@ SAME_TAKE: dict[int | str, dict[str, Any]] = {
 def list_checks(_actor: Actor = allows(Audience.ANYONE)) -> list[CheckDescription]:
     """List the checks of this server in the order of reports: how forms show them, and what a spec may state."""
     return [CheckDescription.model_validate(check) for check in audio_checks.all_checks().values()]
+
+
+@router.post(
+    "/projects/{project_id}/check-preview",
+    response_model=CheckPreviewed,
+    responses=problems(ProjectNotFound, TeamNeeded, CueNotFound, VariationUnknown),
+)
+def preview_checks(
+    project_id: UUID, body: CheckPreview, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> CheckPreviewed:
+    """Say what files would be judged by before they are sent, and what is wrong with their names; nothing is kept."""
+    return previews.preview_checks(session, actor, project_id, body)
 
 
 @router.get("/takes/{take_id}/check", response_model=CheckRead, responses=problems(TakeNotFound, CheckNotFound))

@@ -14,6 +14,11 @@ import audio_checks
 from app.deliveries.rules import TakeState
 
 TRIES = 3
+# Checks of which the desk knows the result before a file is sent. The page computes these from the bytes, held to
+# frontend/src/features/desk/precheck/vectors.json; what is wrong with a name the server answers.
+JUDGED_IN_BROWSER = (
+    "container", "encoding", "sample-rate", "bit-depth", "channels", "duration", "sample-peak", "silence",
+)  # fmt: skip
 COMPARISON_FAILED = "failed"
 Report = dict[str, Any]  # the file object of the report
 
@@ -27,6 +32,11 @@ class FixState(StrEnum):
     MAKING = "making"
     MADE = "made"
     REFUSED = "refused"
+
+
+def levels_in_browser(spec: audio_checks.DeliverySpec) -> dict[str, str]:
+    """Return what a view of a spec says of the checks that the page computes: a severity or off, where it says any."""
+    return {name: level for name, level in spec.checks.items() if name in JUDGED_IN_BROWSER}
 
 
 def awaits_check(state: TakeState, *, is_checked: bool) -> bool:

@@ -8,8 +8,9 @@ from pydantic import Field, StringConstraints
 
 from app.accounts.schemas import PersonBrief
 from app.deliveries.rules import TakeState
-from app.deliveries.schemas import CueBrief, ShownName
+from app.deliveries.schemas import CueBrief, GivenName, ShownName
 from app.kit.http import Schema
+from app.projects.schemas import AcceptRead, LimitsRead
 
 Reason = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=5000, pattern="^[^\\x00]*$")]
 
@@ -151,6 +152,67 @@ class CheckDescription(Schema):
     may_return: bool = Field(description="Whether a spec may make it an error, so that takes are returned for it.")
     is_in_categories: bool = Field(description="Whether the form of a category offers its severity.")
     limits: list[CheckLimitDescription]
+
+
+MAX_PREVIEWED_FILES = 200
+
+
+class FileNamed(Schema):
+    """A file that is about to be sent."""
+
+    file_name: GivenName
+    cue_id: UUID | None = Field(None, description="The cue that it was dropped on; null: as its name says.")
+
+
+class CheckPreview(Schema):
+    """The files of a delivery before they are sent."""
+
+    files: list[FileNamed] = Field(min_length=1, max_length=MAX_PREVIEWED_FILES)
+
+
+class PreviewedCheck(Schema):
+    """A check that a page can make of a file before it is sent."""
+
+    name: str
+    label: str
+
+
+class SpecView(Schema):
+    """What the spec asks of files of one category."""
+
+    category: str | None
+    accept: AcceptRead
+    limits: LimitsRead
+    levels: dict[str, Literal["error", "warning", "off"]] = Field(
+        description="Where the spec itself says how serious a check is, by its name."
+    )
+
+
+class CueLength(Schema):
+    """The length that a cue asks for."""
+
+    duration_s: float | None
+    length_locked: bool
+    frame_rate_fps: float | None
+
+
+class FilePreview(Schema):
+    """What a file would be judged by, and what is wrong with its name."""
+
+    cue: CueBrief | None = Field(description="Null where its name does not say surely which.")
+    variation: int | None
+    length: CueLength | None
+    spec: int = Field(description="Its place in `specs`.")
+    is_dry_stem: bool = Field(description="It would be the dry stem of a version, which is not checked.")
+    findings: list[FindingRead] = Field(description="Of its name alone.")
+
+
+class CheckPreviewed(Schema):
+    """What files would be judged by, in the order in which they were named."""
+
+    checks: list[PreviewedCheck]
+    specs: list[SpecView]
+    files: list[FilePreview]
 
 
 class FixRead(Schema):

@@ -40,6 +40,7 @@ from app.kit.queue import BULK
 from app.projects.approval import ensure_may_approve
 from app.projects.models import Spec
 from app.projects.queries import current_spec
+from app.sound_lists.models import Cue
 from app.sound_lists.service import cue_facts
 
 NOTIFY_EVERY_S = 5.0
@@ -120,9 +121,13 @@ def _before(session: Session, take: Take) -> TakeBefore | None:
 
 def resolved_spec(spec: Spec, take: Take) -> audio_checks.DeliverySpec:
     """Return what a version of the spec asks of one take."""
-    whole = parsed_spec(spec.toml)
-    resolved = whole.for_category((take.cue.category if take.cue else "") or whole.category_of(take.file_name))
-    if take.cue is None:  # it is named for its cue once it is matched
+    return spec_for(parsed_spec(spec.toml), take.cue, take.file_name)
+
+
+def spec_for(whole: audio_checks.DeliverySpec, cue: Cue | None, file_name: str) -> audio_checks.DeliverySpec:
+    """Return what a spec asks of a file that is for a cue, or for none yet."""
+    resolved = whole.for_category((cue.category if cue else "") or whole.category_of(file_name))
+    if cue is None:  # it is named for its cue once it is matched
         return replace(resolved, checks=resolved.checks | {"naming": "off"})
     return resolved
 

@@ -50,7 +50,12 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     `naming:pattern`, `naming:tokens` or `naming:ucs` for the rule it breaks, `naming:extension`, `naming:reserved`
     and `naming:not-portable`, and for renders `naming:alternate`.
     """
-    stem, alternate, _, extension = parse_file_name(file.name)
+    yield from of_name(file.name, spec)
+
+
+def of_name(name: str, spec: DeliverySpec) -> Iterator[Finding]:
+    """Yield what is wrong with one name; no file is needed for it."""
+    stem, alternate, _, extension = parse_file_name(name)
     broken = list(_against_rule(stem, extension, spec))
     yield from broken
     ending = spec.naming.extension
@@ -61,7 +66,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
             fix=f"rename it to end in {ending}" if extension.lower() == ending.lower() else f"export it as {ending}",
         )
     if spec.naming.portable and not broken:
-        yield from _portable(file.name)
+        yield from _portable(name)
     if spec.target is not None and alternate is not None:
         yield Finding(
             code="naming:alternate",

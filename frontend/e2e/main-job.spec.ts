@@ -5,6 +5,7 @@ import { promisify } from 'node:util'
 
 import { type Browser, expect, type Page } from '@playwright/test'
 
+import { expectAccessible } from './axe'
 import { test } from './fixtures'
 import { ROOT } from './server'
 import { unzip, wav, wavFacts, zip } from './sounds'
@@ -188,6 +189,15 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
     await brake(designer, 0)
     await expect(line(designer, 'ui_confirm.wav')).toContainText('Not uploaded')
     await expect(line(designer, 'ui_confirm.wav')).toContainText('This is an MP3 named .wav.')
+
+    const held = card(designer, 'Check before the upload')
+    await expect(held).toContainText('1 file would come back')
+    await expect(held.getByRole('listitem')).toContainText(
+      /laser_fire\.wav.*Sample peak −?0\.0+ dBFS\. Limit −0\.1 dBFS\./,
+    )
+    await expectAccessible(designer, 'the desk with a file that would come back')
+    await held.getByRole('button', { name: 'Upload laser_fire.wav anyway' }).click()
+    await expect(held).toBeHidden()
 
     const back = card(designer, /Needs your fix/)
     await expect(back.getByRole('heading', { name: 'laser_fire' })).toBeVisible()

@@ -1920,7 +1920,7 @@ export interface paths {
         put?: never;
         /**
          * Add Reference Version
-         * @description Replace the file or link of a reference; older versions stay.
+         * @description Replace the file or link of a reference; older versions stay, and parts that were spotted from it follow.
          */
         post: operations["add_reference_version"];
         delete?: never;
@@ -7482,6 +7482,50 @@ export interface paths {
         put?: never;
         post?: never;
         delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/sound-libraries": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Sound Libraries
+         * @description Return the sound libraries that takes are compared with: the studio's to its team, their own to designers.
+         */
+        get: operations["list_sound_libraries"];
+        put?: never;
+        /**
+         * Add Sound Library
+         * @description Register the files of a library by their fingerprints; takes of the studio are compared with them.
+         */
+        post: operations["add_sound_library"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/sound-libraries/{library_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Remove Sound Library
+         * @description Forget a library, and that takes equal its files.
+         */
+        delete: operations["remove_sound_library"];
         options?: never;
         head?: never;
         patch?: never;
@@ -15746,6 +15790,38 @@ export interface components {
             terms: components["schemas"]["TermRead"][];
         };
         /**
+         * LibraryMatchRead
+         * @description A file of a registered sound library that holds the same sound.
+         */
+        LibraryMatchRead: {
+            /** Library */
+            library: string;
+            /** Licence */
+            licence: string;
+            /** File */
+            file: string;
+            /**
+             * Words
+             * @description How the take in question differs from it.
+             */
+            words: string;
+            /**
+             * Gain Db
+             * @description By how much the take in question is louder.
+             */
+            gain_db: number;
+            /**
+             * Score
+             * @description 0 to 1: how the two waves agree.
+             */
+            score: number;
+            /**
+             * Is Declared
+             * @description The stated sources of the take name the library.
+             */
+            is_declared: boolean;
+        };
+        /**
          * LibraryRead
          * @description What the library has for a kind of contract, and the variables that the server fills in.
          */
@@ -15759,6 +15835,27 @@ export interface components {
             variables: {
                 [key: string]: string;
             };
+        };
+        /**
+         * LibrarySheetAdd
+         * @description A sheet of fingerprints of a library's files.
+         */
+        LibrarySheetAdd: {
+            /**
+             * Name
+             * @description Of the library, as sources are declared by it.
+             */
+            name: string;
+            /**
+             * Licence
+             * @default
+             */
+            licence: string;
+            /**
+             * Content Base64
+             * @description What `audio-checks manifest FOLDER` wrote, in Base64.
+             */
+            content_base64: string;
         };
         /**
          * LibrarySource
@@ -20087,6 +20184,12 @@ export interface components {
              */
             added_at: string;
             version: components["schemas"]["ReferenceVersionRead"];
+            /**
+             * Parts
+             * @description Cues spotted from it, whose parts follow to a new version.
+             * @default 0
+             */
+            parts: number;
             /** May Change */
             may_change: boolean;
         };
@@ -21129,6 +21232,8 @@ export interface components {
             is_compared: boolean | null;
             /** Sounds */
             sounds: components["schemas"]["SameSoundRead"][];
+            /** Libraries */
+            libraries: components["schemas"]["LibraryMatchRead"][];
         };
         /**
          * SampleAdd
@@ -22047,6 +22152,33 @@ export interface components {
             /** Gain Db */
             gain_db: number | null;
             changelist: components["schemas"]["Changelist"] | null;
+        };
+        /**
+         * SoundLibraryRead
+         * @description A sound library that takes are compared with.
+         */
+        SoundLibraryRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Name */
+            name: string;
+            /** Licence */
+            licence: string;
+            /** Sounds */
+            sounds: number;
+            /** @description Who registered it. */
+            person: components["schemas"]["PersonBrief"];
+            /**
+             * Added At
+             * Format: date-time
+             * @description When its newest sheet came.
+             */
+            added_at: string;
+            /** May Remove */
+            may_remove: boolean;
         };
         /**
          * SoundListRead
@@ -23685,6 +23817,12 @@ export interface components {
             pdf_sha256: string | null;
         };
         /**
+         * VersionKind
+         * @description Whether what waits answers a change request.
+         * @enum {string}
+         */
+        VersionKind: "first" | "new";
+        /**
          * VersionRead
          * @description One version with its text; what it was written from is the studio's alone.
          */
@@ -23719,7 +23857,7 @@ export interface components {
          * @description The page whose filter a saved view is.
          * @enum {string}
          */
-        ViewedPage: "sound_list";
+        ViewedPage: "sound_list" | "review_queue";
         /**
          * VoiceLineChange
          * @description What changes of a line; fields that are left out stay.
@@ -40631,6 +40769,17 @@ export interface operations {
                 /** @description The cues that the caller approves today. Who approves none in a project is shown all of it. */
                 own?: boolean;
                 cursor?: string | null;
+                category?: string | null;
+                /** @description Of whom a version waits. */
+                designer_id?: string | null;
+                /** @description The last target date; cues without one are left out. */
+                due_by?: string | null;
+                need?: components["schemas"]["Need"] | null;
+                kind?: components["schemas"]["QueueKind"] | null;
+                /** @description `new`: a version that answers a change request waits. */
+                version?: components["schemas"]["VersionKind"] | null;
+                /** @description Each word stands in the name, the description or the use of the cue. */
+                q?: string;
             };
             header?: never;
             path?: never;
@@ -40682,6 +40831,17 @@ export interface operations {
                 project_id?: string | null;
                 /** @description The cues that the caller approves today. Who approves none in a project is shown all of it. */
                 own?: boolean;
+                category?: string | null;
+                /** @description Of whom a version waits. */
+                designer_id?: string | null;
+                /** @description The last target date; cues without one are left out. */
+                due_by?: string | null;
+                need?: components["schemas"]["Need"] | null;
+                kind?: components["schemas"]["QueueKind"] | null;
+                /** @description `new`: a version that answers a change request waits. */
+                version?: components["schemas"]["VersionKind"] | null;
+                /** @description Each word stands in the name, the description or the use of the cue. */
+                q?: string;
             };
             header?: never;
             path?: never;
@@ -47074,6 +47234,164 @@ export interface operations {
                 };
             };
             /** @description `take-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_sound_libraries: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SoundLibraryRead"][];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    add_sound_library: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["LibrarySheetAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SoundLibraryRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `library-full` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-library-sheet` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `parsing-busy` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    remove_sound_library: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                library_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `library-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;

@@ -1,7 +1,7 @@
 import { ApiProblem } from '@/api/problem'
 
 import type { Picked } from './drops'
-import { type Accepts, ANY_WAV, judge, kindOf, SNIFF_BYTES } from './sniff'
+import { type Accepts, ANY_WAV, judge, type Judged, kindOf, SNIFF_BYTES } from './sniff'
 
 export type UploadState =
   'waiting' | 'sending' | 'line_lost' | 'paused' | 'finished' | 'stopped' | 'not_sent' | 'already_here'
@@ -125,13 +125,14 @@ export class UploadQueue {
     this.#notify()
   }
 
+  /** Whether a file goes on its way, by its name and its first bytes. */
+  judge = async (file: File): Promise<Judged> => {
+    const first = new Uint8Array(await file.slice(0, SNIFF_BYTES).arrayBuffer())
+    return judge(file.name, file.size, kindOf(first), this.#options.accepts)
+  }
+
   async #addSome(picked: readonly Picked[], cueId: string | null): Promise<void> {
-    const judged = await Promise.all(
-      picked.map(async ({ file }) => {
-        const first = new Uint8Array(await file.slice(0, SNIFF_BYTES).arrayBuffer())
-        return judge(file.name, file.size, kindOf(first), this.#options.accepts)
-      }),
-    )
+    const judged = await Promise.all(picked.map(({ file }) => this.judge(file)))
     picked.forEach(({ file, path }, index) => {
       const verdict = judged[index]
       const base = { id: `u${this.#nextId++}`, file, path, sentBytes: 0, resumedAtBytes: null, cueId }

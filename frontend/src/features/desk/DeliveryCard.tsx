@@ -29,6 +29,8 @@ interface DeliveryCardProps {
   onChooseFolder: () => void
   /** Why the files could not be taken at all. */
   problem: unknown
+  /** What would come back, before it is sent. */
+  held: ReactNode
   /** What waits for its cue. */
   children: ReactNode
 }
@@ -41,6 +43,7 @@ export function DeliveryCard({
   onChoose,
   onChooseFolder,
   problem,
+  held,
   children,
 }: DeliveryCardProps) {
   const { queue } = uploads
@@ -94,6 +97,7 @@ export function DeliveryCard({
           <Refusal error={refused} />
         </div>
       )}
+      {held}
       {empty && (
         <div className={classes.drop}>
           <p>

@@ -14,6 +14,7 @@ import { OwedCards } from '@/money/OwedCard'
 import { Refusal } from '@/judging/Refusal'
 import { EmptyState } from '@/ui/EmptyState'
 import { KeysLine } from '@/ui/KeysLine'
+import { useLazy } from '@/ui/useLazy'
 import { filesOfField, type Picked, usePageDrop } from '@/uploads'
 
 import { type Desk, deliveryQuery, openDeliveryQuery, unmatchedQuery, useCues, useDesk, useUnmatched } from './api'
@@ -27,6 +28,8 @@ import { labelsOf } from './rows'
 import { AskedCard, FixesCard, ToMakeCard, WithApproverCard } from './SideCards'
 import { UnmatchedTray } from './UnmatchedTray'
 import { deskLine } from './words'
+
+const loadHeldFiles = () => import('./precheck/HeldFiles').then(({ HeldFiles }) => HeldFiles)
 
 function useDeliveryUploads(projectId: string): { uploads: DeliveryUploads | null; error: unknown } {
   const client = useQueryClient()
@@ -110,11 +113,14 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
   const { data: cues } = useCues(projectId)
   const { data: next } = useQuery(nextStepsQuery(projectId))
   const [problem, setProblem] = useState<unknown>(null)
+  const [precheck, setPrecheck] = useState(uploads.precheck)
+  const HeldFiles = useLazy(loadHeldFiles, precheck !== null)
 
   const add = useCallback(
     async (picked: readonly Picked[], cueId: string | null = null) => {
       setProblem(null)
       try {
+        setPrecheck(await uploads.prepare())
         await uploads.add(picked, cueId)
       } catch (refusal) {
         setProblem(refusal)
@@ -165,6 +171,7 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
             onChoose={() => chooser.choose(null)}
             onChooseFolder={chooser.chooseFolder}
             problem={problem}
+            held={precheck && HeldFiles && <HeldFiles precheck={precheck} />}
           >
             <UnmatchedTray
               projectId={projectId}

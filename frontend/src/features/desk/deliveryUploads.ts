@@ -20,6 +20,7 @@ import {
   refresh,
   type TakeAdded,
 } from './api'
+import type { Precheck } from './precheck/precheck'
 
 /** Of a thousand files each changes the lists; reading those again for each of them would keep the server busy. */
 const REFRESH_EVERY_MS = 2_000
@@ -29,6 +30,8 @@ const REFRESH_MS_EACH = 8
 /** Files on their way into one project. They go on while other pages are looked at. */
 export class DeliveryUploads {
   readonly queue: UploadQueue
+  /** What files go through before they are sent; null where the browser has no workers. */
+  precheck: Precheck | null = null
   readonly #client: QueryClient
   readonly #projectId: string
   /** Which delivery a file was put into. */
@@ -51,7 +54,7 @@ export class DeliveryUploads {
     this.queue = new UploadQueue({
       accepts,
       transport: smallFilesTransport({
-        send: (upload, signal) => this.#send(upload, signal),
+        send: (upload, signal) => this.#sendSmall(upload, signal),
         otherwise: partsTransport({ ...where, otherwise: tusTransport(where) }),
       }),
       onFinished: (upload, uploadId) => this.#arrived(upload, uploadId),
@@ -61,8 +64,21 @@ export class DeliveryUploads {
   /** The take that an upload became, once its last byte was here. */
   takeOf = (uploadId: string): TakeAdded | undefined => this.#takes.get(uploadId)
 
-  /** Put files into the open delivery, which is opened by the first of them. */
+  /** Load what judges files before they are sent, once; without it they are sent as they are. */
+  async prepare(): Promise<Precheck | null> {
+    if (typeof Worker === 'undefined') return null
+    const loaded = await import('./precheck/precheck').catch(() => null)
+    this.precheck ??= loaded && loaded.precheckOf(this.#projectId, this.queue, this.#send)
+    return this.precheck
+  }
+
+  /** Put files into the open delivery; those that would come back wait for a decision. */
   async add(picked: readonly Picked[], cueId: string | null = null): Promise<void> {
+    if (picked.length > 0) await (this.precheck?.add(picked, cueId) ?? this.#send(picked, cueId))
+  }
+
+  /** Send files into the open delivery, which is opened by the first of them. */
+  #send = async (picked: readonly Picked[], cueId: string | null): Promise<void> => {
     if (picked.length === 0) return
     this.#opening ??= this.#openDelivery()
     try {
@@ -82,7 +98,7 @@ export class DeliveryUploads {
     return opened.id
   }
 
-  async #send(upload: Upload, signal: AbortSignal): Promise<string> {
+  async #sendSmall(upload: Upload, signal: AbortSignal): Promise<string> {
     const deliveryId = this.#deliveryOf.get(upload.file) ?? ''
     this.#keep(upload, await addFile(deliveryId, upload.file, { file_name: upload.path, cue_id: upload.cueId }, signal))
     this.#made.add(upload.id)

@@ -1,0 +1,86 @@
+"""What a check would say of files before they are sent: whom they are for, what their names break, and the limits."""
+
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+import audio_checks
+from app.accounts.models import Person
+from app.accounts.rules import Actor
+from app.conformance.rules import JUDGED_IN_BROWSER, levels_in_browser, parsed_spec
+from app.conformance.schemas import (
+    CheckPreview,
+    CheckPreviewed,
+    CueLength,
+    FileNamed,
+    FilePreview,
+    FindingRead,
+    PreviewedCheck,
+    SpecView,
+)
+from app.conformance.service import spec_for
+from app.deliveries.rules import base_name, dry_stem_for, named_for, stored_name
+from app.deliveries.schemas import CueBrief
+from app.deliveries.slots import Slot, slot_given, slot_named, stems_of_slots
+from app.projects.queries import current_spec
+from app.projects.service import ProjectAccess, project_access
+from app.sound_lists.rules import label
+from app.sound_lists.service import cue_facts
+
+
+def preview_checks(session: Session, actor: Actor, project_id: UUID, body: CheckPreview) -> CheckPreviewed:
+    """Say what each file would be judged by, and what is found in its name; nothing is kept."""
+    access = project_access(session, actor, project_id)
+    access.ensure_party()
+    whole = parsed_spec(current_spec(session, project_id).toml)
+    slots = [_slot(session, access, named) for named in body.files]
+    stems = iter(stems_of_slots(session, [slot for slot in slots if slot]))
+    views: dict[str | None, int] = {}
+    specs: list[SpecView] = []
+    files: list[FilePreview] = []
+    for named, slot in zip(body.files, slots, strict=True):
+        name = stored_name(named.file_name)
+        view = spec_for(whole, slot.cue if slot else None, name)
+        if view.category not in views:
+            views[view.category] = len(specs)
+            specs.append(_view_read(view))
+        stem = next(stems) if slot else None
+        files.append(
+            FilePreview(
+                cue=_cue(access, slot) if slot else None,
+                length=_length(slot) if slot else None,
+                variation=slot.variation if slot else None,
+                spec=views[view.category],
+                is_dry_stem=slot is None and dry_stem_for(name) is not None,
+                findings=_of_name(name if stem is None else named_for(name, stem), view),
+            )
+        )
+    known = audio_checks.all_checks()
+    checks = [PreviewedCheck.model_validate(known[name]) for name in (*JUDGED_IN_BROWSER, "naming")]
+    return CheckPreviewed(checks=checks, specs=specs, files=files)
+
+
+def _slot(session: Session, access: ProjectAccess, named: FileNamed) -> Slot | None:
+    name = stored_name(named.file_name)
+    if named.cue_id is not None:
+        return slot_given(session, access, named.cue_id, None, name)
+    return slot_named(session, access.project.id, name, session.get_one(Person, access.actor.person).name)
+
+
+def _cue(access: ProjectAccess, slot: Slot) -> CueBrief:
+    cue = slot.cue
+    return CueBrief(id=cue.id, label=label(access.project.cue_prefix, cue.number), name=cue.name)
+
+
+def _length(slot: Slot) -> CueLength:
+    return CueLength.model_validate(cue_facts(slot.cue))
+
+
+def _view_read(view: audio_checks.DeliverySpec) -> SpecView:
+    facts = {"category": view.category, "accept": view.accept, "limits": view.limits}
+    return SpecView.model_validate(facts | {"levels": levels_in_browser(view)})
+
+
+def _of_name(name: str, view: audio_checks.DeliverySpec) -> list[FindingRead]:
+    found = audio_checks.check_name(base_name(name), view)
+    return [FindingRead.model_validate({**one.to_dict(), "waived": False}) for one in found]

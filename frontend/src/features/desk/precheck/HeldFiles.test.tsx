@@ -1,0 +1,138 @@
+import { File as NodeFile } from 'node:buffer'
+
+import { screen, waitFor, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import { expect, test, vi } from 'vitest'
+
+import { ToastRegion } from '@/app/toast'
+import { draw } from '@/test/draw'
+import { serve } from '@/test/server'
+import type { Picked } from '@/uploads'
+
+import { HeldFiles } from './HeldFiles'
+import { judgeFile } from './judge'
+import { Precheck } from './precheck'
+import vectors from './vectors.json'
+
+const vector = (name: string) => vectors.find((one) => one.name === name)!
+const bytesOf = (base64: string) => Uint8Array.from(atob(base64), (one) => one.charCodeAt(0))
+const pick = (path: string, of: string): Picked => ({
+  file: new NodeFile([bytesOf(vector(of).bytes)], path) as unknown as File,
+  path,
+})
+const LOUD = pick('laser.wav', 'peak at 0.0 dBFS')
+const GOOD = pick('shield.wav', 'conforms')
+const ODD = pick('odd.wav', 'bytes after the end')
+const CUE = { id: 'c1', label: 'SW-001', name: 'laser' }
+const NO_CUE = { cue: null, variation: null, length: null, spec: 0, is_dry_stem: false, findings: [] }
+
+function precheck(files: object[], failing = false) {
+  const sent: string[] = []
+  const { asked } = serve({
+    'POST /v1/projects/p1/check-preview': {
+      checks: [{ name: 'sample-peak', label: 'Sample peak' }],
+      specs: [vector('conforms').spec],
+      files,
+    },
+  })
+  const send = vi.fn((picked: readonly Picked[]) => {
+    if (failing) return Promise.reject(new Error('no'))
+    sent.push(...picked.map(({ path }) => path))
+    return Promise.resolve()
+  })
+  const made = new Precheck({ projectId: 'p1', isSound: () => Promise.resolve(true), send, judge: judgeFile })
+  return { made, sent, asked }
+}
+
+const held = () => within(screen.getByRole('list', { name: 'Files that would come back' }))
+
+test('what passes is sent at once; what would come back waits, with what is wrong and the fix', async () => {
+  const { made, sent, asked } = precheck([{ ...NO_CUE, cue: CUE }, NO_CUE, NO_CUE])
+  draw(<HeldFiles precheck={made} />)
+  await made.add([LOUD, GOOD, ODD], null)
+  expect(sent).toEqual(['shield.wav', 'odd.wav'])
+  expect(asked[0]?.body).toEqual({
+    files: ['laser.wav', 'shield.wav', 'odd.wav'].map((name) => ({ file_name: name, cue_id: null })),
+  })
+  expect(await screen.findByText('1 file would come back')).toBeVisible()
+  expect(held().getByRole('listitem')).toHaveTextContent('laser.wav SW-001 laser')
+  expect(held().getByRole('listitem')).toHaveTextContent('Sample peak 0.00 dBFS. Limit −1.0 dBFS.')
+  expect(held().getByRole('listitem')).toHaveTextContent('Lower the level by 1.00 dB or more.')
+  expect(screen.getByText(/2 other files passed and are on the way/)).toHaveTextContent('sample peak')
+})
+
+test('one that waits is sent all the same, by keys', async () => {
+  const { made, sent } = precheck([NO_CUE])
+  draw(<HeldFiles precheck={made} />)
+  await made.add([LOUD], 'c1')
+  const anyway = await screen.findByRole('button', { name: 'Upload laser.wav anyway' })
+  anyway.focus()
+  await userEvent.keyboard('{Enter}')
+  await waitFor(() => expect(sent).toEqual(['laser.wav']))
+  expect(screen.queryByRole('list', { name: 'Files that would come back' })).toBeNull()
+})
+
+test('what is left out is back with undo', async () => {
+  const { made, sent } = precheck([NO_CUE, NO_CUE])
+  draw(
+    <>
+      <HeldFiles precheck={made} />
+      <ToastRegion />
+    </>,
+  )
+  await made.add([LOUD, pick('boom.wav', 'peak at -0.9 dBFS')], null)
+  await userEvent.click(await screen.findByRole('button', { name: 'Leave out all 2' }))
+  expect(await screen.findByText('2 files left out. Nothing was uploaded.')).toBeVisible()
+  await waitFor(() => expect(screen.queryByRole('list', { name: 'Files that would come back' })).toBeNull())
+  await userEvent.click(screen.getByRole('button', { name: /Undo/ }))
+  await waitFor(() => expect(held().getAllByRole('listitem')).toHaveLength(2))
+  expect(sent).toEqual([])
+})
+
+test('a name that breaks the rules is held in the words of the server', async () => {
+  const finding = {
+    code: 'naming:pattern',
+    check: 'naming',
+    severity: 'error',
+    message: 'name "Laser", pattern [a-z_]+',
+    fix: 'rename it to laser.wav',
+    measured: null,
+    limit: null,
+    unit: null,
+    start_s: null,
+    end_s: null,
+    waived: false,
+  }
+  const { made, sent } = precheck([{ ...NO_CUE, findings: [finding] }])
+  draw(<HeldFiles precheck={made} />)
+  await made.add([GOOD], null)
+  expect(await screen.findByText(/Rename it to laser.wav/)).toBeVisible()
+  expect(sent).toEqual([])
+})
+
+test('files go on their way where the server does not say what they are judged by', async () => {
+  const { made, sent } = precheck([])
+  serve({})
+  await made.add([LOUD], null)
+  expect(sent).toEqual(['laser.wav'])
+})
+
+test('files that could not be sent wait again', async () => {
+  const { made } = precheck([NO_CUE], true)
+  draw(<HeldFiles precheck={made} />)
+  await made.add([LOUD], null)
+  await userEvent.click(await screen.findByRole('button', { name: 'Upload all anyway' }))
+  await waitFor(() => expect(held().getByRole('listitem')).toHaveTextContent('laser.wav'))
+  expect(screen.getByRole('alert')).toBeVisible()
+})
+
+test('a thousand files are asked about fifty at a time, and all that pass are sent', async () => {
+  const { made, sent, asked } = precheck(Array.from({ length: 50 }, () => NO_CUE))
+  await made.add(
+    Array.from({ length: 1000 }, (_, index) => pick(`step_${index}.wav`, 'conforms')),
+    null,
+  )
+  expect(sent).toHaveLength(1000)
+  expect(asked).toHaveLength(20)
+  expect(made.get()).toMatchObject({ held: [], judged: 1000, dropped: 1000, passed: 1000 })
+})

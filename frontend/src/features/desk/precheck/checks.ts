@@ -1,0 +1,303 @@
+/** The checks that need only the header and the peaks, with the server's words; `vectors.json` holds them to it. */
+import type { components } from '@/api/schema.gen'
+
+import { exactly, fixed, type Fraction, general, isMore, levelShown, minus, size, toNumber } from './numbers'
+import type { Peaks } from './peaks'
+import type { Layout } from './wav'
+
+type Schemas = components['schemas']
+export type SpecView = Schemas['SpecView']
+export type CueLength = Schemas['CueLength']
+export type Finding = Pick<
+  Schemas['FindingRead'],
+  'code' | 'severity' | 'message' | 'fix' | 'measured' | 'limit' | 'unit' | 'start_s' | 'end_s'
+>
+type Found = Partial<Finding> & Pick<Finding, 'code' | 'message' | 'fix'>
+
+interface Subject {
+  layout: Layout
+  peaks: Peaks
+  spec: SpecView
+  length: CueLength | null
+}
+
+const byNearness = (wanted: readonly number[], found: number, isLarger = false): number => {
+  const ordered = wanted.toSorted((one, other) => (isLarger ? other - one : one - other))
+  return ordered.reduce((best, one) => (Math.abs(one - found) < Math.abs(best - found) ? one : best))
+}
+const ascending = (values: readonly number[]) => values.toSorted((one, other) => one - other)
+const decibels = (ratio: number) => (ratio > 0 ? 20 * Math.log10(ratio) : -Infinity)
+const peakOf = ({ channels }: Peaks) => decibels(channels.reduce((most, one) => Math.max(most, one), 0))
+const durationOf = ({ frames, sampleRateHz }: Layout) => frames / sampleRateHz
+
+function* container({ layout, spec }: Subject): Iterable<Found> {
+  const wanted = spec.accept.containers
+  if (wanted === null || wanted.includes(layout.container)) return
+  yield {
+    code: 'container:not-accepted',
+    message: `container ${layout.container.toUpperCase()}, accepted ${wanted.join(', ').toUpperCase()}`,
+    fix: `export the sound as ${(wanted[0] ?? '').toUpperCase()}`,
+  }
+}
+
+const ENCODINGS: Record<string, string> = {
+  pcm: 'integer (PCM)',
+  float: 'float',
+  vorbis: 'Vorbis',
+  opus: 'Opus',
+  mp3: 'MP3',
+}
+const wordOf = (encoding: string) => ENCODINGS[encoding] ?? encoding
+
+function* encoding({ layout, spec }: Subject): Iterable<Found> {
+  const wanted = spec.accept.encodings ?? []
+  const [first] = wanted
+  if (first === undefined || wanted.includes(layout.encoding)) return
+  const isCodec = first !== 'pcm' && first !== 'float'
+  yield {
+    code: 'encoding:not-accepted',
+    message: `${wordOf(layout.encoding)} samples, accepted ${wanted.map(wordOf).join(' or ')}`,
+    fix: isCodec ? `encode it again as ${wordOf(first)}` : `export with ${wordOf(first)} samples`,
+  }
+}
+
+function* sampleRate({ layout: { sampleRateHz: rate }, spec }: Subject): Iterable<Found> {
+  if (spec.accept.sample_rates_hz === null) return
+  const wanted = ascending(spec.accept.sample_rates_hz)
+  const [lowest = 0] = wanted
+  if (wanted.includes(rate)) return
+  const nearest = byNearness(wanted, rate)
+  yield {
+    code: 'sample-rate:not-accepted',
+    message: `sample rate ${rate} Hz, accepted ${wanted.join(', ')} Hz`,
+    fix:
+      rate < lowest
+        ? `export the session at ${lowest} Hz; do not convert this file up, which adds no quality`
+        : `export the session at ${nearest} Hz`,
+    measured: rate,
+    limit: nearest,
+    unit: 'Hz',
+  }
+}
+
+function* bitDepth({ layout: { bitDepth: depth }, spec }: Subject): Iterable<Found> {
+  if (spec.accept.bit_depths === null) return
+  const wanted = ascending(spec.accept.bit_depths)
+  const [lowest = 0] = wanted
+  if (wanted.includes(depth)) return
+  const nearest = byNearness(wanted, depth, true)
+  yield {
+    code: 'bit-depth:not-accepted',
+    message: `bit depth ${depth} bit, accepted ${wanted.join(', ')} bit`,
+    fix:
+      depth < lowest
+        ? `export the session at ${lowest} bit; padding this file with zeros adds no quality`
+        : `export the session at ${nearest} bit${nearest < depth ? ', with dither' : ''}`,
+    measured: depth,
+    limit: nearest,
+    unit: 'bit',
+  }
+}
+
+interface Speakers {
+  channels: number
+  masks: readonly number[]
+  words: string
+}
+
+const LAYOUTS: Record<string, Speakers> = {
+  mono: { channels: 1, masks: [0x4], words: 'mono' },
+  stereo: { channels: 2, masks: [0x3], words: 'stereo' },
+  lcr: { channels: 3, masks: [0x7], words: 'left, right, centre' },
+  quad: { channels: 4, masks: [0x33, 0x603], words: 'quad: two in front, two behind' },
+  '5.0': { channels: 5, masks: [0x607, 0x37], words: '5.0' },
+  '5.1': { channels: 6, masks: [0x60f, 0x3f], words: '5.1' },
+  '7.1': { channels: 8, masks: [0x63f], words: '7.1' },
+  '7.1.4': { channels: 12, masks: [0x2d63f], words: '7.1.4' },
+  'ambisonic-1': { channels: 4, masks: [], words: 'ambisonics of order 1' },
+  'ambisonic-2': { channels: 9, masks: [], words: 'ambisonics of order 2' },
+  'ambisonic-3': { channels: 16, masks: [], words: 'ambisonics of order 3' },
+}
+const channelWords = (channels: number) =>
+  channels === 1 ? 'mono' : channels === 2 ? 'stereo' : `${channels} channels`
+
+/** The layouts that a header can mean. */
+function layoutsOf({ channels, channelMask: mask, isAmbisonic }: Layout): string[] {
+  const named = (holds: (one: Speakers) => boolean) =>
+    Object.keys(LAYOUTS).filter((name) => LAYOUTS[name]!.channels === channels && holds(LAYOUTS[name]!))
+  if (isAmbisonic) return named(({ masks }) => masks.length === 0)
+  if (channels === 1) return ['mono']
+  if (mask) return named(({ masks }) => masks.includes(mask))
+  return channels === 2 ? ['stereo'] : named(({ masks }) => masks.length === 0)
+}
+
+function* channels({ layout, spec }: Subject): Iterable<Found> {
+  const { channels: counts, layouts } = spec.accept
+  if (counts !== null && !counts.includes(layout.channels)) {
+    const wanted = ascending(counts)
+    const nearest = byNearness(wanted, layout.channels)
+    yield {
+      code: 'channels:not-accepted',
+      message: `${channelWords(layout.channels)}, accepted ${wanted.map(channelWords).join(' or ')}`,
+      fix: `export it from the session as ${channelWords(nearest)}`,
+      measured: layout.channels,
+      limit: nearest,
+      unit: 'channels',
+    }
+  } else if (layouts !== null && !layoutsOf(layout).some((one) => layouts.includes(one))) {
+    yield otherLayout(layout, layouts)
+  }
+}
+
+function otherLayout(layout: Layout, layouts: readonly string[]): Found {
+  const { channels: count, channelMask: mask, isAmbisonic } = layout
+  const means = layoutsOf(layout)
+  const masked = mask ? ` with the channel mask 0x${mask.toString(16)}` : ''
+  const named = means.length > 0 ? ` as ${means.join(' or ')}` : masked
+  const found = count > 2 ? `${named}${mask || isAmbisonic ? '' : ' without a channel mask'}` : masked
+  const same = layouts.filter((name) => LAYOUTS[name]?.channels === count)
+  const words = (same.length > 0 ? same : layouts).map((name) => LAYOUTS[name]?.words ?? name).join(' or ')
+  return {
+    code: 'channels:layout',
+    message: `${channelWords(count)}${found}, accepted ${layouts.join(' or ')}`,
+    fix: `export it as ${words}, with the layout written to the header`,
+  }
+}
+
+const seconds = (length: Fraction) => `${fixed(toNumber(length), 3)} s`
+const USUAL_FPS = 60
+
+function* duration({ layout, spec, length: asked }: Subject): Iterable<Found> {
+  const length = { over: BigInt(layout.frames), under: BigInt(layout.sampleRateHz) }
+  const { min: low, max: high } = spec.accept.duration_s
+  const measured = durationOf(layout)
+  if (low !== null && isMore(exactly(low), length)) {
+    yield {
+      code: 'duration:short',
+      message: `${seconds(length)}, at least ${general(low)} s accepted`,
+      fix: 'check that the export holds the whole sound',
+      measured,
+      limit: low,
+      unit: 's',
+    }
+  }
+  if (high !== null && isMore(length, exactly(high))) {
+    yield {
+      code: 'duration:long',
+      message: `${seconds(length)}, at most ${general(high)} s accepted`,
+      fix: `shorten the sound by ${seconds(minus(length, exactly(high)))} or more`,
+      measured,
+      limit: high,
+      unit: 's',
+      start_s: high,
+      end_s: measured,
+    }
+  }
+  if (asked?.duration_s != null) yield* againstRequest(length, asked.duration_s, asked)
+}
+
+function* againstRequest(length: Fraction, askedS: number, { length_locked, frame_rate_fps }: CueLength) {
+  const asked = exactly(askedS)
+  const off = minus(length, asked)
+  const turn = off.over > 0n ? 'shorten' : 'lengthen'
+  const of = { measured: toNumber(length), limit: askedS, unit: 's' }
+  if (length_locked) {
+    const fps = frame_rate_fps ?? USUAL_FPS
+    const { over, under } = exactly(fps)
+    if (!isMore(size(off), { over: under, under: over })) return
+    yield {
+      ...of,
+      code: 'duration:locked',
+      message: `${seconds(length)} long; locked to ${general(askedS)} s within one frame of ${general(fps)} fps`,
+      fix: `${turn} the sound by ${seconds(size(off))}`,
+      severity: 'error' as const,
+    }
+  } else if (isMore(size(off), { over: asked.over, under: asked.under * 4n })) {
+    yield {
+      ...of,
+      code: 'duration:cue',
+      message: `${seconds(length)} long; the brief says about ${general(askedS)} s`,
+      fix: `${turn} the sound, or say on the cue why it needs this length`,
+      severity: 'warning' as const,
+    }
+  }
+}
+
+function* samplePeak({ layout, peaks, spec }: Subject): Iterable<Found> {
+  const { sample_peak_dbfs: limit, tolerance_db: tolerance } = spec.limits
+  const peak = peakOf(peaks)
+  if (limit === null || peak <= limit + tolerance) return
+  const atS = peaks.frame / layout.sampleRateHz
+  yield {
+    code: 'sample-peak:over',
+    message: `sample peak ${fixed(peak, 2)} dBFS, limit ${levelShown(limit)} dBFS`,
+    fix: `lower the level by ${fixed(peak - limit, 2)} dB or more`,
+    measured: peak,
+    limit,
+    unit: 'dBFS',
+    start_s: atS,
+    end_s: atS,
+  }
+}
+
+function* silence({ layout, peaks, spec }: Subject): Iterable<Found> {
+  const { silence_below_dbfs: limit, tolerance_db: tolerance } = spec.limits
+  if (limit === null) return
+  const peak = peakOf(peaks)
+  const where = { start_s: 0, end_s: durationOf(layout) }
+  if (peak < limit - tolerance) {
+    const level = peak === -Infinity ? 'digital silence' : `peak only ${fixed(peak, 1)} dBFS`
+    yield {
+      ...where,
+      code: 'silence:file',
+      message: `${level}, silent below ${levelShown(limit)} dBFS`,
+      fix: 'unmute the track or choose the right range, and export again',
+      measured: peak === -Infinity ? null : peak,
+      limit,
+      unit: 'dBFS',
+    }
+    return
+  }
+  const dead = [...peaks.channels].flatMap((level, index) => (decibels(level) < limit - tolerance ? [index + 1] : []))
+  if (dead.length === 0) return
+  yield {
+    ...where,
+    code: 'silence:channel',
+    message: `no sound in channel ${dead.join(', ')} of ${layout.channels}`,
+    fix: 'export the sound in mono, or bring the missing channel back',
+    severity: 'warning',
+  }
+}
+
+/** In the order of reports. */
+const CHECKS: Record<string, (subject: Subject) => Iterable<Found>> = {
+  container,
+  encoding,
+  'sample-rate': sampleRate,
+  'bit-depth': bitDepth,
+  channels,
+  duration,
+  'sample-peak': samplePeak,
+  silence,
+}
+export const CHECKED_HERE: readonly string[] = Object.keys(CHECKS)
+
+export const whole = (found: Found): Finding => ({
+  severity: 'error',
+  measured: null,
+  limit: null,
+  unit: null,
+  start_s: null,
+  end_s: null,
+  ...found,
+})
+
+/** What the checks find, errors first. */
+export function check(subject: Subject): Finding[] {
+  const found = Object.entries(CHECKS).flatMap(([name, run]) => {
+    const level = subject.spec.levels[name]
+    if (level === 'off') return []
+    return [...run(subject)].map((one) => whole(level === undefined ? one : { ...one, severity: level }))
+  })
+  return found.toSorted((one, other) => Number(other.severity === 'error') - Number(one.severity === 'error'))
+}

@@ -1,0 +1,109 @@
+"""Before the upload: what files would be judged by, and the sounds to which the check in the browser is held."""
+
+from pathlib import Path
+from typing import Any
+
+import audio_checks
+from tests.support.browser_vectors import vectors
+from tests.support.deliver import add_cues, checked, deliver
+from tests.support.server import World
+from tests.support.waves import sine, wav_bytes
+
+ROOT = Path(__file__).resolve().parents[3]
+VECTORS = ROOT / "frontend/src/features/desk/precheck/vectors.json"
+
+
+def preview(world: World, *files: dict[str, Any]) -> dict[str, Any]:
+    answer = world.designer.post(f"/v1/projects/{world.project_id}/check-preview", json={"files": files})
+    assert answer.status_code == 200, answer.text
+    found: dict[str, Any] = answer.json()
+    return found
+
+
+def save_spec(world: World, toml: str) -> None:
+    path = f"/v1/projects/{world.project_id}/spec"
+    version = world.producer.get(path).json()["version"]
+    saved = world.producer.put(path, json={"toml": toml, "note": "", "based_on_version": version})
+    assert saved.status_code == 200, saved.text
+
+
+def test_the_sounds_that_the_page_is_tried_on_are_what_the_server_says() -> None:
+    assert VECTORS.read_text() == vectors(), "run: make openapi"
+
+
+def test_each_file_has_its_cue_and_the_view_of_its_category(world: World) -> None:
+    save_spec(
+        world,
+        "format = 1\n[accept]\nbit_depths = [24]\n[categories.ui.accept]\nbit_depths = [16]\n"
+        '[checks]\nbit-depth = "warning"\n',
+    )
+    add_cues(
+        world,
+        {"name": "Laser fire", "category": "weapons", "duration_s": 0.8},
+        {"name": "Click", "category": "ui", "length_locked": True, "duration_s": 0.1, "frame_rate_fps": 30},
+    )
+    found = preview(
+        world,
+        {"file_name": "takes/laser_fire__alt2.wav"},
+        {"file_name": "click.wav"},
+        {"file_name": "who knows.wav"},
+        {"file_name": "click__dry.wav"},
+    )
+    laser, click, unknown, dry = found["files"]
+    views = [found["specs"][one["spec"]] for one in (laser, click, unknown)]
+    assert [(view["category"], view["accept"]["bit_depths"]) for view in views] == [
+        ("weapons", [24]),
+        ("ui", [16]),
+        (None, [24]),
+    ]
+    assert views[0]["levels"] == {"bit-depth": "warning"}
+    assert (laser["cue"]["name"], click["cue"]["name"], unknown["cue"]) == ("Laser fire", "Click", None)
+    assert click["length"] == {"duration_s": 0.1, "length_locked": True, "frame_rate_fps": 30.0}
+    assert unknown["length"] is None
+    assert [one["is_dry_stem"] for one in (laser, click, unknown, dry)] == [False, False, False, True]
+    assert found["checks"][0] == {"name": "container", "label": "Container"}
+    assert found["checks"][-1] == {"name": "naming", "label": "Name"}
+
+
+def test_a_file_dropped_on_a_cue_is_that_cues(world: World) -> None:
+    [cue] = add_cues(world, {"name": "Laser fire", "category": "weapons"})
+    [file] = preview(world, {"file_name": "bounce 7.wav", "cue_id": cue["id"]})["files"]
+    assert (file["cue"]["id"], file["findings"]) == (cue["id"], [])  # it will be named for its cue
+
+
+def test_a_name_is_found_wrong_in_the_words_of_the_check(world: World) -> None:
+    save_spec(world, 'format = 1\n[naming]\npattern = "[a-z_]+"\nextension = ".wav"\n')
+    add_cues(world, {"name": "Laser fire"})
+    deliver(world, "unrelated.wav", wav_bytes(sine(hz=300, seconds=0.1)))
+    [file] = preview(world, {"file_name": "laser_fire.WAV"})["files"]
+    take = deliver(world, "laser_fire.WAV", wav_bytes(sine(hz=440, seconds=0.1)))
+    report = checked(world, take["id"], by=world.approver)
+    named = [one for one in report["findings"] if one["check"] == "naming"]
+    assert [one["code"] for one in file["findings"]] == ["naming:extension"]
+    assert [(one["message"], one["fix"]) for one in named] == [(one["message"], one["fix"]) for one in file["findings"]]
+
+
+def test_whom_the_project_does_not_know_it_does_not_answer(world: World) -> None:
+    asked = {"files": [{"file_name": "laser_fire.wav"}]}
+    path = f"/v1/projects/{world.project_id}/check-preview"
+    assert world.stranger.post(path, json=asked).status_code == 404
+    assert world.reviewer.post(path, json=asked).status_code == 403
+    other = world.designer.post(
+        path, json={"files": [{"file_name": "a.wav", "cue_id": "00000000-0000-4000-8000-000000000000"}]}
+    )
+    assert (other.status_code, other.json()["code"]) == (404, "cue-not-found")
+
+
+def test_more_files_than_one_request_holds_are_refused(world: World) -> None:
+    many = [{"file_name": f"{place}.wav"} for place in range(201)]
+    answer = world.designer.post(f"/v1/projects/{world.project_id}/check-preview", json={"files": many})
+    assert answer.status_code == 422
+
+
+def test_a_name_is_judged_without_a_file() -> None:
+    spec = audio_checks.parse_spec('format = 1\n[naming]\npattern = "[a-z_]+"\n[checks]\nnaming = "warning"\n')
+    [found] = audio_checks.check_name("Laser.wav", spec)
+    assert (found.code, found.severity) == ("naming:pattern", "warning")
+    off = audio_checks.parse_spec('format = 1\n[naming]\npattern = "[a-z_]+"\n[checks]\nnaming = "off"\n')
+    assert audio_checks.check_name("Laser.wav", off) == ()
+    assert audio_checks.check_name("Laser.wav", audio_checks.parse_spec("format = 1")) == ()
