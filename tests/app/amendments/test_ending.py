@@ -1,11 +1,13 @@
 """Ending an agreed contract: notice, the statement that both see, and its settlement in one step."""
 
+import io
 from datetime import timedelta
 from typing import Any
 from uuid import UUID
 
 import pytest
 import sqlalchemy as sa
+from pypdf import PdfReader
 
 from app import worker
 from app.agreements.models import Contract
@@ -24,6 +26,12 @@ from tests.support.server import World
 
 TERMS = {"notice_days": 14}
 REASON = "The game is shelved."
+
+
+def pages_of(pdf: bytes) -> list[str]:
+    """Return the words of each page, without the line below them."""
+    texts = (" ".join(page.extract_text().split()) for page in PdfReader(io.BytesIO(pdf)).pages)
+    return [text.partition("SHA-256 of the text")[0] for text in texts]
 
 
 @pytest.fixture
@@ -333,7 +341,11 @@ def test_the_statement_as_pdf(agreed: Agreed) -> None:
     assert first.content == agreed.world.producer.get(path).content
     assert first.content[:5] == b"%PDF-"
     both_agree(agreed)
-    assert agreed.world.designer.get(path).content == first.content, "what both agreed to is what is kept"
+    signed = agreed.world.designer.get(path).content
+    assert signed == agreed.world.producer.get(path).content
+    *statement, signatures = pages_of(signed)
+    assert statement == pages_of(first.content), "what both agreed to is what is kept"
+    assert signatures.startswith("Signatures")
 
 
 def test_both_are_notified_by_mail(agreed: Agreed) -> None:
