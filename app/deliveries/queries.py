@@ -66,7 +66,7 @@ def deliveries_of(
         query = query.where(Delivery.designer_id == designer_id)
     if before is not None:
         query = query.where(Delivery.id < before)
-    designer = joinedload(Delivery.designer).load_only(Person.name, raiseload=True)
+    designer = joinedload(Delivery.designer).load_only(Person.name, Person.picture_sha256, raiseload=True)
     return session.scalars(query.options(designer).order_by(Delivery.id.desc()).limit(limit)).all()
 
 

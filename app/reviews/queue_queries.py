@@ -244,7 +244,7 @@ def _takes() -> Select[*tuple[Any, ...]]:
             joinedload(Take.delivery)
             .load_only(Delivery.number, Delivery.note, raiseload=True)
             .joinedload(Delivery.designer)
-            .load_only(Person.name, raiseload=True),
+            .load_only(Person.name, Person.picture_sha256, raiseload=True),
         )
         .order_by(Take.variation, Take.number.desc())
     )
