@@ -11,16 +11,16 @@ export function isClutter(path: string): boolean {
 
 /** Every file of a drop, folders walked through to the end. Call it within the event: later the list is empty. */
 export async function filesOfDrop(transfer: DataTransfer): Promise<Picked[]> {
-  const entries = [...transfer.items].map((item) => item.webkitGetAsEntry())
-  const plain = [...transfer.files]
-  const walked = await Promise.all(
-    entries.map((entry, index) => {
-      if (entry !== null) return walk(entry)
-      const file = plain[index]
-      return Promise.resolve(file ? [{ file, path: file.name }] : [])
-    }),
-  )
-  const picked = entries.length > 0 ? walked.flat() : plain.map((file) => ({ file, path: file.name }))
+  const items = [...transfer.items]
+  const taken = items.map((item) => {
+    const entry = item.webkitGetAsEntry()
+    if (entry?.isDirectory) return walk(entry)
+    // At hand at once, while asking a thousand entries for their files takes a second.
+    const file = item.getAsFile()
+    return Promise.resolve(file ? [{ file, path: file.name }] : [])
+  })
+  const plain = [...transfer.files].map((file) => ({ file, path: file.name }))
+  const picked = items.length > 0 ? (await Promise.all(taken)).flat() : plain
   return picked.filter(({ path }) => !isClutter(path))
 }
 
