@@ -24,6 +24,7 @@ from app.builds.clearance_endpoints import router as clearance
 from app.builds.endpoints import router as builds
 from app.builds.game_file_endpoints import router as game_files
 from app.builds.handover_endpoints import router as handovers
+from app.builds.library_endpoints import router as sound_libraries
 from app.builds.listening_endpoints import router as listening
 from app.builds.manifest_endpoints import router as manifests
 from app.builds.same_sound_endpoints import router as same_sounds
@@ -33,8 +34,8 @@ from app.dashboards.due_endpoints import router as due_calendars
 from app.dashboards.endpoints import router as dashboards
 from app.dashboards.event_endpoints import router as events
 from app.dashboards.hours_endpoints import router as project_hours
-from app.deliveries.endpoints import router as deliveries
 from app.dashboards.picture_endpoints import router as pictures
+from app.deliveries.endpoints import router as deliveries
 from app.deliveries.sources import ensure_stated_to_invoice
 from app.hiring.bid_endpoints import router as bids
 from app.hiring.endpoints import router as hiring
@@ -57,9 +58,9 @@ from app.references.endpoints import router as references
 from app.references.spotting_endpoints import router as spotting
 from app.renders.endpoints import router as renders
 from app.reviews.adoption_endpoints import router as adoptions
+from app.reviews.checklist_endpoints import router as checklists
 from app.reviews.endpoints import router as reviews
 from app.scenes.endpoints import router as scenes
-from app.reviews.checklist_endpoints import router as checklists
 from app.shares.guest_endpoints import router as guests
 from app.shares.guest_link_endpoints import router as guest_links
 from app.shares.playlist_endpoints import router as playlists
@@ -82,8 +83,8 @@ ROUTERS: tuple[APIRouter, ...] = (
     accounts,
     sign_up,
     me,
-    studios,
     my_picture,
+    studios,
     calendars,
     invoice_details,
     projects,
@@ -120,10 +121,10 @@ ROUTERS: tuple[APIRouter, ...] = (
     conformance,
     renders,
     reviews,
+    checklists,
     guest_links,
     guests,
     playlists,
-    checklists,
     saved_views,
     voice_lines,
     voice_releases,
@@ -134,6 +135,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     listening,
     clearance,
     same_sounds,
+    sound_libraries,
     handovers,
     manifests,
     game_files,
@@ -141,9 +143,9 @@ ROUTERS: tuple[APIRouter, ...] = (
     due_calendars,
     credit_lists,
     project_hours,
+    pictures,
     events,
     notifications,
-    pictures,
     notices,
     mail_preferences,
     webhooks,
@@ -164,6 +166,7 @@ JOB_MODULES = (
     "app.shares.jobs",
     "app.scenes.jobs",
     "app.builds.jobs",
+    "app.builds.library_jobs",
     "app.builds.same_sound_jobs",
     "app.agreements.jobs",
     "app.money.jobs",
@@ -178,17 +181,19 @@ JOB_MODULES = (
     "app.webhooks.jobs",
 )
 PARSERS = (
+    "app.accounts.picture_drawing",
+    "PIL.ImageOps",
     "app.deliveries.game_projects",
     "app.sound_lists.sheets",
     "app.sound_lists.spoken_rules",
-    "app.accounts.picture_drawing",
-    "PIL.ImageOps",
     "audio_checks.placeholders.recorded",
     "app.voice_lines.script_text",
     "app.hiring.roster_files",
     "app.agreements.template_files",
     "app.agreements.seal_files",
     "app.agreements.word_file",
+    "app.builds.library_sheet",
+    "audio_checks.audit.same_sound",
     "audio_checks.spec.delivery_spec",
 )  # of what strangers send
 SUBSCRIBERS: dict[str, tuple[str, ...]] = {
@@ -198,6 +203,8 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "take.received": ("renders.prepare_take",),
     "takes.checked": ("notifications.notify_checks",),
     "take.in_review": ("builds.compare_take",),
+    "take.fingerprinted": ("builds.compare_with_libraries",),
+    "library.added": ("builds.compare_library",),
     "take.returned": (),
     "take.rendered": ("renders.measure_timbre",),
     "palette.changed": ("renders.measure_palette",),
@@ -273,4 +280,9 @@ HANDLERS: dict[str, tuple[Handler, ...]] = {
 }
 for _event in EVENTS:  # what webhooks are called for
     HANDLERS[_event] = (*HANDLERS.get(_event, ()), queue_event)
-LOW_PRIORITY_JOBS = frozenset({"builds.fingerprint_take", "builds.compare_take"})
+LOW_PRIORITY_JOBS = frozenset(
+    {
+        *("builds.fingerprint_take", "builds.compare_take"),
+        *("builds.compare_with_libraries", "builds.compare_library"),
+    }
+)

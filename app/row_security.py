@@ -35,7 +35,6 @@ PERSONAL = frozenset(
         *("accounts_sign_ins", "accounts_password_resets", "accounts_email_verifications", "accounts_operators"),
         "accounts_pictures",  # whose name a caller sees, a query decides
         *("notifications_mail_preferences", "notifications_notices"),
-        "shares_saved_views",
     }
 )
 TEAMS_OWN = frozenset(  # no designer reads them
@@ -46,8 +45,8 @@ TEAMS_OWN = frozenset(  # no designer reads them
         *("shares_live_sessions", "shares_live_listeners"),
         *("webhooks_webhooks", "webhooks_calls"),
         "projects_budgets",
-        "builds_master_fingerprints",
         *("reviews_checklist_items", "reviews_item_checks", "reviews_approval_rules"),
+        "builds_master_fingerprints",
     }
 )
 READ_ONLY = frozenset({"accounts_operators", "accounts_quotas"})  # set on the command line only
@@ -78,6 +77,8 @@ def condition(table: sa.Table) -> str | None:
     project_id = "id" if table.name == "projects_projects" else "project_id"
     if table.name in UNGUARDED | ADD_ONLY | SERVERS_OWN:
         return None
+    if table.name == "shares_saved_views":  # those of the review queue are the team's
+        return f"person_id = {ME} or (page = 'review_queue' and studio_id = {STUDIOS})"
     if table.name in PERSONAL:
         return f"person_id = {ME}"
     if table.name == "accounts_studios":
@@ -90,6 +91,8 @@ def condition(table: sa.Table) -> str | None:
         return f"studio_id = {STUDIOS}"
     if table.name in ("hiring_bids", "hiring_samples"):  # rates and samples are for the two parties only
         return f"studio_id = {STUDIOS} or designer_id = {ME}"
+    if table.name in ("builds_sound_libraries", "builds_library_sounds"):  # of the studio, and each person's own
+        return f"studio_id = {STUDIOS} or person_id = {ME}"
     if table.name == "references_openings":  # the team reads who opened what; each person their own
         return f"studio_id = {STUDIOS} or person_id = {ME}"
     if "studio_id" not in columns:

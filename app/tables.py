@@ -5,6 +5,7 @@ from app.agreements import models as _agreements
 from app.amendments import models as _amendments
 from app.briefs import models as _briefs
 from app.builds import audit_models as _audits
+from app.builds import library_models as _sound_libraries
 from app.builds import models as _builds
 from app.builds import same_sound_models as _same_sounds
 from app.conformance import models as _conformance

@@ -12,7 +12,7 @@ from app.agreements.plan_queries import cues_of
 from app.builds import queries
 from app.builds.clearance_sheet import ClearanceRow
 from app.builds.packs import pack_of, title_of
-from app.builds.same_sounds import same_sounds_in_words
+from app.builds.same_sounds import library_files_in_words, same_sounds_in_words
 from app.builds.sealing import ensure_sealed, visible_sealed
 from app.deliveries.models import Take
 from app.deliveries.schemas import Sources
@@ -62,6 +62,7 @@ def clearance_rows(session: Session, project: Project, sounds: Sequence[tuple[st
         session, project.studio_id, project.id, {take.master_sha256 for take in takes}
     )
     same_sounds = same_sounds_in_words(session, takes)
+    of_libraries = library_files_in_words(session, takes)
     approvals = {
         verdict.take_id: verdict
         for verdict in effective_verdicts(session, [take.id for take in takes])
@@ -88,6 +89,7 @@ def clearance_rows(session: Session, project: Project, sounds: Sequence[tuple[st
                 open_points=words_of_points(open_points(sources)),
                 same_file_in=", ".join(elsewhere.get(take.master_sha256, [])),
                 same_sound_in=same_sounds.get(take.id, ""),
+                same_in_libraries=of_libraries.get(take.id, ""),
                 delivered_on=take.received_at.date().isoformat(),
                 approved_on=approval.created_at.date().isoformat() if approval else "",
                 approved_by=_approved_by(approval, judge.name if judge else ""),

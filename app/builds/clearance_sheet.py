@@ -21,6 +21,7 @@ WIDTHS = {
     "open_points": 44,
     "same_file_in": 24,
     "same_sound_in": 44,
+    "same_in_libraries": 44,
     "master": 36,
     "master_sha256": 30,
 }
@@ -47,6 +48,7 @@ class ClearanceRow:
     open_points: str
     same_file_in: str  # other projects of the studio
     same_sound_in: str  # approved versions of other projects, and how this one differs from them
+    same_in_libraries: str  # files of registered libraries, and whether the sources name them
     delivered_on: str
     approved_on: str
     approved_by: str
@@ -131,5 +133,6 @@ def _entry(row: ClearanceRow) -> dict[str, object]:
             row.open_points,
             f"the same file in {row.same_file_in}" if row.same_file_in else "",
             f"found in {row.same_sound_in}" if row.same_sound_in else "",
+            f"equals {row.same_in_libraries}" if row.same_in_libraries else "",
         ],
     }

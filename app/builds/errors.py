@@ -67,6 +67,18 @@ class AcceptedDriftNotFound(NotFound):
     """No accepted drift of that id within the caller's sight."""
 
 
+class BadLibrarySheet(Invalid):
+    """A file is no sheet of fingerprints."""
+
+
+class LibraryFull(Conflict):
+    """The studio keeps as many sounds of libraries as it may."""
+
+
+class LibraryNotFound(NotFound):
+    """No sound library of that id within the caller's sight."""
+
+
 class NothingToHear(Conflict):
     """No build was audited yet, so there is no list of sounds to hear."""
 

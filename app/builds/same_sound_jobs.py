@@ -9,6 +9,7 @@ from app.builds import same_sounds
 from app.builds.same_sound_models import MasterFingerprint
 from app.conformance import checking
 from app.deliveries.queries import take_with_cue
+from app.kit.events import publish
 from app.kit.queue import BULK, Payload, job
 from app.kit.runtime import Runtime
 from app.kit.storage import BlobMissing
@@ -48,6 +49,7 @@ def compare_take(runtime: Runtime, payload: Payload) -> None:
     with runtime.database.writing() as session:
         if found:
             same_sounds.save_same_sounds(session, take_id, found)
+        publish(session, "take.fingerprinted", studio_id=studio_id, take_id=take_id)
         for earlier in queries.approved_without_fingerprint(session, studio_id, EARLIER_AT_ONCE):
             runtime.queue.enqueue(
                 session,

@@ -1,5 +1,7 @@
 """How a sound differs from the same sound elsewhere, in words."""
 
+from collections.abc import Iterable
+
 GAIN_DB = 0.5  # a codec or another rate changes the level by less
 
 
@@ -15,3 +17,12 @@ def words_of_same_sound(*, has_same_samples: bool, gain_db: float, is_trimmed: b
     if is_resampled:
         words.append("at another sample rate")
     return ", ".join(words)
+
+
+def is_named(library: str, declared: Iterable[str]) -> bool:
+    """Return whether a declaration names a library, whatever its capitals and blanks."""
+    return _plain(library) in {_plain(one) for one in declared}
+
+
+def _plain(name: str) -> str:
+    return " ".join(name.casefold().split())

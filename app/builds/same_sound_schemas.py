@@ -20,6 +20,18 @@ class SameSoundRead(Schema):
     score: float = Field(description="0 to 1: how the two waves agree.")
 
 
+class LibraryMatchRead(Schema):
+    """A file of a registered sound library that holds the same sound."""
+
+    library: str
+    licence: str
+    file: str
+    words: str = Field(description="How the take in question differs from it.")
+    gain_db: float = Field(description="By how much the take in question is louder.")
+    score: float = Field(description="0 to 1: how the two waves agree.")
+    is_declared: bool = Field(description="The stated sources of the take name the library.")
+
+
 class SameSoundsRead(Schema):
     """Where else a take's sound is."""
 
@@ -28,3 +40,4 @@ class SameSoundsRead(Schema):
         description="Whether it was compared with the studio's other projects; null for designers."
     )
     sounds: list[SameSoundRead]
+    libraries: list[LibraryMatchRead]

@@ -8,13 +8,16 @@ from sqlalchemy import delete
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
+from app.builds import library_queries
 from app.builds import same_sound_queries as queries
+from app.builds.library_models import LibraryMatch
 from app.builds.same_sound_models import MasterFingerprint, SameSound
-from app.builds.same_sound_rules import words_of_same_sound
-from app.builds.same_sound_schemas import SameSoundRead, SameSoundsRead
+from app.builds.same_sound_rules import is_named, words_of_same_sound
+from app.builds.same_sound_schemas import LibraryMatchRead, SameSoundRead, SameSoundsRead
 from app.deliveries.errors import TakeNotFound
 from app.deliveries.models import Take
 from app.deliveries.service import take_for
+from app.deliveries.sources import sources_of
 from app.kit import clock
 from app.kit.db import insert_all_if_absent, insert_if_absent
 from app.projects.errors import NdaNeeded
@@ -93,7 +96,42 @@ def same_sounds_of_take(session: Session, actor: Actor, take_id: UUID) -> SameSo
         for same, other, project in queries.same_sounds_of(session, [take_id])
         if _is_visible(session, actor, other.id)
     ]
-    return SameSoundsRead(take_id=take_id, is_compared=is_compared, sounds=sounds)
+    return SameSoundsRead(
+        take_id=take_id, is_compared=is_compared, sounds=sounds, libraries=_of_libraries(session, [take])[take_id]
+    )
+
+
+def _of_libraries(session: Session, takes: Sequence[Take]) -> dict[UUID, list[LibraryMatchRead]]:
+    """Return by take which files of registered libraries it equals, and whether its sources name the library."""
+    stated = sources_of(session, takes)
+    found: dict[UUID, list[LibraryMatchRead]] = {take.id: [] for take in takes}
+    for one in library_queries.library_matches_of(session, found):
+        sources = stated.get(one.take_id)
+        found[one.take_id].append(
+            LibraryMatchRead(
+                library=one.name,
+                licence=one.licence,
+                file=one.path,
+                words=_words(one),
+                gain_db=one.gain_db,
+                score=one.score,
+                is_declared=is_named(one.name, [each.name for each in sources.libraries] if sources else ()),
+            )
+        )
+    return found
+
+
+def library_files_in_words(session: Session, takes: Sequence[Take]) -> dict[UUID, str]:
+    """Return by take which files of libraries it equals, for a clearance sheet; the caller has checked access."""
+    return {
+        take_id: "; ".join(
+            f"{one.file} of {one.library}{f' ({one.licence})' if one.licence else ''}, {one.words}, "
+            + ("declared" if one.is_declared else "not declared")
+            for one in matches
+        )
+        for take_id, matches in _of_libraries(session, takes).items()
+        if matches
+    }
 
 
 def _is_visible(session: Session, actor: Actor, take_id: UUID) -> bool:
@@ -129,7 +167,7 @@ def _named(take: Take, project: Project) -> str:
     return f"{label(project.cue_prefix, take.cue.number)} {take.cue.name}" if take.cue else take.file_name
 
 
-def _words(same: SameSound) -> str:
+def _words(same: SameSound | LibraryMatch) -> str:
     return words_of_same_sound(
         has_same_samples=same.has_same_samples,
         gain_db=same.gain_db,

@@ -103,8 +103,21 @@ def read_manifest(path: str | Path) -> list[FingerprintedFile]:
         The file cannot be read, is no manifest, or of another version; `where` names the place.
     """
     where = str(path)
+    return parse_manifest(read_text(Path(path), most_bytes=MOST_BYTES), where)
+
+
+def parse_manifest(text: str, where: str = "manifest") -> list[FingerprintedFile]:
+    """Return the approved sounds that the text of a manifest lists; see `read_manifest`.
+
+    Parameters
+    ----------
+    text : str
+        All of the file.
+    where : str
+        What errors call it.
+    """
     try:
-        document = json.loads(read_text(Path(path), most_bytes=MOST_BYTES))
+        document = json.loads(text)
     except (ValueError, RecursionError) as error:
         raise SpecError(f"is not JSON: {error}", where=where) from None
     if not isinstance(document, dict) or not isinstance(document.get("files"), list):

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from audio_checks.audit.fingerprint import RATE_HZ, wave_of
 from audio_checks.audit.fingerprinted import fingerprint_file
 from audio_checks.audit.likeness import Waves, likeness
+from audio_checks.audit.manifest import parse_manifest
 from audio_checks.audit.moments import candidates, moments_of
 from audio_checks.errors import Unreadable
 
@@ -67,6 +68,24 @@ def known_sound(path: str) -> KnownSound:
         raise Unreadable(found.trouble, "R1", "recognise:unreadable", "deliver it as WAV or FLAC")
     moments = moments_of(wave_of(found.fingerprint)) if found.fingerprint else b""
     return KnownSound(found.pcm_sha256, found.sample_rate_hz, found.fingerprint, moments)
+
+
+def sounds_of_manifest(text: str) -> list[tuple[str, KnownSound]]:
+    """Return path and recognisable facts of each sound of a manifest; SpecError where it is none.
+
+    Parameters
+    ----------
+    text : str
+        All of a file that `audio-checks manifest` wrote. Sounds without a fingerprint, and those too short to be found
+        among others, are left out.
+    """
+    known = [(one, one.fingerprint) for one in parse_manifest(text) if one.fingerprint is not None]
+    found = [(one, packed, moments_of(wave_of(packed))) for one, packed in known]
+    return [
+        (one.path, KnownSound(one.pcm_sha256 or "", one.sample_rate_hz, packed, moments))
+        for one, packed, moments in found
+        if moments
+    ]
 
 
 def likely_sounds(fingerprint: bytes, moments: list[bytes]) -> list[int]:

@@ -47,6 +47,7 @@ CONFIDENTIAL = {
     "hiring_bids",
     "hiring_samples",
     "references_openings",
+    *("builds_sound_libraries", "builds_library_sounds"),
     *TEAMS_OWN,
 }  # an engagement alone does not show them
 HERE, THERE = new_id(), new_id()  # two studios

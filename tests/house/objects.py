@@ -54,6 +54,7 @@ from app.renders.rules import RenderState
 from app.reviews.models import ChangeRequest, ChecklistItem, Comment
 from app.sound_lists.models import Cue, Question, SpokenPlaceholder, Stem
 from tests.house.audit_objects import add_audit
+from tests.house.library_objects import add_library
 from tests.house.posting_objects import add_posting
 from tests.house.reference_objects import add_reference
 from tests.house.reports import report, report_file
@@ -172,10 +173,10 @@ class House(World):
         )
         credit_line = CreditLine(**of, role="Voice", name="A performer", added_by=self.producer_id)
         session.add_all([deputy, credit_line])
-        comment = Comment(**of, take_id=take.id, text="Loud.", written_by=self.designer_id, decides=False)
-        note = Comment(**of, take_id=changed.id, text="Long.", written_by=self.reviewer_id, decides=False)
         item = ChecklistItem(**of, category="", text="No clicks", place=0, written_by=self.producer_id)
         session.add(item)
+        comment = Comment(**of, take_id=take.id, text="Loud.", written_by=self.designer_id, decides=False)
+        note = Comment(**of, take_id=changed.id, text="Long.", written_by=self.reviewer_id, decides=False)
         build = Build(**of, label="1.0", files=0, rejected=0, warnings=0, report=report())
         batch = Batch(**of, number=1)
         pack = SealedPack(**of, target="game", number=1, sealed_by=self.producer_id)
@@ -268,6 +269,7 @@ class House(World):
         webhook = add_webhook(session, studio_id=self.studio_id, created_by=self.producer_id)
         self._add_links(session)
         shares = add_shares(session, of, take.id, self)
+        library = add_library(session, of, take_id=take.id, person_id=self.designer_id)
         money = self._add_money(session, cue)
         template = self._add_text(session, money["contract_id"])
         token = self._token(session, self.project_id, list(Scope))
@@ -278,9 +280,9 @@ class House(World):
             "person_id": self.approver_id,
             "deputy_id": deputy.id,
             "credit_line_id": credit_line.id,
+            "checklist_item_id": item.id,
             "part": "designer",
             "version": 1,
-            "checklist_item_id": item.id,
             "fact": "size",
             "cue_id": cue.id,
             "question_id": question.id,
@@ -317,6 +319,7 @@ class House(World):
             **scene,
             **voice,
             **shares,
+            **library,
             **roster,
             **webhook,
         }

@@ -18,6 +18,7 @@ from app import rooms
 from app.accounts.policies import Allowed
 from app.accounts.rules import Policy
 from app.kit.single_thread_route import SingleThreadRoute
+from tests.house.library_objects import SHEET_BASE64
 from tests.house.objects import FILE, PASSWORD, House
 from tests.house.reports import report
 
@@ -207,6 +208,7 @@ ADJUSTED: dict[str, dict[str, Any]] = {
     "read_roster_calendar": {"content_base64": base64.b64encode(b"BEGIN:VCALENDAR\nEND:VCALENDAR\n").decode()},
     "record_spoken_placeholder": {"content_base64": base64.b64encode(b"RIFF\x04\x00\x00\x00WAVE").decode()},
     "change_cue": {"name": "Shield hit"},
+    "add_sound_library": {"content_base64": SHEET_BASE64},
     "add_bid_sample": {"line_key": "", "content_base64": base64.b64encode(b"RIFF\x04\x00\x00\x00WAVE").decode()},
 }
 

@@ -24,6 +24,7 @@ ONE_DESIGNERS = {
     "note_id",
     "master_export_id",
     "tray_action_id",
+    "library_id",
     *("game_task_id", "listening_note_id"),
     *("sign_in_id", "saved_view_id"),
     *CONTRACTS,

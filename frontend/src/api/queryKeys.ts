@@ -95,6 +95,7 @@ export const queryKeys = {
   take: family<[takeId: string, part?: 'check' | 'fit', ...of: unknown[]]>('take'),
   takeSounds: family<[takeId: string]>('take-sounds'),
   sameSounds: family<[takeId: string]>('same-sounds'),
+  soundLibraries: family<[projectId: string]>('sound-libraries'),
   sources: family<[of: 'take' | 'delivery', id: string]>('sources'),
   fix: family<[takeId: string]>('fix'),
   fixes: family<[projectId: string]>('fixes'),
@@ -110,7 +111,7 @@ export const queryKeys = {
   made: family<[kind: string, id: string | undefined, askedAt: number]>('made'),
 
   // reviews
-  reviewQueue: family<[projectId: string, part?: 'count']>('review-queue'),
+  reviewQueue: family<[projectId: string, part?: 'count' | 'filtered', of?: object]>('review-queue'),
   cueReview: family<[cueId: string]>('cue-review'),
   changeRequests: family<[projectId: string, state: 'draft']>('change-requests'),
   takeHistory: family<[takeId: string]>('take-history'),

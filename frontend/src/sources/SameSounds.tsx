@@ -1,12 +1,40 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 
-import { sameSoundsQuery } from './api'
+import { type SameSounds as Read, sameSoundsQuery } from './api'
 
-/** Where else in the studio a version's sound is; a designer reads of their own versions only. */
+/** Which files of sound libraries a version equals, and where else in the studio its sound is. */
 export function SameSounds({ takeId }: { takeId: string }) {
   const { data: read } = useQuery(sameSoundsQuery(takeId))
   if (!read) return null
+  return (
+    <>
+      <LibraryFiles found={read.libraries} />
+      <OtherProjects read={read} />
+    </>
+  )
+}
+
+function LibraryFiles({ found }: { found: Read['libraries'] }) {
+  if (found.length === 0) return null
+  return (
+    <div>
+      <p className="small">Equals files of sound libraries:</p>
+      <ul className="small" aria-label="Same sound in libraries">
+        {found.map(({ library, licence, file, words, is_declared: isDeclared }) => (
+          <li key={`${library}/${file}`}>
+            <span className="mono">{file}</span>
+            {` of ${library}${licence === '' ? '' : ` (${licence})`}. This version is ${words}. `}
+            <strong>{isDeclared ? 'Declared in its sources.' : 'Not declared in its sources.'}</strong>
+          </li>
+        ))}
+      </ul>
+    </div>
+  )
+}
+
+/** Where else in the studio the sound is; a designer reads of their own versions only. */
+function OtherProjects({ read }: { read: Read }) {
   if (read.sounds.length === 0) {
     if (read.is_compared === null) return null
     return (

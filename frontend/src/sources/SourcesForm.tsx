@@ -1,4 +1,5 @@
 import { Checkbox, TextInput } from '@mantine/core'
+import { Link, useParams } from '@tanstack/react-router'
 import { useId, useState } from 'react'
 
 import { ApiProblem } from '@/api'
@@ -28,6 +29,7 @@ const NOTHING: Required<Sources> = {
 
 /** Asks what sounds were made from; rows whose first field is empty are left out. */
 export function SourcesForm({ initial, error, isPending, onSave, onCancel }: SourcesFormProps) {
+  const { projectId } = useParams({ strict: false })
   const [sources, setSources] = useState<Required<Sources>>({ ...NOTHING, ...initial })
   const change = (changed: Partial<Sources>) => setSources((now) => ({ ...now, ...changed }))
   return (
@@ -68,6 +70,14 @@ export function SourcesForm({ initial, error, isPending, onSave, onCancel }: Sou
         empty={{ name: '', licence: '', file: '' }}
         onChange={(libraries) => change({ libraries })}
       />
+      {projectId !== undefined && (
+        <p className="small mid">
+          <Link className="link" to="/projects/$projectId/libraries" params={{ projectId }} target="_blank">
+            Register a library
+          </Link>{' '}
+          by fingerprints of its files (in a new tab), and versions that equal one say so.
+        </p>
+      )}
       <SourceRows
         title="Generated parts"
         one="generated part"

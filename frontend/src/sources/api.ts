@@ -8,6 +8,7 @@ type Schemas = components['schemas']
 export type Sources = Schemas['Sources']
 export type TakeSources = Schemas['TakeSources']
 export type DeliverySources = Schemas['DeliverySources']
+export type SameSounds = Schemas['SameSoundsRead']
 
 export const takeSourcesQuery = (takeId: string) =>
   queryOptions({
@@ -33,7 +34,7 @@ export function useStateTakeSources(takeId: string) {
   return useMutation({
     mutationFn: (body: Sources) =>
       answered(api.PUT('/v1/takes/{take_id}/sources', { params: { path: { take_id: takeId } }, body })),
-    onSuccess: () => invalidate(client, queryKeys.sources.all),
+    onSuccess: () => invalidate(client, queryKeys.sources.all, queryKeys.sameSounds.all),
   })
 }
 

@@ -32,6 +32,11 @@ export const buildRoutes = [
   }),
   createRoute({
     getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/libraries',
+    component: lazyRouteComponent(() => import('./LibrariesPage'), 'LibrariesPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
     path: '/projects/$projectId/game-tasks',
     component: lazyRouteComponent(() => import('./TasksPage'), 'TasksPage'),
   }),

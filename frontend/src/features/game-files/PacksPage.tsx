@@ -47,6 +47,10 @@ export function PacksPage() {
           <Link className="link" to="/projects/$projectId" params={{ projectId }}>
             Project
           </Link>
+          {' · '}
+          <Link className="link" to="/projects/$projectId/libraries" params={{ projectId }}>
+            Sound libraries
+          </Link>
         </p>
       </div>
       <div className="columns">

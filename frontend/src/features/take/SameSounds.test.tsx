@@ -21,8 +21,33 @@ const SOUND = {
 const aServerWith = (same: object) =>
   aTakeServer()
     .on('GET /v1/takes/t1/sources', NO_SOURCES)
-    .on('GET /v1/takes/t1/same-sounds', { take_id: 't1', is_compared: true, sounds: [], ...same })
+    .on('GET /v1/takes/t1/same-sounds', { take_id: 't1', is_compared: true, sounds: [], libraries: [], ...same })
 const card = () => screen.findByRole('region', { name: 'Sources' })
+
+const FILE = {
+  library: 'Doors & Gates',
+  licence: 'Site licence 12',
+  file: 'wood/door.wav',
+  words: 'the same sound, 6.0 dB quieter',
+  gain_db: -6,
+  score: 0.99,
+  is_declared: false,
+}
+
+describe('a file of a sound library', () => {
+  test.each([
+    [true, 'Declared in its sources.'],
+    [false, 'Not declared in its sources.'],
+  ])('is named with its licence, and whether it is declared (%s)', async (is_declared, words) => {
+    aServerWith({ libraries: [{ ...FILE, is_declared }] })
+    openApp('/takes/t1')
+    const list = await within(await card()).findByRole('list', { name: 'Same sound in libraries' })
+    expect(list).toHaveTextContent(
+      `wood/door.wav of Doors & Gates (Site licence 12). This version is the same sound, 6.0 dB quieter. ${words}`,
+    )
+    expect((await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })).violations).toEqual([])
+  })
+})
 
 describe('a sound of another project', () => {
   test('is named with a link to it and how this version differs', async () => {

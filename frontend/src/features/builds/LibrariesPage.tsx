@@ -1,0 +1,163 @@
+import { Table, TextInput, VisuallyHidden } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+import { useParams } from '@tanstack/react-router'
+import { type FormEvent, useId, useRef, useState } from 'react'
+
+import { ApiProblem } from '@/api'
+import { base64Of } from '@/api/base64'
+import { useTitle } from '@/app/title'
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { EmptyState } from '@/ui/EmptyState'
+import { bytes, day } from '@/ui/format'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import classes from './Libraries.module.css'
+import { librariesQuery, MAX_SHEET_BYTES, type SoundLibrary, useAddLibrary, useRemoveLibrary } from './libraries'
+
+/** The sound libraries that versions are compared with, and a sheet of fingerprints for another one. */
+export function LibrariesPage() {
+  const { projectId = '' } = useParams({ strict: false })
+  const { data: libraries, error } = useQuery(librariesQuery(projectId))
+  useTitle('Sound libraries')
+  return (
+    <div className="page stack">
+      <div>
+        <h1>Sound libraries</h1>
+        <p className="mid">
+          A version that equals a file of one of these libraries says so under Sources, and whether it is declared.
+        </p>
+      </div>
+      <Refused error={error} />
+      {libraries?.length === 0 && (
+        <EmptyState head="No sound library yet">
+          Register one below: its fingerprints are made on your machine, and no sound leaves it.
+        </EmptyState>
+      )}
+      {libraries !== undefined && libraries.length > 0 && <Libraries libraries={libraries} />}
+      <AddLibrary projectId={projectId} />
+    </div>
+  )
+}
+
+function Refused({ error }: { error: unknown }) {
+  return error instanceof ApiProblem ? <ProblemNote detail={error.detail} fix={error.fix} /> : null
+}
+
+function Libraries({ libraries }: { libraries: SoundLibrary[] }) {
+  const remove = useRemoveLibrary()
+  const [asked, setAsked] = useState<string | null>(null)
+  return (
+    <Card aria-labelledby="known">
+      <CardHead id="known" title="Known libraries" count={libraries.length} />
+      <Refused error={remove.error} />
+      <div className={classes.scroll}>
+        <Table>
+          <Table.Thead>
+            <Table.Tr>
+              {['Library', 'Licence', 'Sounds', 'Registered by', 'Newest sheet', ''].map((head) => (
+                <Table.Th key={head}>{head || <VisuallyHidden>Remove</VisuallyHidden>}</Table.Th>
+              ))}
+            </Table.Tr>
+          </Table.Thead>
+          <Table.Tbody>
+            {libraries.map(({ id, name, licence, sounds, person, added_at: at, may_remove: mayRemove }) => (
+              <Table.Tr key={id}>
+                <Table.Th scope="row">{name}</Table.Th>
+                <Table.Td>{licence || 'not named'}</Table.Td>
+                <Table.Td>{sounds.toLocaleString('en')}</Table.Td>
+                <Table.Td>{person.name}</Table.Td>
+                <Table.Td>{day(at)}</Table.Td>
+                <Table.Td>
+                  {mayRemove &&
+                    (asked === id ? (
+                      <span className="row">
+                        <Button aria-busy={remove.isPending} onClick={() => remove.mutate(id)}>
+                          {`Remove ${name} and what was found`}
+                        </Button>
+                        <Button variant="quiet" onClick={() => setAsked(null)}>
+                          Keep it
+                        </Button>
+                      </span>
+                    ) : (
+                      <Button variant="quiet" aria-label={`Remove ${name}`} onClick={() => setAsked(id)}>
+                        Remove
+                      </Button>
+                    ))}
+                </Table.Td>
+              </Table.Tr>
+            ))}
+          </Table.Tbody>
+        </Table>
+      </div>
+    </Card>
+  )
+}
+
+function AddLibrary({ projectId }: { projectId: string }) {
+  const add = useAddLibrary(projectId)
+  const fileId = useId()
+  const picker = useRef<HTMLInputElement>(null)
+  const [name, setName] = useState('')
+  const [licence, setLicence] = useState('')
+  const [file, setFile] = useState<File | null>(null)
+  const isTooLarge = file !== null && file.size > MAX_SHEET_BYTES
+  const isReady = name.trim() !== '' && file !== null && !isTooLarge
+  const submit = async (event: FormEvent) => {
+    event.preventDefault()
+    if (!isReady || add.isPending) return
+    const content = await base64Of(file)
+    add.mutate(
+      { name: name.trim(), licence: licence.trim(), content_base64: content },
+      {
+        onSuccess: ({ name: added, sounds }) => {
+          setName('')
+          setLicence('')
+          setFile(null)
+          if (picker.current) picker.current.value = ''
+          showToast(`${added} has ${sounds.toLocaleString('en')} sounds. Versions are compared with them now.`)
+        },
+      },
+    )
+  }
+  return (
+    <Card aria-labelledby="register">
+      <CardHead id="register" title="Register a library" />
+      <form className={classes.form} aria-labelledby="register" onSubmit={(event) => void submit(event)}>
+        <p>Run this on the folder of the library. The sheet holds fingerprints and file names, and no sound:</p>
+        <code className={classes.command}>audio-checks manifest FOLDER --out library.json</code>
+        <TextInput
+          label="Name"
+          description="As sources declare it. A second sheet of that name adds to the library."
+          value={name}
+          maxLength={200}
+          onChange={({ currentTarget }) => setName(currentTarget.value)}
+        />
+        <TextInput
+          label="Licence"
+          value={licence}
+          maxLength={500}
+          onChange={({ currentTarget }) => setLicence(currentTarget.value)}
+        />
+        <label htmlFor={fileId}>Sheet of fingerprints</label>
+        <input
+          ref={picker}
+          id={fileId}
+          type="file"
+          accept=".json,application/json"
+          onChange={({ currentTarget }) => setFile(currentTarget.files?.[0] ?? null)}
+        />
+        {isTooLarge && (
+          <p role="alert">
+            {`${file.name} has ${bytes(file.size)}; a sheet may have ${bytes(MAX_SHEET_BYTES)}. Write one for each of its folders.`}
+          </p>
+        )}
+        <Refused error={add.error} />
+        <Button type="submit" variant="primary" disabled={!isReady} aria-busy={add.isPending}>
+          Register
+        </Button>
+      </form>
+    </Card>
+  )
+}
