@@ -196,7 +196,7 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
       /laser_fire\.wav.*Sample peak −?0\.0+ dBFS\. Limit −0\.1 dBFS\./,
     )
     await expectAccessible(designer, 'the desk with a file that would come back')
-    await held.getByRole('button', { name: 'Upload laser_fire.wav anyway' }).click()
+    await held.getByRole('button', { name: 'Upload anyway: laser_fire.wav' }).click()
     await expect(held).toBeHidden()
 
     const back = card(designer, /Needs your fix/)

@@ -65,7 +65,7 @@ test('one that waits is sent all the same, by keys', async () => {
   const { made, sent } = precheck([NO_CUE])
   draw(<HeldFiles precheck={made} />)
   await made.add([LOUD], 'c1')
-  const anyway = await screen.findByRole('button', { name: 'Upload laser.wav anyway' })
+  const anyway = await screen.findByRole('button', { name: 'Upload anyway: laser.wav' })
   anyway.focus()
   await userEvent.keyboard('{Enter}')
   await waitFor(() => expect(sent).toEqual(['laser.wav']))

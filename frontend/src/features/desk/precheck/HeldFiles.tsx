@@ -63,7 +63,8 @@ export function HeldFiles({ precheck }: { precheck: Precheck }) {
         )}
       </div>
       <span className="visually-hidden" role="status">
-        {isDecisionDue && `${plural(held.length, 'file')} would come back and were not uploaded.`}
+        {isDecisionDue &&
+          `${plural(held.length, 'file')} would come back. Nothing of ${held.length === 1 ? 'it' : 'them'} was uploaded.`}
       </span>
       {problem !== null && <Refusal error={problem} />}
       {held.length > 0 && (
@@ -127,7 +128,7 @@ function HeldRow({ file: { picked, cue, findings }, onSend, onLeaveOut }: HeldRo
         ))}
       </div>
       <span className={classes.does}>
-        <Button aria-label={`Upload ${name} anyway`} onClick={onSend}>
+        <Button aria-label={`Upload anyway: ${name}`} onClick={onSend}>
           Upload anyway
         </Button>
         <Button variant="quiet" aria-label={`Leave out ${name}`} onClick={onLeaveOut}>
