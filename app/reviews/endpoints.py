@@ -1,9 +1,10 @@
 """The endpoints of this room."""
 
+from datetime import date
 from typing import Annotated, Literal
 from uuid import UUID
 
-from fastapi import Query
+from fastapi import Depends, Query
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
@@ -33,7 +34,7 @@ from app.reviews.errors import (
     VerdictSince,
 )
 from app.reviews.fit_schemas import DeliveryFitRead, TakeFitRead
-from app.reviews.rules import VerdictKind
+from app.reviews.rules import QueueFilter, QueueKind, VerdictKind, VersionKind
 from app.reviews.schemas import (
     CarriedNote,
     ChangeRequestRead,
@@ -56,11 +57,34 @@ from app.reviews.schemas import (
 )
 from app.sound_lists.errors import CueIsCut, CueNotFound
 from app.sound_lists.models import Cue
+from app.sound_lists.rules import Need
 
 Own = Annotated[
     bool,
     Query(description="The cues that the caller approves today. Who approves none in a project is shown all of it."),
 ]
+Designer = Annotated[UUID | None, Query(description="Of whom a version waits.")]
+DueBy = Annotated[date | None, Query(description="The last target date; cues without one are left out.")]
+Version = Annotated[VersionKind | None, Query(description="`new`: a version that answers a change request waits.")]
+Words = Annotated[
+    str, Query(max_length=200, description="Each word stands in the name, the description or the use of the cue.")
+]
+
+
+def queue_filter(
+    category: Annotated[str | None, Query(max_length=60)] = None,
+    designer_id: Designer = None,
+    due_by: DueBy = None,
+    need: Need | None = None,
+    kind: QueueKind | None = None,
+    version: Version = None,
+    q: Words = "",
+) -> QueueFilter:
+    """Return the filter that a request names."""
+    return QueueFilter(category, designer_id, due_by, need, kind, version, q)
+
+
+Filter = Annotated[QueueFilter, Depends(queue_filter)]
 router = Router(prefix="/v1", tags=["reviews"], route_class=Route)
 
 
@@ -69,19 +93,26 @@ def get_review_queue(
     session: DbSession,
     project_id: UUID | None = None,
     own: Own = False,
+    *,
+    wanted: Filter,
     cursor: str | None = None,
     actor: Actor = allows(Audience.TEAM),
 ) -> Page[QueueItem]:
     """Return what waits for review, urgent cues first, then the oldest: of one project, or of all of the caller's."""
-    return review_room.review_queue(session, actor, project_id=project_id, is_own=own, cursor=cursor)
+    return review_room.review_queue(session, actor, project_id=project_id, is_own=own, wanted=wanted, cursor=cursor)
 
 
 @router.get("/review-queue/count", response_model=QueueCount, responses=problems(ProjectNotFound, TeamNeeded))
 def count_review_queue(
-    session: DbSession, project_id: UUID | None = None, own: Own = False, actor: Actor = allows(Audience.TEAM)
+    session: DbSession,
+    project_id: UUID | None = None,
+    own: Own = False,
+    *,
+    wanted: Filter,
+    actor: Actor = allows(Audience.TEAM),
 ) -> QueueCount:
     """Count the cues that wait for review, up to 99: of one project, or of all projects of the caller's studios."""
-    return review_room.queue_count(session, actor, project_id=project_id, is_own=own)
+    return review_room.queue_count(session, actor, project_id=project_id, is_own=own, wanted=wanted)
 
 
 @router.get("/cues/{cue_id}/review", response_model=CueReviewRead, responses=problems(CueNotFound, TeamNeeded))

@@ -6,7 +6,7 @@ from datetime import datetime
 from typing import Any
 from uuid import UUID
 
-from sqlalchemy import ColumnElement
+from sqlalchemy import ColumnElement, and_
 from sqlalchemy.orm import Session
 
 from app.accounts.queries import people_by_id
@@ -33,8 +33,9 @@ from app.reviews.carried_notes import carried_notes
 from app.reviews.checklists import cue_checklist
 from app.reviews.deemed_cues import LastDay, last_days
 from app.reviews.models import ChangeRequest, Comment, Verdict
+from app.reviews.queue_filter_queries import filtered
 from app.reviews.queue_queries import CueOnReview, QueuePlace, TakeOnReview, WaitingCue
-from app.reviews.rules import VerdictKind, missing_variations, queue_kind
+from app.reviews.rules import EVERYTHING, QueueFilter, VerdictKind, missing_variations, queue_kind
 from app.reviews.schemas import (
     ChangeRequestRead,
     CommentRead,
@@ -58,10 +59,16 @@ COUNTED_CUES = 99  # more is shown as "99+"
 
 
 def review_queue(
-    session: Session, actor: Actor, *, project_id: UUID | None, is_own: bool, cursor: str | None
+    session: Session,
+    actor: Actor,
+    *,
+    project_id: UUID | None,
+    is_own: bool,
+    wanted: QueueFilter = EVERYTHING,
+    cursor: str | None,
 ) -> Page[QueueItem]:
     """Return what waits for review with all that its cards show; `is_own`: only what the caller approves."""
-    reach = _reach(session, actor, project_id, is_own=is_own)
+    reach = _wanted(_reach(session, actor, project_id, is_own=is_own), wanted)
     waiting = queue_queries.queued_cues(
         session, reach, clock.now().date(), after=_place_of(cursor), limit=PAGE_CUES + 1
     )
@@ -107,9 +114,15 @@ def _place_of(cursor: str | None) -> QueuePlace | None:
     return place and QueuePlace(bool(cursor and cursor.startswith(URGENT)), *place)
 
 
-def queue_count(session: Session, actor: Actor, *, project_id: UUID | None, is_own: bool) -> QueueCount:
+def _wanted(reach: ColumnElement[bool], wanted: QueueFilter) -> ColumnElement[bool]:
+    return reach if wanted == EVERYTHING else and_(reach, filtered(wanted))
+
+
+def queue_count(
+    session: Session, actor: Actor, *, project_id: UUID | None, is_own: bool, wanted: QueueFilter = EVERYTHING
+) -> QueueCount:
     """Return how many cues wait for review, counted up to a bound so that it costs the same however many do."""
-    reach = _reach(session, actor, project_id, is_own=is_own)
+    reach = _wanted(_reach(session, actor, project_id, is_own=is_own), wanted)
     waiting = queue_queries.waiting_cues(session, reach, after=None, limit=COUNTED_CUES + 1)
     return QueueCount(cues=min(len(waiting), COUNTED_CUES), is_all=len(waiting) <= COUNTED_CUES)
 

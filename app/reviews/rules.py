@@ -1,13 +1,15 @@
 """Effects of verdicts and the counting of rounds, stated without a database."""
 
 from collections.abc import Collection, Mapping, Sequence
-from datetime import datetime, timedelta
+from dataclasses import dataclass
+from datetime import date, datetime, timedelta
 from enum import StrEnum
 from uuid import UUID
 
 from app.agreements.rules import WorkState
 from app.deliveries.rules import TakeState
 from app.reviews.errors import ChecklistInvalid, NotMentionable, RangeInvalid, StaleView, TooLateToUndo
+from app.sound_lists.rules import Need
 
 
 class VerdictKind(StrEnum):
@@ -46,6 +48,27 @@ class ApprovalBlockers(StrEnum):
         return self in (ApprovalBlockers.ITEMS, ApprovalBlockers.BOTH)
 
 
+class VersionKind(StrEnum):
+    """Whether what waits answers a change request."""
+
+    FIRST = "first"
+    NEW = "new"
+
+
+@dataclass(frozen=True)
+class QueueFilter:
+    """What of the review queue is wanted; what is left out filters nothing."""
+
+    category: str | None = None
+    designer_id: UUID | None = None
+    due_by: date | None = None
+    need: Need | None = None
+    kind: QueueKind | None = None
+    version: VersionKind | None = None
+    text: str = ""  # each word stands in the name, the description or the use of the cue
+
+
+EVERYTHING = QueueFilter()
 UNDO_WITHIN = timedelta(minutes=1)
 REVERSAL = "the approver reversed an approval"
 NAMED_ITEMS = 3  # of those that are not checked

@@ -4,7 +4,7 @@ from collections.abc import Collection, Sequence
 from typing import NamedTuple
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, Row, Select, and_, func, select
+from sqlalchemy import ColumnElement, Row, Select, and_, func, or_, select
 from sqlalchemy.orm import Session, contains_eager, joinedload
 
 from app.accounts.models import Person
@@ -23,7 +23,7 @@ from app.shares.models import (
     PlaylistPosition,
     SavedView,
 )
-from app.shares.rules import Candidate
+from app.shares.rules import Candidate, ViewedPage
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
 
@@ -204,10 +204,12 @@ def position_of(session: Session, playlist_id: UUID, person_id: UUID) -> Playlis
     return session.get(PlaylistPosition, (playlist_id, person_id))
 
 
-def views_of(session: Session, project_id: UUID, person_id: UUID) -> Sequence[SavedView]:
-    """Return a person's views of a project by name."""
-    query = select(SavedView).where(SavedView.project_id == project_id, SavedView.person_id == person_id)
-    return session.scalars(query.order_by(SavedView.name)).all()
+def views_of(session: Session, project_id: UUID, person_id: UUID, *, with_shared: bool) -> Sequence[SavedView]:
+    """Return a person's views of a project by name; with the team's, those of the review queue by anyone."""
+    is_own, is_shared = SavedView.person_id == person_id, SavedView.page == ViewedPage.REVIEW_QUEUE
+    seen = or_(is_own, is_shared) if with_shared else is_own
+    query = select(SavedView).where(SavedView.project_id == project_id, seen)
+    return session.scalars(query.order_by(SavedView.name, SavedView.id)).all()
 
 
 def view_by_id(session: Session, view_id: UUID) -> SavedView | None:

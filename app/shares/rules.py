@@ -40,6 +40,7 @@ class ViewedPage(StrEnum):
     """The page whose filter a saved view is."""
 
     SOUND_LIST = "sound_list"
+    REVIEW_QUEUE = "review_queue"  # shared by the team of the project
 
 
 def link_secret(server_key: str, link_id: UUID) -> str:

@@ -18,6 +18,13 @@ export const studioPeopleQuery = (studioId: string) =>
     queryFn: () => answered(api.GET('/v1/studios/{studio_id}/people', { params: { path: { studio_id: studioId } } })),
   })
 
+/** The categories of the sound list, with the number of their cues. */
+export const categoriesQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: queryKeys.categories(projectId),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/categories', inProject(projectId))),
+  })
+
 /** What the brief names and no cue is for. */
 export const coverageQuery = (projectId: string) =>
   queryOptions({

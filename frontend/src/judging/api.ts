@@ -4,6 +4,8 @@ import { answered, api, everyPage, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
+import { asked, isFiltered, type QueueFilter } from './queueFilter'
+
 type Schemas = components['schemas']
 export type QueueItem = Schemas['QueueItem']
 export type QueuePage = Schemas['Page_QueueItem_']
@@ -30,22 +32,34 @@ const everyItem = async <T>(read: (cursor?: string) => Promise<{ items: T[]; nex
   (await everyPage(read)).flatMap(({ items }) => items)
 
 /** The cues that wait for the current person's verdict, or for another's if they approve none; urgent ones first. */
-export const queueQuery = (projectId: string) =>
+export const queueQuery = (projectId: string, filter: QueueFilter = {}) =>
   infiniteQueryOptions({
-    queryKey: queryKeys.reviewQueue(projectId),
+    queryKey: isFiltered(filter)
+      ? queryKeys.reviewQueue(projectId, 'filtered', filter)
+      : queryKeys.reviewQueue(projectId),
     queryFn: ({ pageParam: cursor }) =>
-      answered(api.GET('/v1/review-queue', { params: { query: { project_id: projectId, own: true, cursor } } })),
+      answered(
+        api.GET('/v1/review-queue', {
+          params: { query: { project_id: projectId, own: true, ...asked(filter), cursor } },
+        }),
+      ),
     initialPageParam: undefined as string | undefined,
     getNextPageParam: ({ next }) => next ?? undefined,
     select: ({ pages }) => pages.flatMap(({ items }) => items),
   })
 
 /** How many cues wait for a verdict, those that are noted included. */
-export const countQuery = (projectId: string) =>
+export const countQuery = (projectId: string, filter: QueueFilter = {}) =>
   queryOptions({
-    queryKey: queryKeys.reviewQueue(projectId, 'count'),
+    queryKey: isFiltered(filter)
+      ? queryKeys.reviewQueue(projectId, 'count', filter)
+      : queryKeys.reviewQueue(projectId, 'count'),
     queryFn: () =>
-      answered(api.GET('/v1/review-queue/count', { params: { query: { project_id: projectId, own: true } } })),
+      answered(
+        api.GET('/v1/review-queue/count', {
+          params: { query: { project_id: projectId, own: true, ...asked(filter) } },
+        }),
+      ),
   })
 
 export const reviewQuery = (cueId: string) =>

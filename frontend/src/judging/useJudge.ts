@@ -1,4 +1,4 @@
-import { type InfiniteData, type QueryClient, useQueryClient } from '@tanstack/react-query'
+import { type InfiniteData, type QueryClient, type QueryKey, useQueryClient } from '@tanstack/react-query'
 import { useState } from 'react'
 
 import { answered, api, ApiProblem, lineLost, useMutation } from '@/api'
@@ -6,8 +6,17 @@ import { queryKeys } from '@/api/queryKeys'
 import { dismissToast, showToast } from '@/app/toast'
 
 import { withDraft, withoutVerdict } from './afterVerdict'
-import { type QueueCount, type QueuePage, refresh, type ReviewCue, type ReviewTake } from './api'
+import {
+  countQuery,
+  type QueueCount,
+  type QueuePage,
+  queueQuery,
+  refresh,
+  type ReviewCue,
+  type ReviewTake,
+} from './api'
 import { mentionsOf } from './mentionNames'
+import type { QueueFilter } from './queueFilter'
 
 /** What was refused, and why: said where it happened. */
 export interface Refusal {
@@ -49,16 +58,16 @@ interface Decided {
 }
 
 /** Give verdicts: at once on the screen, then on the server; what is refused comes back with its reason. */
-export function useJudge(projectId: string, onBack?: (cueId: string) => void) {
+export function useJudge(projectId: string, onBack?: (cueId: string) => void, filter?: QueueFilter) {
   const client = useQueryClient()
   const [refusal, setRefusal] = useState<Refusal | null>(null)
-  const queueKey = queryKeys.reviewQueue(projectId)
-  const countKey = queryKeys.reviewQueue(projectId, 'count')
+  const queueKey: QueryKey = queueQuery(projectId, filter).queryKey
+  const countKey: QueryKey = countQuery(projectId, filter).queryKey
 
   const decide = async (decided: Decided, send: () => Promise<unknown>, undoOn: readonly string[]) => {
     setRefusal(null)
     underWay.set(client, (underWay.get(client) ?? 0) + 1)
-    await client.cancelQueries({ queryKey: queueKey })
+    await client.cancelQueries({ queryKey: queryKeys.reviewQueue(projectId) })
     const before = client.getQueryData<InfiniteData<QueuePage>>(queueKey)
     const countBefore = client.getQueryData<QueueCount>(countKey)
     const what = { cueId: decided.cue.id, takeIds: decided.takes.map(({ id }) => id), picked: true }

@@ -3,6 +3,7 @@ import { useEffect, useEffectEvent } from 'react'
 
 import { isNoted } from './afterVerdict'
 import { countQuery, queueQuery, type QueueCount, type QueueItem } from './api'
+import type { QueueFilter } from './queueFilter'
 
 const NONE: never[] = []
 /** Cues that are loaded beyond the selected one, before the next page is asked for. */
@@ -24,9 +25,9 @@ export interface Queue {
 }
 
 /** The queue as far as it is needed: its first page, and those within some cues of the selected one. */
-export function useQueue(projectId: string, cueId?: string): Queue {
-  const queue = useInfiniteQuery(queueQuery(projectId))
-  const { data: count } = useQuery(countQuery(projectId))
+export function useQueue(projectId: string, cueId?: string, filter?: QueueFilter): Queue {
+  const queue = useInfiniteQuery(queueQuery(projectId, filter))
+  const { data: count } = useQuery(countQuery(projectId, filter))
   const { hasNextPage: hasMore, isFetching, isError } = queue
   const items = queue.data ?? NONE
   const open = openOf(items)

@@ -1,10 +1,14 @@
 import { Button } from '@/ui/Button'
 import { LazyMenu } from '@/ui/LazyMenu'
 
+import type { ViewedPage } from './api'
+
 const loadMenu = () => import('./ViewsMenu').then(({ ViewsMenu }) => ViewsMenu)
 
 interface ViewsProps {
   projectId: string
+  /** Each person's own of the list; of the review queue the team shares them. */
+  page?: ViewedPage
   search: object
   onOpen: (search: Record<string, unknown>) => void
 }

@@ -11,21 +11,22 @@ import type { MenuProps } from '@/ui/LazyMenu'
 import { OpenedMenu } from '@/ui/OpenedMenu'
 import { ProblemNote } from '@/ui/ProblemNote'
 
-import { useDeleteView, useSaveView, viewsQuery } from './api'
+import { useDeleteView, useSaveView, type ViewedPage, viewsQuery } from './api'
 import classes from './ViewsMenu.module.css'
 
 interface ViewsMenuProps extends MenuProps {
   projectId: string
+  page?: ViewedPage
   /** The filter as the address has it now. */
   search: object
   onOpen: (search: Record<string, unknown>) => void
 }
 
 /** The filters that a person kept: opened, kept under a name, deleted. */
-export function ViewsMenu({ button, projectId, search, onOpen }: ViewsMenuProps) {
-  const { data: views } = useQuery(viewsQuery(projectId))
-  const [name, setName, draft] = useDraft(`view:${projectId}`, '')
-  const save = useSaveView(projectId)
+export function ViewsMenu({ button, projectId, page = 'sound_list', search, onOpen }: ViewsMenuProps) {
+  const { data: views } = useQuery(viewsQuery(projectId, page))
+  const [name, setName, draft] = useDraft(`view:${page}:${projectId}`, '')
+  const save = useSaveView(projectId, page)
   const remove = useDeleteView(projectId)
   const problem = save.error instanceof ApiProblem ? save.error : null
   const keep = () => {
@@ -43,7 +44,7 @@ export function ViewsMenu({ button, projectId, search, onOpen }: ViewsMenuProps)
   }
   return (
     <OpenedMenu button={button} position="bottom-end" width={260}>
-      <Menu.Label>Your views</Menu.Label>
+      <Menu.Label>{page === 'review_queue' ? 'Views of the team' : 'Your views'}</Menu.Label>
       {views?.length === 0 && <Menu.Label>No views yet</Menu.Label>}
       {views?.map((view) => (
         <Menu.Item key={view.id} onClick={() => onOpen(defaultParseSearch(`?${view.query}`))}>

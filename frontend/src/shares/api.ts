@@ -2,23 +2,27 @@ import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
+import type { components } from '@/api/schema.gen'
 
-/** The filters of the list that the current person kept in a project. */
-export const viewsQuery = (projectId: string) =>
+export type ViewedPage = components['schemas']['ViewedPage']
+
+/** The filters of a page that the current person kept in a project, or that the team shares. */
+export const viewsQuery = (projectId: string, page: ViewedPage) =>
   queryOptions({
     queryKey: queryKeys.savedViews(projectId),
     queryFn: () =>
       answered(api.GET('/v1/projects/{project_id}/saved-views', { params: { path: { project_id: projectId } } })),
+    select: (views) => views.filter((view) => view.page === page),
   })
 
-export function useSaveView(projectId: string) {
+export function useSaveView(projectId: string, page: ViewedPage) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (view: { name: string; query: string }) =>
       answered(
         api.POST('/v1/projects/{project_id}/saved-views', {
           params: { path: { project_id: projectId } },
-          body: { page: 'sound_list', ...view },
+          body: { page, ...view },
         }),
       ),
     onSuccess: () => invalidate(client, queryKeys.savedViews(projectId)),

@@ -54,3 +54,17 @@ def test_strangers_and_too_many(world: World) -> None:
     refused = save(world, world.producer, name="One more")
     assert (refused.status_code, refused.json()["code"]) == (422, "saved-view-invalid")
     assert save(world, world.producer, query="x" * 2_001, name="View 1").status_code == 422
+
+
+def test_views_of_the_review_queue_are_shared_by_the_team(world: World) -> None:
+    queue = {"page": "review_queue", "name": "Music, new"}
+    view = save(world, world.producer, **queue, query="category=music").json()
+    assert [one["id"] for one in views(world, world.reviewer)] == [view["id"]]
+    replaced = save(world, world.reviewer, **queue, query="category=music&version=new").json()
+    assert (replaced["id"], replaced["query"]) == (view["id"], "category=music&version=new")
+    assert views(world, world.designer) == []
+    assert save(world, world.designer, **queue).status_code == 403
+    for client in (world.designer, world.stranger):
+        assert client.delete(f"/v1/saved-views/{view['id']}").status_code == 404
+    assert world.approver.delete(f"/v1/saved-views/{view['id']}").status_code == 204
+    assert views(world, world.producer) == []

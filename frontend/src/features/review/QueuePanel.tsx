@@ -4,6 +4,7 @@ import { type UIEvent, useEffect, useRef } from 'react'
 import { WaveThumb } from '@/audio'
 import type { QueueItem } from '@/judging/api'
 import { Drafts, useDraftCount } from '@/judging/Drafts'
+import { isFiltered, type QueueFilter } from '@/judging/queueFilter'
 import type { Queue } from '@/judging/useQueue'
 import { capital, counted, heardTakes, isSoon, unlessJudged, whatWaits, whyUrgent } from '@/judging/words'
 import { Button } from '@/ui/Button'
@@ -11,9 +12,12 @@ import { Count } from '@/ui/Count'
 import { age, plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { KeysLine } from '@/ui/KeysLine'
+import { useLazy } from '@/ui/useLazy'
 
 import { JudgedLately } from './JudgedLately'
 import classes from './Review.module.css'
+
+const loadFilters = () => import('./QueueFilters').then(({ QueueFilters }) => QueueFilters)
 
 /** So far above the end of the list the next cues are asked for. */
 const NEAR_PX = 600
@@ -21,6 +25,9 @@ const NEAR_PX = 600
 interface QueuePanelProps {
   projectId: string
   queue: Queue
+  filter: QueueFilter
+  isFiltering: boolean
+  onFiltering: (isFiltering: boolean) => void
   cueId: string
   mayApprove: boolean
   /** As a drawer over a narrow page. */
@@ -30,7 +37,9 @@ interface QueuePanelProps {
 }
 
 /** What waits, what is noted, what was judged lately. */
-export function QueuePanel({ projectId, queue, cueId, mayApprove, opened, onOpen, onClose }: QueuePanelProps) {
+export function QueuePanel(props: QueuePanelProps) {
+  const { projectId, queue, filter, isFiltering, onFiltering, cueId, mayApprove, opened, onOpen, onClose } = props
+  const Filters = useLazy(loadFilters, isFiltering, () => onFiltering(false))
   const waiting = queue.open
   const drafts = useDraftCount(projectId)
   const list = useRef<HTMLUListElement>(null)
@@ -44,10 +53,22 @@ export function QueuePanel({ projectId, queue, cueId, mayApprove, opened, onOpen
         <h2>{mayApprove ? 'For you' : 'Waiting for the approver'}</h2>
         <Count of={counted(queue.waits)} what="waiting" />
         <span className="small dim end">urgent first, then oldest</span>
+        <Button
+          variant="quiet"
+          icon="sliders"
+          square
+          aria-label={isFiltered(filter) ? 'Filter the queue, filtered now' : 'Filter the queue'}
+          aria-expanded={isFiltering}
+          pressed={isFiltered(filter)}
+          onClick={() => onFiltering(!isFiltering)}
+        />
         <span className={classes.close}>
           <Button variant="quiet" icon="cross" square aria-label="Close queue" onClick={onClose} />
         </span>
       </header>
+      {isFiltering && Filters && (
+        <Filters projectId={projectId} cueId={cueId} filter={filter} onClose={() => onFiltering(false)} />
+      )}
       <div className={classes.scroll} onScroll={onScroll}>
         <ul ref={list}>
           {waiting.map((item) => (
@@ -55,12 +76,22 @@ export function QueuePanel({ projectId, queue, cueId, mayApprove, opened, onOpen
               key={item.cue.id}
               item={item}
               projectId={projectId}
+              filter={filter}
               current={item.cue.id === cueId}
               onOpen={onClose}
             />
           ))}
         </ul>
-        {queue.isKnown && waiting.length === 0 && <p className={`${classes.sub} small`}>Nothing to review</p>}
+        {queue.isKnown && waiting.length === 0 && (
+          <p className={`${classes.sub} small`}>
+            {isFiltered(filter) ? 'No cue that waits matches the filter. ' : 'Nothing to review'}
+            {isFiltered(filter) && (
+              <Link className="link" to="/projects/$projectId/review/$cueId" params={{ projectId, cueId }} search={{}}>
+                Show all
+              </Link>
+            )}
+          </p>
+        )}
         <JudgedLately projectId={projectId} />
       </div>
       {drafts > 0 && (
@@ -73,6 +104,7 @@ export function QueuePanel({ projectId, queue, cueId, mayApprove, opened, onOpen
         <KeysLine
           keys={[
             { keys: ['j', 'k'], label: 'next, previous' },
+            { keys: ['f'], label: 'filter' },
             { keys: ['u'], label: 'undo' },
             { keys: ['?'], label: 'shortcuts' },
           ]}
@@ -86,11 +118,12 @@ export function QueuePanel({ projectId, queue, cueId, mayApprove, opened, onOpen
 interface QueueLineProps {
   item: QueueItem
   projectId: string
+  filter: QueueFilter
   current: boolean
   onOpen: () => void
 }
 
-function QueueLine({ item, projectId, current, onOpen }: QueueLineProps) {
+function QueueLine({ item, projectId, filter, current, onOpen }: QueueLineProps) {
   const ref = useRef<HTMLAnchorElement>(null)
   const router = useRouter()
   useEffect(() => {
@@ -109,7 +142,7 @@ function QueueLine({ item, projectId, current, onOpen }: QueueLineProps) {
         className={classes.itemLink}
         to="/projects/$projectId/review/$cueId"
         params={{ projectId, cueId: cue.id }}
-        search={{}}
+        search={filter}
         aria-current={current || undefined}
         onClick={onOpen}
       >

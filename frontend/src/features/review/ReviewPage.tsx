@@ -1,6 +1,6 @@
 import { useQuery, useQueryClient } from '@tanstack/react-query'
 import { useNavigate, useParams, useSearch } from '@tanstack/react-router'
-import { type ReactNode, useCallback, useEffect, useState } from 'react'
+import { type ReactNode, useEffect, useState } from 'react'
 
 import { ApiProblem } from '@/api'
 import { useMyProject } from '@/api/me'
@@ -10,6 +10,7 @@ import { usePlayer } from '@/audio'
 import { nextAfter } from '@/judging/afterVerdict'
 import { reviewQuery } from '@/judging/api'
 import { MASTER } from '@/judging/hearing'
+import { filterOf } from '@/judging/queueFilter'
 import { useReady } from '@/judging/useHearing'
 import { useJudge } from '@/judging/useJudge'
 import { useQueue } from '@/judging/useQueue'
@@ -32,7 +33,8 @@ export function ReviewPage(): ReactNode {
   const navigate = useNavigate()
   const client = useQueryClient()
   const project = useMyProject(projectId)
-  const queue = useQueue(projectId, cueId)
+  const filter = filterOf(search)
+  const queue = useQueue(projectId, cueId, filter)
   const { items, open: waiting } = queue
   const { data: review, error } = useQuery(reviewQuery(cueId))
   // Sums are a matter of producers and of the cue's own designer; who decides and neither is, needs none to decide.
@@ -41,19 +43,17 @@ export function ReviewPage(): ReactNode {
   const [player, playing] = usePlayer({ held: true })
   const conditions = useCondition(player)
   const [queueOpen, setQueueOpen] = useState(false)
+  const [isFiltering, setFiltering] = useState(false)
   const [target, setTarget] = useState(MASTER)
   useTitle(review ? `Review ${review.cue.name}` : 'Review')
 
-  const open = useCallback(
-    (id: string) =>
-      void navigate({
-        to: '/projects/$projectId/review/$cueId',
-        params: { projectId, cueId: id },
-        search: {},
-      }),
-    [navigate, projectId],
-  )
-  const judge = useJudge(projectId, open)
+  const open = (id: string) =>
+    void navigate({
+      to: '/projects/$projectId/review/$cueId',
+      params: { projectId, cueId: id },
+      search: filter,
+    })
+  const judge = useJudge(projectId, open, filter)
 
   const at = waiting.findIndex(({ cue }) => cue.id === cueId)
   const ahead = at < 0 ? waiting : [...waiting.slice(at + 1), ...waiting.slice(0, at)]
@@ -75,7 +75,7 @@ export function ReviewPage(): ReactNode {
   const toNext = () => {
     const next = nextAfter(items, cueId)
     if (next) open(next.cue.id)
-    else void navigate({ to: '/projects/$projectId/review', params: { projectId } })
+    else void navigate({ to: '/projects/$projectId/review', params: { projectId }, search: filter })
   }
   useHotkeys([
     { keys: 'j', label: 'Next in the queue', group: 'Review', run: () => void step(1) },
@@ -89,6 +89,15 @@ export function ReviewPage(): ReactNode {
         requestAnimationFrame(() => document.querySelector<HTMLElement>('#queue a')?.focus())
       },
     },
+    {
+      keys: 'f',
+      label: 'Filter the queue',
+      group: 'Review',
+      run: () => {
+        setQueueOpen(true)
+        setFiltering(true)
+      },
+    },
     { keys: 'Escape', label: 'Close queue', group: 'Review', run: () => setQueueOpen(false), disabled: !queueOpen },
   ])
 
@@ -97,6 +106,9 @@ export function ReviewPage(): ReactNode {
       <QueuePanel
         projectId={projectId}
         queue={queue}
+        filter={filter}
+        isFiltering={isFiltering}
+        onFiltering={setFiltering}
         cueId={cueId}
         mayApprove={project?.is_approver ?? false}
         opened={queueOpen}

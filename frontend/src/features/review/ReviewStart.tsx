@@ -1,4 +1,4 @@
-import { Link, Navigate, useParams } from '@tanstack/react-router'
+import { Link, Navigate, useParams, useSearch } from '@tanstack/react-router'
 
 import type { ReactNode } from 'react'
 
@@ -7,6 +7,7 @@ import { useMyProject } from '@/api/me'
 import { useTitle } from '@/app/title'
 import { isNoted } from '@/judging/afterVerdict'
 import { Drafts } from '@/judging/Drafts'
+import { filterOf, isFiltered } from '@/judging/queueFilter'
 import { useQueue } from '@/judging/useQueue'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
@@ -19,7 +20,8 @@ import classes from './Review.module.css'
 export function ReviewStart(): ReactNode {
   const { projectId = '' } = useParams({ strict: false })
   useTitle('Review')
-  const queue = useQueue(projectId)
+  const filter = filterOf(useSearch({ strict: false }))
+  const queue = useQueue(projectId, undefined, filter)
   const project = useMyProject(projectId)
   const noted = queue.items.filter(isNoted)
   const first = queue.open[0]
@@ -28,7 +30,7 @@ export function ReviewStart(): ReactNode {
       <Navigate
         to="/projects/$projectId/review/$cueId"
         params={{ projectId, cueId: first.cue.id }}
-        search={{}}
+        search={filter}
         replace
       />
     )
@@ -42,6 +44,23 @@ export function ReviewStart(): ReactNode {
     )
   }
   if (!queue.isKnown) return <h1 className="visually-hidden">Review</h1>
+  if (isFiltered(filter)) {
+    return (
+      <div className={`page ${classes.nothing}`}>
+        <EmptyState
+          head="No cue that waits matches the filter"
+          level={1}
+          action={
+            <Link to="/projects/$projectId/review" params={{ projectId }} search={{}} className="link">
+              Show all that waits
+            </Link>
+          }
+        >
+          Other cues may be waiting.
+        </EmptyState>
+      </div>
+    )
+  }
   return (
     <div className={`page ${classes.nothing}`}>
       <EmptyState

@@ -4,8 +4,9 @@ import { createRoute, lazyRouteComponent } from '@tanstack/react-router'
 import { shellRoute } from '@/app/roots'
 import { isNoted } from '@/judging/afterVerdict'
 import { queueQuery, reviewQuery } from '@/judging/api'
+import { filterOf, type QueueFilter } from '@/judging/queueFilter'
 
-interface Spot {
+interface Spot extends QueueFilter {
   /** The selected version. */
   take?: string
   /** Where the playhead stands, in seconds. */
@@ -26,6 +27,7 @@ export const reviewRoutes = [
   createRoute({
     getParentRoute: () => shellRoute,
     path: '/projects/$projectId/review',
+    validateSearch: filterOf,
     staticData: {
       early: (client, { projectId = '' }) => {
         void openFirst(client, projectId)
@@ -38,6 +40,7 @@ export const reviewRoutes = [
     getParentRoute: () => shellRoute,
     path: '/projects/$projectId/review/$cueId',
     validateSearch: (search: Record<string, unknown>): Spot => ({
+      ...filterOf(search),
       take: typeof search.take === 'string' ? search.take : undefined,
       at: typeof search.at === 'number' && search.at >= 0 ? search.at : undefined,
     }),

@@ -3,6 +3,7 @@ import { useQuery } from '@tanstack/react-query'
 import { type FormEvent, useState } from 'react'
 
 import { DraftNote, useDraft } from '@/app/drafts'
+import { categoriesQuery } from '@/api/project'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
@@ -10,7 +11,7 @@ import { Select } from '@/ui/Select'
 
 import type { Project } from '../api'
 import { Refusal } from '../Refusal'
-import { approvalSettingsQuery, categoriesQuery, useSetBlockers, useSetChecklist } from './api'
+import { approvalSettingsQuery, useSetBlockers, useSetChecklist } from './api'
 import classes from './People.module.css'
 
 const BLOCKERS = [

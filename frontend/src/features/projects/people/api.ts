@@ -55,13 +55,6 @@ export const useNameApprover = (projectId: string) =>
     answered(api.PUT('/v1/projects/{project_id}/approver', { ...inProject(projectId), body })),
   )
 
-/** The categories of the sound list, with the number of their cues. */
-export const categoriesQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.categories(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/categories', inProject(projectId))),
-  })
-
 /** Give a category an approver of its own, or with null the project's. */
 export const useNameCategoryApprover = (projectId: string) =>
   useProjectChange(projectId, (body: Schemas['CategoryApproverName']) =>
