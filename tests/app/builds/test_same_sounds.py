@@ -96,7 +96,7 @@ def test_a_changed_copy_of_an_approved_sound_is_reported_to_both_projects(world:
     assert found["gain_db"] == pytest.approx(-6.0, abs=0.15)
     assert [one["words"] for one in same_sounds(world.approver, cut)] == ["the same sound, with another start or end"]
     assert body_of(world.producer.get(f"/v1/takes/{unlike}/same-sounds")) == {
-        "take_id": unlike, "is_compared": True, "sounds": [],
+        "take_id": unlike, "is_compared": True, "sounds": [], "libraries": [],
     }  # fmt: skip
 
     assert same_sounds(world.approver, approved) == [], "nothing of the other project is approved"
@@ -125,7 +125,7 @@ def test_a_designer_never_learns_of_another_project(world: World) -> None:
         (world.other_designer, copied, approved),
     ):
         answer = designer.get(f"/v1/takes/{own}/same-sounds")
-        assert answer.json() == {"take_id": own, "is_compared": None, "sounds": []}
+        assert answer.json() == {"take_id": own, "is_compared": None, "sounds": [], "libraries": []}
         assert designer.get(f"/v1/takes/{foreign}/same-sounds").status_code == 404
     assert world.stranger.get(f"/v1/takes/{copied}/same-sounds").status_code == 404
 
