@@ -10,14 +10,15 @@ import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ago, length, plural } from '@/ui/format'
 import { State } from '@/ui/State'
+import { useLazy } from '@/ui/useLazy'
 import { filesOfDrop, type Picked } from '@/uploads'
 
 import type { AskedQuestion, Desk, ToMake } from './api'
-import { AskForm } from './AskForm'
 import { type DeskList, useWithApprover } from './pages'
 import classes from './Side.module.css'
 
 const SHOWN_AT_FIRST = 14
+const loadAskForm = () => import('./AskForm').then(({ AskForm }) => AskForm)
 
 interface ToMakeCardProps {
   projectId: string
@@ -237,6 +238,7 @@ interface AskedCardProps {
 /** What was asked, what was answered, and the way to ask. */
 export function AskedCard({ projectId, questions, cueId }: AskedCardProps) {
   const [asking, setAsking] = useState(false)
+  const AskForm = useLazy(loadAskForm, asking, () => setAsking(false))
   const open = questions.filter(({ answer }) => answer === null).length
   const newest = questions.toSorted((a, b) => b.asked_at.localeCompare(a.asked_at))
   return (
@@ -260,7 +262,7 @@ export function AskedCard({ projectId, questions, cueId }: AskedCardProps) {
           )
         }
       />
-      {asking && <AskForm projectId={projectId} cueId={cueId} onDone={() => setAsking(false)} />}
+      {asking && AskForm && <AskForm projectId={projectId} cueId={cueId} onDone={() => setAsking(false)} />}
       {!asking && newest.length === 0 && (
         <p className={`mid ${classes.plain}`}>
           No questions yet. Ask about source, material or size. Answers are added to the cue.
