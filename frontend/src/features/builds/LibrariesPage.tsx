@@ -10,7 +10,7 @@ import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
-import { bytes, day } from '@/ui/format'
+import { bytes, day, plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import classes from './Libraries.module.css'
@@ -116,7 +116,7 @@ function AddLibrary({ projectId }: { projectId: string }) {
           setLicence('')
           setFile(null)
           if (picker.current) picker.current.value = ''
-          showToast(`${added} has ${sounds.toLocaleString('en')} sounds. Versions are compared with them now.`)
+          showToast(`${added} has ${plural(sounds, 'sound')}. Versions are compared with the library now.`)
         },
       },
     )

@@ -62,7 +62,9 @@ test('a sheet is sent with name and licence, and what was typed stays where it i
   expect(screen.getByLabelText('Name')).toHaveValue('Doors & Gates')
   answers[`POST ${PATH}`] = DOORS
   await userEvent.click(register)
-  expect(await screen.findByText('Doors & Gates has 1,204 sounds. Versions are compared with them now.')).toBeVisible()
+  expect(
+    await screen.findByText('Doors & Gates has 1,204 sounds. Versions are compared with the library now.'),
+  ).toBeVisible()
   expect(asked.findLast(({ method }) => method === 'POST')?.body).toEqual({
     name: 'Doors & Gates',
     licence: 'Site licence 12',
