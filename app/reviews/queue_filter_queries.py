@@ -27,7 +27,9 @@ def filtered(wanted: QueueFilter) -> ColumnElement[bool]:
     ]
     if wanted.kind is not None:
         of_cue.append(Cue.variations > 1 if wanted.kind is QueueKind.SET else Cue.variations == 1)
-    parts = [exists().where(Cue.id == Take.cue_id, *of_cue).correlate(Take)] if of_cue else []
+    parts: list[ColumnElement[bool]] = []
+    if of_cue:
+        parts.append(exists().where(Cue.id == Take.cue_id, *of_cue).correlate(Take))
     other = aliased(Take)
     waits = (other.cue_id == Take.cue_id, other.state == TakeState.CONFORMING)
     if wanted.designer_id is not None:

@@ -22,7 +22,7 @@ def views_of(session: Session, actor: Actor, project_id: UUID) -> Sequence[Saved
 
 
 def save_view(session: Session, actor: Actor, project_id: UUID, body: SavedViewAdd) -> SavedView:
-    """Keep a filter; one of the same name is replaced, of the review queue whoever of the team saved it."""
+    """Keep a filter; one of the same name is replaced, of the review queue by anyone of the team."""
     access = project_access(session, actor, project_id)
     if body.page is ViewedPage.REVIEW_QUEUE:
         access.ensure_team()
