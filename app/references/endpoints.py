@@ -12,7 +12,7 @@ from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, Route, Rout
 from app.kit.storage import BlobMissing
 from app.kit.uploads import UploadNotFound, UploadUnfinished
 from app.projects.errors import ProjectNotFound, TeamNeeded
-from app.references import service
+from app.references import service, spotting
 from app.references.drawing import MEDIA_TYPE
 from app.references.errors import NoPreview, ReferenceInvalid, ReferenceNotFound, ReferenceUnopened
 from app.references.models import ReferenceVersion
@@ -108,9 +108,10 @@ def list_reference_versions(
 def add_reference_version(
     reference_id: UUID, body: ReferenceContent, session: DbSession, runtime: CurrentRuntime, actor: Actor = TEAM
 ) -> ReferenceRead:
-    """Replace the file or link of a reference; older versions stay."""
+    """Replace the file or link of a reference; older versions stay, and parts that were spotted from it follow."""
     content = service.Content(body.upload_id, body.url)
     version = service.add_version(session, actor, reference_id, content=content, store=runtime.store)
+    spotting.move_parts(session, actor, version)
     return _read(session, actor, version)
 
 

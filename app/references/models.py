@@ -33,6 +33,9 @@ class Reference(Base):
     start_s: Mapped[float | None]
     end_s: Mapped[float | None]
     newest_number: Mapped[int]
+    spotted_from_id: Mapped[UUID | None] = mapped_column(  # the clip of which it is a part; follows its new versions
+        ForeignKey("references_references.id"), index=True
+    )
     added_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     added_at: Mapped[datetime] = mapped_column(default=clock.now)
     removed_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))

@@ -78,11 +78,36 @@ def has_category(session: Session, project_id: UUID, category: str) -> bool:
 def references_of_file(
     session: Session, project_id: UUID, sha256: str | None, cue_ids: Collection[UUID]
 ) -> Sequence[UUID]:
-    """Return the references on the board that are pinned to cues and whose only version is a file."""
+    """Return the references on the board that are pinned to cues and whose newest version is a file."""
     of_file = select(Reference.id).join(ReferenceVersion, ReferenceVersion.reference_id == Reference.id)
     of_file = of_file.where(Reference.project_id == project_id, Reference.cue_id.in_(cue_ids))
-    only = (Reference.newest_number == 1, Reference.removed_at.is_(None), ReferenceVersion.sha256 == sha256)
-    return session.scalars(of_file.where(*only)).all()
+    newest = (ReferenceVersion.number == Reference.newest_number, Reference.removed_at.is_(None))
+    return session.scalars(of_file.where(*newest, ReferenceVersion.sha256 == sha256)).all()
+
+
+def parts_locked(session: Session, clip_id: UUID, sha256: str | None) -> Sequence[Reference]:
+    """Return the parts of a clip on the board that show a file of it, locked until the transaction ends."""
+    shows_it = select(ReferenceVersion.id).where(
+        ReferenceVersion.reference_id == Reference.id,
+        ReferenceVersion.number == Reference.newest_number,
+        ReferenceVersion.sha256 == sha256,
+    )
+    parts = select(Reference).where(Reference.spotted_from_id == clip_id, Reference.removed_at.is_(None))
+    return session.scalars(parts.where(shows_it.exists()).order_by(Reference.id).with_for_update()).all()
+
+
+def parts_count(session: Session, clip_ids: Collection[UUID]) -> dict[UUID, int]:
+    """Return how many parts on the board were spotted from each clip."""
+    of_clip = select(Reference.spotted_from_id, func.count()).where(
+        Reference.spotted_from_id.in_(clip_ids), Reference.removed_at.is_(None)
+    )
+    counts = session.execute(of_clip.group_by(Reference.spotted_from_id))
+    return {clip_id: count for clip_id, count in counts if clip_id is not None}
+
+
+def version_numbered(session: Session, reference_id: UUID, number: int) -> ReferenceVersion | None:
+    """Return one version of a reference on the board by its number."""
+    return session.scalar(_on_board().where(Reference.id == reference_id, ReferenceVersion.number == number))
 
 
 def last_opened_at(session: Session, version_id: UUID, person_id: UUID) -> datetime | None:

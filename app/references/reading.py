@@ -17,6 +17,7 @@ def read_references(
     """Return references with these versions, and the cues that they are pinned to."""
     cue_ids = {version.reference.cue_id for version in versions if version.reference.cue_id}
     cues = queries.cues_pinned(session, cue_ids)
+    parts = queries.parts_count(session, [version.reference_id for version in versions])
     may_change = access.is_producer or access.is_liaison or access.is_approver
     return [
         ReferenceRead(
@@ -30,6 +31,7 @@ def read_references(
             end_s=reference.end_s,
             added_at=reference.added_at,
             version=read_version(version),
+            parts=parts.get(reference.id, 0),
             may_change=may_change,
         )
         for version, reference in ((version, version.reference) for version in versions)

@@ -106,6 +106,7 @@ class ReferenceRead(Schema):
     end_s: float | None
     added_at: datetime
     version: ReferenceVersionRead
+    parts: int = Field(0, description="Cues spotted from it, whose parts follow to a new version.")
     may_change: bool
 
 

@@ -40,6 +40,20 @@ def add_spotted_cues(
     return access, cues
 
 
+def move_parts(session: Session, actor: Actor, clip: ReferenceVersion) -> None:
+    """Give the parts of a clip its new version, at the same times; one that shows another file keeps it."""
+    before = queries.version_numbered(session, clip.reference_id, clip.number - 1)
+    if before is None or clip.kind is not ReferenceKind.VIDEO:
+        return
+    versions = []
+    for part in queries.parts_locked(session, clip.reference_id, before.sha256):
+        part.newest_number += 1
+        versions.append(_version_of(clip, part.id, actor) | {"number": part.newest_number})
+    session.flush()
+    if versions:
+        session.execute(insert(ReferenceVersion), versions)
+
+
 def undo_spotted_cues(session: Session, actor: Actor, reference_id: UUID, cue_ids: Sequence[UUID]) -> None:
     """Remove the cues of the marks and their references; raise AdditionInUse once a cue or its reference is in use."""
     _, clip = reference_to_change(session, actor, reference_id)
@@ -82,6 +96,7 @@ def _part_of(clip: ReferenceVersion, cue: Cue, mark: SpottedMark, actor: Actor) 
         "start_s": mark.start_s,
         "end_s": mark.start_s + length if length else None,
         "newest_number": 1,
+        "spotted_from_id": clip.reference_id,
         "added_by": actor.person,
     }
 

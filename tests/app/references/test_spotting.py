@@ -7,7 +7,7 @@ from fastapi.testclient import TestClient
 from httpx import Response
 
 from tests.support.deliver import add_cues
-from tests.support.references import add, added, board, opened
+from tests.support.references import add, added, board, opened, uploaded
 from tests.support.server import World
 from tests.support.waves import sine, wav_bytes
 
@@ -128,3 +128,61 @@ def test_a_category_is_guessed_from_the_list_then_from_the_words(world: World) -
     assert guess("pistol shot", world.designer) == "guns"
     url = f"/v1/projects/{world.project_id}/category-guess"
     assert world.stranger.get(url, params={"name": "door"}).status_code == 404
+
+
+def renewed(world: World, clip: dict[str, Any], content: bytes = CLIP + b"second cut") -> dict[str, Any]:
+    body = {"upload_id": uploaded(world, "walkway_2.mp4", content)}
+    answer = world.producer.post(f"/v1/references/{clip['id']}/versions", json=body)
+    assert answer.status_code == 201, answer.text
+    return dict(answer.json())
+
+
+def part_of(world: World, cue: dict[str, Any]) -> dict[str, Any]:
+    [part] = [one for one in board(world, cue_id=cue["id"]) if one["cue"]]
+    return part
+
+
+def test_parts_follow_to_a_new_version_of_the_clip_at_their_times(world: World, clip: dict[str, Any]) -> None:
+    door, shot = make(world, clip, DOOR, SHOT).json()
+    opened(world, part_of(world, door), by=world.designer)
+    assert renewed(world, clip)["parts"] == 2
+    part = part_of(world, door)
+    assert (part["start_s"], part["end_s"], part["parts"]) == (1.234, 1.734, 0)
+    assert (part["version"]["number"], part["version"]["file_name"]) == (2, "walkway_2.mp4")
+    assert opened(world, part, by=world.designer).content == CLIP + b"second cut"
+    assert part_of(world, shot)["version"]["number"] == 2
+    log = world.producer.get(f"/v1/projects/{world.project_id}/reference-openings").json()["items"]
+    assert [(one["version"], one["file_name"]) for one in log] == [(2, "walkway_2.mp4"), (1, "walkway.mp4")]
+
+
+def test_a_part_with_a_file_of_its_own_keeps_it(world: World, clip: dict[str, Any]) -> None:
+    door, shot = make(world, clip, DOOR, SHOT).json()
+    renewed(world, part_of(world, door), CLIP + b"a close-up")
+    renewed(world, clip)
+    assert part_of(world, door)["version"]["number"] == 2
+    assert opened(world, part_of(world, door)).content == CLIP + b"a close-up"
+    assert opened(world, part_of(world, shot)).content == CLIP + b"second cut"
+
+
+def test_parts_stay_where_the_new_version_is_no_clip(world: World, clip: dict[str, Any]) -> None:
+    [door] = make(world, clip, DOOR).json()
+    renewed(world, clip, wav_bytes(sine(hz=440, seconds=0.1), rate=48_000, bits=16))
+    assert part_of(world, door)["version"]["number"] == 1
+
+
+def test_the_range_of_a_part_is_changed_afterwards(world: World, clip: dict[str, Any]) -> None:
+    [door] = make(world, clip, DOOR).json()
+    url = f"/v1/references/{part_of(world, door)['id']}"
+    assert world.producer.patch(url, json={"start_s": 2.5, "end_s": 3.25}).status_code == 200
+    renewed(world, clip)
+    part = part_of(world, door)
+    assert (part["start_s"], part["end_s"], part["version"]["number"]) == (2.5, 3.25, 2)
+    assert world.producer.patch(url, json={"end_s": 2.0}).json()["detail"] == "the part ends before it begins"
+    assert world.designer.patch(url, json={"start_s": 0}).status_code == 403
+
+
+def test_undo_still_takes_the_cues_away_after_a_new_version(world: World, clip: dict[str, Any]) -> None:
+    cues = make(world, clip, DOOR, SHOT).json()
+    renewed(world, clip)
+    assert undo(world, clip, cues).status_code == 204
+    assert [one["id"] for one in board(world)] == [clip["id"]]

@@ -9,7 +9,7 @@ import { sentence } from '@/app/Form'
 import { showToast } from '@/app/toast'
 import { kindName, type Reference, titleOf } from '@/references'
 import { Button } from '@/ui/Button'
-import { ago, bytes } from '@/ui/format'
+import { ago, bytes, plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import { useChangeReference, useOpenings, useRemoveReference, versionsQuery } from './api'
@@ -127,6 +127,11 @@ function Edit({ reference, onNewVersion, onClose }: EditDialogProps & { referenc
           Remove
         </Button>
       </div>
+      {(reference.parts ?? 0) > 0 && (
+        <p className="small mid">
+          {`${plural(reference.parts ?? 0, 'cue was', 'cues were')} spotted from this clip: a new version is shown there too, at the same times.`}
+        </p>
+      )}
       <section aria-label="Versions">
         <h3>Versions</h3>
         <ul className={classes.lines}>

@@ -210,6 +210,15 @@ test('what is said of a reference is changed beside its versions and who opened 
   expect(await screen.findByText('Reference removed from the board.')).toBeVisible()
 })
 
+test('a clip says how many cues follow its new version', async () => {
+  open('producer', [{ ...ITEMS[1], parts: 2 }])
+  await userEvent.click(await screen.findByRole('button', { name: 'Edit A drop' }))
+  const dialog = await screen.findByRole('dialog', { name: 'A drop' })
+  expect(
+    within(dialog).getByText(/^2 cues were spotted from this clip: a new version is shown there too/),
+  ).toBeVisible()
+})
+
 test('pins and seconds are read both ways', () => {
   const [picture, , text, link] = ITEMS as unknown as Parameters<typeof groupsOf>[0]
   if (!picture || !text || !link) throw new Error('no items')
