@@ -22,6 +22,7 @@ export default defineConfig({
         'tray.spec.ts',
         'live.spec.ts',
         'hiring.spec.ts',
+        'nda.spec.ts',
         'spotting.spec.ts',
         'team.spec.ts',
         'walk.spec.ts',

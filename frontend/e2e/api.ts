@@ -4,7 +4,7 @@ import { type APIRequestContext, type BrowserContext, expect } from '@playwright
 export async function ask<T>(
   context: BrowserContext,
   url: string,
-  method: 'GET' | 'POST' | 'PUT' = 'GET',
+  method: 'GET' | 'POST' | 'PUT' | 'PATCH' = 'GET',
   data?: unknown,
 ): Promise<T> {
   const csrf = (await context.cookies(url)).find(({ name }) => name === 'soundlist_csrf')?.value ?? ''
