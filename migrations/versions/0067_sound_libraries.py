@@ -35,7 +35,9 @@ def upgrade() -> None:
         sa.Column("added_at", sa.DateTime(timezone=True), nullable=False),
         *tenant(LIBRARIES, ("person_id", "accounts_people.id")),
         sa.PrimaryKeyConstraint("id", name=op.f(f"pk_{LIBRARIES}")),
-        sa.UniqueConstraint("studio_id", "person_id", "name", name=op.f(f"uq_{LIBRARIES}_studio_id")),
+        sa.UniqueConstraint(
+            "studio_id", "person_id", "name", name=op.f("uq_builds_sound_libraries_studio_id_person_id_name")
+        ),
     )
     op.create_table(
         SOUNDS,

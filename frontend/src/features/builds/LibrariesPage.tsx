@@ -26,7 +26,7 @@ export function LibrariesPage() {
       <div>
         <h1>Sound libraries</h1>
         <p className="mid">
-          A version that equals a file of one of these libraries says so under Sources, and whether it is declared.
+          Versions are compared with these libraries. Sources of a version name the files that it equals.
         </p>
       </div>
       <Refused error={error} />
