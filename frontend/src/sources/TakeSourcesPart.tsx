@@ -2,20 +2,23 @@ import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
 import { Button } from '@/ui/Button'
+import { useLazy } from '@/ui/useLazy'
 
 import { takeSourcesQuery, useStateTakeSources } from './api'
 import { SameSounds } from './SameSounds'
 import classes from './Sources.module.css'
-import { SourcesForm } from './SourcesForm'
 import { SourcesText } from './SourcesText'
+
+const loadForm = () => import('./SourcesForm').then(({ SourcesForm }) => SourcesForm)
 
 /** The sources of one version; its designer can change them until they are on record. */
 export function TakeSourcesPart({ takeId, mayState }: { takeId: string; mayState: boolean }) {
   const { data: read } = useQuery(takeSourcesQuery(takeId))
   const save = useStateTakeSources(takeId)
   const [changing, setChanging] = useState(false)
+  const SourcesForm = useLazy(loadForm, changing, () => setChanging(false))
   if (!read) return null
-  if (changing) {
+  if (changing && SourcesForm) {
     return (
       <SourcesForm
         initial={read.stated?.sources ?? null}

@@ -50,7 +50,7 @@ export function QueuePanel(props: QueuePanelProps) {
   return (
     <aside className={classes.queue} aria-label="Queue" id="queue" data-opened={opened || undefined}>
       <header className={classes.head}>
-        <h2>{mayApprove ? 'For you' : 'Waiting for the approver'}</h2>
+        <h2 className="nowrap">{mayApprove ? 'For you' : 'Waiting for the approver'}</h2>
         <Count of={counted(queue.waits)} what="waiting" />
         <span className="small dim end">urgent first, then oldest</span>
         <Button
