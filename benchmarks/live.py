@@ -134,7 +134,7 @@ class Listener:
 
 
 async def sessions(address: str, made: Made, secrets: list[str], takes: list[str], seconds: float) -> Outcome:
-    """Make the playlists, let everybody join, and return what was measured."""
+    """Make the playlists, let all join, and return what was measured."""
     outcome, listeners = Outcome(), []
     producer = Client(address, headers_for(made.producer_secret))
     for number in range(SESSIONS):

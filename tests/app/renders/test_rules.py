@@ -1,6 +1,8 @@
+from dataclasses import replace
+
 import pytest
 
-from app.renders.rules import recipes
+from app.renders.rules import game_ending, recipes
 from audio_checks import new_spec, parse_spec
 
 MASTER = "a" * 64
@@ -30,3 +32,18 @@ def test_what_changes_the_bytes_changes_every_key() -> None:
 )
 def test_what_leaves_the_bytes_alone_leaves_the_keys(toml_end: str) -> None:
     assert keys(toml_end, category="slow") == keys()
+
+
+@pytest.mark.parametrize(
+    ("encoding", "made_to", "ending"),
+    [
+        ("pcm", "pcm", ".usual"),
+        ("vorbis", "pcm", ".ogg"),
+        ("mp3", "vorbis", ".mp3"),
+        ("vorbis", "vorbis", ".usual"),
+        ("flac", "pcm", ".usual"),
+    ],
+)
+def test_a_lossy_file_that_was_kept_as_it_came_keeps_its_ending(encoding: str, made_to: str, ending: str) -> None:
+    target = replace(next(iter(BASE.targets.values())), encoding=made_to)
+    assert game_ending({"encoding": encoding}, target, ".usual") == ending
