@@ -84,9 +84,10 @@ async function journey({ url }: Server, browser: Browser): Promise<void> {
       mimeType: 'text/plain',
       buffer: Buffer.from('The hull door never opens.'),
     })
-    await expect(producer.getByText('ending_2.txt').first()).toBeVisible()
+    // The line of an upload names the file before the board does.
+    await expect(producer.getByRole('button', { name: 'Edit ending_2.txt' })).toBeVisible()
     await designer.reload()
-    await designer.getByRole('button', { name: /^Read ending/ }).click()
+    await designer.getByRole('button', { name: /^Read ending_2/ }).click()
     await expect(designer.getByRole('dialog').getByText('The hull door never opens.')).toBeVisible()
     await producer.reload()
     await producer.getByRole('button', { name: 'Edit ending_2.txt' }).click()
