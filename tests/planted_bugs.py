@@ -34,7 +34,7 @@ TESTED_BY = {
     "app/dashboards/rules.py": "tests/app/dashboards/test_rules.py",
     "app/deliveries/sum_rules.py": "tests/app/deliveries/test_sums.py",
     "app/hiring/roster_rules.py": "tests/app/hiring/test_roster_rules.py",
-    "app/hiring/rules.py": "tests/app/hiring/test_postings.py",
+    "app/hiring/rules.py": "tests/app/hiring",
     "app/kit/money.py": "tests/app/kit/test_money.py",
     "app/kit/outgoing.py": "tests/app/webhooks/test_outgoing.py",
     "app/kit/record.py": "tests/app/kit/test_record.py",

@@ -82,7 +82,7 @@ def clearance_rows(session: Session, project: Project, sounds: Sequence[tuple[st
                 name=cue.name if cue else "",
                 variation=take.variation,
                 version=take.number,
-                designer=designers[take.designer_id].name,
+                designer=_made_by(approval, designers[take.designer_id].name),
                 agreement=_agreement(contract, is_in_house=take.designer_id in in_house),
                 paid=("yes" if take.cue_id in paid[contract.id] else "no") if contract else "",
                 **_stated(sources),
@@ -102,6 +102,11 @@ def clearance_rows(session: Session, project: Project, sounds: Sequence[tuple[st
 
 def _paid(session: Session, contract: Contract) -> set[UUID]:
     return paid_cues(load_ledger_book(session, contract), priced(cues_of(session, contract.id)))
+
+
+def _made_by(approval: Verdict | None, name: str) -> str:
+    """Return who made a sound; of one that was adopted only who sent it is known."""
+    return "not known (adopted)" if approval is not None and approval.adoption_id else name
 
 
 def _approved_by(approval: Verdict | None, name: str) -> str:

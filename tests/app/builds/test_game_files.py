@@ -10,6 +10,7 @@ from tests.app.builds.test_builds import token
 from tests.app.builds.test_sealed_packs import SOUNDS, seal
 from tests.app.builds.test_unpaid_downloads import Work, gross
 from tests.app.reviews.making import body_of, refused
+from tests.support.adoptions import adopted
 from tests.support.deliver import deliver
 from tests.support.server import World
 
@@ -123,3 +124,9 @@ def test_a_version_that_was_replaced_keeps_its_origin(world: World) -> None:
     assert old["master_sha256"] != new["master_sha256"]
     other = World(world.server)
     assert body_of(origins(other, other.producer, name="x", take=first)) == []
+
+
+def test_nobody_is_said_to_have_made_what_was_adopted(world: World) -> None:
+    adopted(world, {"ui/click.wav": sound(1)})
+    (origin,) = body_of(origins(world, world.producer, name="click"))
+    assert (origin["approved_by"], origin["designer"]) == ("Producer (adopted)", "not known (adopted)")

@@ -12,7 +12,7 @@ from sqlalchemy.orm import Session
 from app.deliveries.cue_sums import views_of
 from app.deliveries.models import CueSums, Take
 from app.deliveries.rules import CHECKABLE, TakeState
-from app.deliveries.sum_rules import Sums, TakeForSums
+from app.deliveries.sum_rules import STATE_CODES, Sums, TakeForSums, VariationFact
 from app.sound_lists.models import Cue
 from tests.support.deliver import add_cues, deliver
 from tests.support.server import World
@@ -23,6 +23,14 @@ pytestmark = pytest.mark.both_databases
 GOOD = [wav_bytes(noise(dbfs=level_dbfs, seconds=0.2)) for level_dbfs in range(-29, -19)]
 LOUD = [wav_bytes(sine(hz=hz, dbfs=0.0, seconds=0.2)) for hz in range(991, 1001)]
 NAMES = ("door_01.wav", "door_02.wav", "door_03.wav", "laser.wav", "hatch.wav", "who knows.wav")
+
+
+@pytest.mark.parametrize("newest", [None, *STATE_CODES])
+def test_the_whole_number_of_a_fact_is_read_back(newest: TakeState | None) -> None:
+    for number in range(4):
+        fact = VariationFact(number >= 2, number % 2 == 1, newest)
+        assert fact.packed == 8 * number + (STATE_CODES[newest] if newest else 0)  # as stored
+        assert VariationFact.unpacked(fact.packed) == fact
 
 
 def kept(session: Session, project_id: UUID) -> dict[tuple[UUID, UUID], tuple[Sums, object]]:

@@ -24,6 +24,7 @@ from app.hiring.roster_rules import (
     weeks,
 )
 from app.hiring.roster_rules import matches as is_match
+from app.hiring.rules import overlap
 
 MONDAY = date(2026, 11, 23)
 DAY = timedelta(days=1)
@@ -182,3 +183,20 @@ def test_rates(text: str, amount: int, currency: str, unit: RateUnit) -> None:
 def test_a_cell_that_cannot_be_read_says_what_was_wanted(field: RosterField, text: str) -> None:
     with pytest.raises(ValueError, match="wanted"):
         read_cell(field, text)
+
+
+@pytest.mark.parametrize(
+    ("second", "they_do"),
+    [
+        ((date(2026, 3, 1), date(2026, 3, 9)), False),
+        ((date(2026, 3, 1), date(2026, 3, 10)), True),
+        ((date(2026, 3, 12), date(2026, 3, 13)), True),
+        ((date(2026, 3, 20), date(2026, 4, 1)), True),
+        ((date(2026, 3, 21), date(2026, 4, 1)), False),
+        ((None, date(2026, 3, 12)), False),
+        ((date(2026, 3, 12), None), False),
+    ],
+)
+def test_periods_overlap_where_they_share_a_day(second: tuple[date | None, date | None], they_do: bool) -> None:
+    first = (date(2026, 3, 10), date(2026, 3, 20))
+    assert overlap(first, second) is overlap(second, first) is they_do
