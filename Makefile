@@ -14,7 +14,7 @@ export PYTHONPATH := $(CURDIR)
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup run dev hooks test test-all check coverage fix unit unit-postgres frontend-test e2e kill planted-bugs attack large-zip false-alarms audit audit-levels fuzz parity bench weights docs openapi constraints audit-dependencies pins clean
+.PHONY: help setup run dev hooks test test-all check coverage fix unit unit-postgres frontend-test e2e firefox kill planted-bugs attack large-zip false-alarms audit audit-levels fuzz parity bench weights docs openapi constraints audit-dependencies pins clean
 
 help:  ## List these commands
 	@grep -hE '^[a-z0-9-]+:.*##' $(MAKEFILE_LIST) | awk -F':.*## ' '{printf "  make %-14s %s\n", $$1, $$2}'
@@ -40,6 +40,7 @@ test: .make/s3  ## Set up and pass every test; two parts at a time, for much in 
 test-all: test  ## The same, then every test of rooms and journeys on PostgreSQL and S3 too, and the long walks in the browser
 	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres --store s3 tests/app tests/journeys
 	@cd frontend && LONG_WALKS=1 npm run --silent e2e -- judging leaving worked-example
+	@$(MAKE) --no-print-directory firefox
 
 parallel-unit-postgres: parallel-unit  # which records what PostgreSQL has to be sent
 parallel-%: setup .make/postgresql .make/browser .make/librosa
@@ -70,6 +71,10 @@ frontend-test: setup  ## Tests of the frontend's parts
 
 e2e: setup .make/browser .make/postgresql  ## Walk the product in a real browser as its users
 	@cd frontend && npm run --silent e2e
+
+firefox: setup .make/browser .make/postgresql  ## Walk the first minute of each role in Firefox too
+	@command -v firefox-esr >/dev/null && command -v pulseaudio >/dev/null || sh .ci/install firefox-esr pulseaudio
+	@cd frontend && FIREFOX=$$(command -v firefox-esr) npm run --silent e2e -- firefox
 
 kill: setup .make/postgresql .make/caddy  ## Kill real processes at every named point, 20 times each
 	$(BIN)/pytest -n 3 tests/kill --kill-runs 20

@@ -31,7 +31,16 @@ export default defineConfig({
       ],
     },
     { name: 'parts', testMatch: ['parts.spec.ts', 'heard.spec.ts'] },
-    { name: 'demo', testMatch: ['pages.spec.ts', 'demo.spec.ts', 'docs.spec.ts', 'speed.spec.ts'] },
+    {
+      name: 'demo',
+      testMatch: [
+        'pages.spec.ts',
+        'demo.spec.ts',
+        'docs.spec.ts',
+        'speed.spec.ts',
+        ...(process.env.FIREFOX ? ['firefox.spec.ts'] : []),
+      ],
+    },
   ],
   use: {
     actionTimeout: 15_000,

@@ -36,10 +36,9 @@ from audio_checks.audio.sandbox import returned_type
 from audio_checks.audit.fingerprinted import decode
 
 DOORS: tuple[Callable[..., Any], ...] = (
-    check_file, decode, draw_square, drawing.draw, drawing.prepare, export_master, fingerprint_files, fixing.fix, known_sound,
-    parse_bytes,
-    parse_spec, parse_text, parse_toml, reel_sound.make_reel, compare_reverb_of_takes, timbre.measure,
-    draw_previews, typesetting.compile_pdf, unpack, listening.compare, listening.measure_preview,
+    check_file, decode, draw_square, drawing.draw, drawing.prepare, export_master, fingerprint_files, fixing.fix,
+    known_sound, parse_bytes, parse_spec, parse_text, parse_toml, reel_sound.make_reel, compare_reverb_of_takes,
+    timbre.measure, draw_previews, typesetting.compile_pdf, unpack, listening.compare, listening.measure_preview,
     listening.prepare_part, read_said,
 )  # fmt: skip
 PLAIN = {int, float, str, bytes, bool, type(None), None}
