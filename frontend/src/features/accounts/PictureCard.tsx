@@ -62,8 +62,8 @@ export function PictureCard({ me }: { me: Me }) {
         <Face name={name} picture={picture} large />
         <div className={classes.pictureWords}>
           <p className="small mid">
-            {picture ? 'Those who see your name see this picture.' : 'Without a picture, your initials are shown.'} Choose
-            or drop a PNG, JPEG or WebP of up to {bytes(MAX_BYTES)}; its middle is kept.
+            {picture ? 'Those who see your name see this picture.' : 'Without a picture, your initials are shown.'}{' '}
+            Choose or drop a PNG, JPEG or WebP of up to {bytes(MAX_BYTES)}; its middle is kept.
           </p>
           {problem ? <ProblemNote {...problem} /> : <CardProblem error={save.error} />}
           <p className="row">
