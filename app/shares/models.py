@@ -173,7 +173,7 @@ class LiveListener(Base):
 
 
 class SavedView(Base):
-    """A filter of the list under a name that a person gave it; each person has their own."""
+    """A filter of a page under a name: of the list each person has their own, of the review queue the team shares them."""
 
     __tablename__ = "shares_saved_views"
     __table_args__ = (UniqueConstraint("project_id", "person_id", "page", "name"),)

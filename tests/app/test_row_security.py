@@ -37,6 +37,7 @@ from app.row_security import (
     guard_rows,
 )
 from app.settings import Settings
+from app.shares.rules import ViewedPage
 from tests.support.postgres import OWNER, Postgres
 from tests.support.server import RunningServer, World
 
@@ -47,6 +48,7 @@ CONFIDENTIAL = {
     "hiring_bids",
     "hiring_samples",
     "references_openings",
+    "shares_saved_views",
     *("builds_sound_libraries", "builds_library_sounds"),
     *TEAMS_OWN,
 }  # an engagement alone does not show them
@@ -80,6 +82,8 @@ def row_of(table: sa.Table, studio_id: UUID, project_id: UUID) -> dict[str, Any]
         row["id"] = studio_id
     if table.name in ("accounts_memberships", *PERSONAL):
         row["person_id"] = MEMBER if studio_id == HERE else ELSEWHERE
+    if table.name == "shares_saved_views":
+        row["page"] = ViewedPage.REVIEW_QUEUE
     if table.name == "projects_engagements":
         row["designer_id"] = DESIGNER if project_id == PROJECTS[HERE][0] else new_id()
     return row
@@ -158,6 +162,23 @@ def test_designers_and_builds_see_their_project_alone(database: Database, name: 
                 assert projects_seen(session, name) == {one}
             else:
                 assert seen(session, name) == {HERE}
+
+
+def test_the_team_shares_views_of_the_review_queue_alone(database: Database):
+    table = Base.metadata.tables["shares_saved_views"]
+    row = row_of(table, HERE, PROJECTS[HERE][0])
+    views = {
+        person: row | {"id": new_id(), "page": ViewedPage.SOUND_LIST, "person_id": person}
+        for person in (MEMBER, DESIGNER)
+    }
+    with database.writing() as session:
+        session.execute(sa.insert(table), list(views.values()))
+    with database.reading(Reach(person_id=MEMBER)) as session:
+        pages = session.execute(sa.select(table.c.page, table.c.person_id)).all()
+        lists = [person for page, person in pages if page is not ViewedPage.REVIEW_QUEUE]
+    assert lists == [MEMBER]
+    with database.writing() as session:
+        session.execute(sa.delete(table).where(table.c.id.in_([one["id"] for one in views.values()])))
 
 
 @pytest.mark.parametrize("name", sorted(CONFIDENTIAL))
