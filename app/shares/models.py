@@ -173,7 +173,7 @@ class LiveListener(Base):
 
 
 class SavedView(Base):
-    """A filter of a page under a name: of the list each person has their own, of the review queue the team shares them."""
+    """A filter of a page under a name: each person has their own of the list, the team shares those of the queue."""
 
     __tablename__ = "shares_saved_views"
     __table_args__ = (UniqueConstraint("project_id", "person_id", "page", "name"),)
