@@ -265,6 +265,7 @@ export const inProject = (part: Part = 'producer', more: Answers = {}): Answers 
     { person: WHO.approver, reason: 'Knows the game', changer: WHO.producer, created_at: '2026-11-01T10:00:00Z' },
   ],
   'GET /v1/projects/p1/categories': [],
+  'GET /v1/projects/p1/approval-settings': { blockers: 'none', checklists: [] },
   'GET /v1/projects/p1/deputies': { time_zone: 'UTC', today: '2026-11-20', deputies: [] },
   'GET /v1/studios/s1/people': members,
   'GET /v1/studios/s1/outbox': { can_send: false, mails: [] },

@@ -1,4 +1,4 @@
-import { Table, TextInput, VisuallyHidden } from '@mantine/core'
+import { TextInput, VisuallyHidden } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { useParams } from '@tanstack/react-router'
 import { type FormEvent, useId, useRef, useState } from 'react'
@@ -53,23 +53,25 @@ function Libraries({ libraries }: { libraries: SoundLibrary[] }) {
       <CardHead id="known" title="Known libraries" count={libraries.length} />
       <Refused error={remove.error} />
       <div className={classes.scroll}>
-        <Table>
-          <Table.Thead>
-            <Table.Tr>
+        <table>
+          <thead>
+            <tr>
               {['Library', 'Licence', 'Sounds', 'Registered by', 'Newest sheet', ''].map((head) => (
-                <Table.Th key={head}>{head || <VisuallyHidden>Remove</VisuallyHidden>}</Table.Th>
+                <th key={head} scope="col">
+                  {head || <VisuallyHidden>Remove</VisuallyHidden>}
+                </th>
               ))}
-            </Table.Tr>
-          </Table.Thead>
-          <Table.Tbody>
+            </tr>
+          </thead>
+          <tbody>
             {libraries.map(({ id, name, licence, sounds, person, added_at: at, may_remove: mayRemove }) => (
-              <Table.Tr key={id}>
-                <Table.Th scope="row">{name}</Table.Th>
-                <Table.Td>{licence || 'not named'}</Table.Td>
-                <Table.Td>{sounds.toLocaleString('en')}</Table.Td>
-                <Table.Td>{person.name}</Table.Td>
-                <Table.Td>{day(at)}</Table.Td>
-                <Table.Td>
+              <tr key={id}>
+                <th scope="row">{name}</th>
+                <td>{licence || 'not named'}</td>
+                <td>{sounds.toLocaleString('en')}</td>
+                <td>{person.name}</td>
+                <td>{day(at)}</td>
+                <td>
                   {mayRemove &&
                     (asked === id ? (
                       <span className="row">
@@ -85,11 +87,11 @@ function Libraries({ libraries }: { libraries: SoundLibrary[] }) {
                         Remove
                       </Button>
                     ))}
-                </Table.Td>
-              </Table.Tr>
+                </td>
+              </tr>
             ))}
-          </Table.Tbody>
-        </Table>
+          </tbody>
+        </table>
       </div>
     </Card>
   )
