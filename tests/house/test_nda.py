@@ -15,9 +15,12 @@ from tests.house.test_policies import CONTRACTS, ONE_DESIGNERS, names_in
 from tests.support.server import RunningServer
 
 # The project's head says that an NDA is asked for, the next step is to sign it, and the contracts are where it is read
-# and accepted. What two parties agreed to and owe each other stays theirs; how far one's own upload came, and one's own
-# sign-ins, say nothing of the project.
-BEFORE_NDA = {"read_project", "read_next_steps", "list_contracts", "see_upload", "cancel_upload", "end_my_sign_in"}
+# and accepted. What two parties agreed to and owe each other stays theirs; how far one's own upload came, one's own
+# sign-ins, and that a sound library of one's own is forgotten, say nothing of the project.
+BEFORE_NDA = {
+    *("read_project", "read_next_steps", "list_contracts"),
+    *("see_upload", "cancel_upload", "end_my_sign_in", "remove_sound_library"),
+}
 OF_THE_PROJECT = (ONE_DESIGNERS - CONTRACTS) | {
     *(
         "project_id",
