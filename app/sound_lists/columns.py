@@ -156,6 +156,13 @@ def number_text(value: float) -> str:
 def _read_duration(text: str, unit_s: float) -> float | None:
     if text.lower() in EMPTY:
         return None
+    value = _seconds_in(text, unit_s)
+    if value <= 0:
+        raise ValueError(f'wanted a length above 0, found "{text[:40]}"')
+    return value
+
+
+def _seconds_in(text: str, unit_s: float) -> float:
     plain = text.strip().lower()
     if found := re.fullmatch(r"(?:(\d{1,2}):)?(\d{1,3}):(\d{1,2}(?:[.,]\d+)?)", plain, re.ASCII):
         hours, minutes, seconds = found.groups()
@@ -165,12 +172,9 @@ def _read_duration(text: str, unit_s: float) -> float | None:
             raise ValueError(f'wanted seconds such as 1.5, found "{text[:40]}"')
         plain, unit_s = found[1], UNITS[found[2]]
     try:
-        value = round(read_number(plain) * unit_s, 6)
+        return round(read_number(plain) * unit_s, 6)
     except ValueError:
         raise ValueError(f'wanted seconds such as 1.5, found "{text[:40]}"') from None
-    if value <= 0:
-        raise ValueError(f'wanted a length above 0, found "{text[:40]}"')
-    return value
 
 
 def _read_rate(text: str, _unit_s: float) -> float | None:

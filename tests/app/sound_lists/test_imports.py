@@ -13,6 +13,7 @@ import xlsxwriter
 from fastapi.testclient import TestClient
 
 import audio_checks
+from app.sound_lists.columns import read_cell
 from tests.app.sound_lists.lists import add, cut, the_list
 from tests.support.server import World
 
@@ -253,6 +254,12 @@ def test_every_wrong_cell_is_named_by_its_row_and_nothing_comes_in(world: World)
     assert all(fault["message"] for fault in reported["errors"])
     assert {fault["name"] for fault in reported["errors"]} == {"Door", "", "Bell", "Gong"}
     assert the_list(world) == {"revision": 0, "cues": []}
+
+
+@pytest.mark.parametrize("length", ["0", "0 ms", "0:00", "00:00:00", "-1"])
+def test_a_length_of_nothing_is_refused(length: str) -> None:
+    with pytest.raises(ValueError, match=f'wanted a length above 0, found "{length}"'):
+        read_cell("duration_s", length)
 
 
 def test_faults_that_only_the_whole_row_shows(world: World) -> None:
