@@ -26,7 +26,7 @@ export function LibrariesPage() {
       <div>
         <h1>Sound libraries</h1>
         <p className="mid">
-          Versions are compared with these libraries. Sources of a version name the files that it equals.
+          Versions are compared with these libraries. The page of a version names the files that it equals.
         </p>
       </div>
       <Refused error={error} />
