@@ -8,6 +8,7 @@ from fastapi.testclient import TestClient
 from httpx import Response
 from PIL import Image
 from sqlalchemy import select
+from sqlalchemy.orm import Session
 
 from app.accounts.models import Person, PersonPicture
 from app.hiring.models import Candidate, Posting
@@ -102,7 +103,7 @@ def test_a_candidate_and_the_team_see_each_other(world: World) -> None:
     assert world.producer.get(of_candidate).status_code == 404
     of = {"studio_id": world.studio_id, "project_id": world.project_id}
 
-    def invite(session):  # type: ignore[no-untyped-def]
+    def invite(session: Session) -> None:
         posting = Posting(
             **of,
             title="Weapons",
@@ -153,7 +154,7 @@ def test_it_is_taken_away(world: World) -> None:
 
 
 def test_it_goes_with_the_account(world: World) -> None:
-    def come_and_go(session):  # type: ignore[no-untyped-def]
+    def come_and_go(session: Session) -> PersonPicture | None:
         person = Person(email="short@example.test", name="Short")
         session.add(person)
         session.flush()
