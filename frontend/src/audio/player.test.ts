@@ -221,6 +221,22 @@ describe('switching', () => {
   })
 })
 
+test('a mix that comes down is faded as a whole, and the sound keeps its own gain', async () => {
+  const made = player()
+  const gains: ReturnType<HandContext['createGain']>[] = []
+  const createGain = context.createGain.bind(context)
+  context.createGain = () => {
+    const gain = createGain()
+    gains.push(gain)
+    return gain
+  }
+  await made.select(A)
+  await made.play()
+  made.setMixGain(-20)
+  expect(gains.map(({ gain }) => gain.calls.at(-1))).toContainEqual(['ramp', 0.1, 0.005])
+  expect(last()?.gain.value).toBe(1)
+})
+
 test('a sound that is selected again at another gain goes on at that gain', async () => {
   const made = await playing(B)
   context.currentTime = 0.1

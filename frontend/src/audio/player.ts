@@ -58,6 +58,9 @@ export class Player implements Clock {
   #set: { sources: readonly Source[]; playback: SetPlayback } | null = null
   #makeOutput: MakeOutput = direct
   #output: Output | null = null
+  /** All that sounds passes here before the output; 1 but where a mix comes down. */
+  #mix: GainNode | null = null
+  #mixGain = 1
   #company: { sounds: Company; bus: GainNode } | null = null
   #hushed = false
   readonly #createContext: () => AudioContext
@@ -195,7 +198,7 @@ export class Player implements Clock {
     this.#company = sounds && { sounds, bus: this.#contextNow().createGain() }
     const sounding = this.#sounding
     if (this.#company === null || sounding === null || this.#set !== null) return
-    this.#company.bus.connect(this.#outputNow(this.#contextNow()).input)
+    this.#company.bus.connect(this.#mixNow(this.#contextNow()))
     this.#beginCompany(this.#bufferPositionS(sounding), this.#loopOf(sounding.buffer.duration))
   }
 
@@ -204,6 +207,12 @@ export class Player implements Clock {
     this.#hushed = hushed
     const sounding = this.#sounding
     if (sounding && this.#source) this.#ramp(sounding.gain, this.#gainOf(this.#source))
+  }
+
+  /** Bring down all that sounds together: the source and its company. */
+  setMixGain(gainDb: number): void {
+    this.#mixGain = 10 ** (gainDb / 20)
+    if (this.#mix) this.#ramp(this.#mix, this.#mixGain)
   }
 
   /** The context in which all of it sounds. */
@@ -224,19 +233,19 @@ export class Player implements Clock {
     const context = this.#context
     const after = makeOutput(context)
     this.#output = after
-    const main = this.#set?.playback.bus ?? this.#sounding?.gain
-    if (!main) {
+    const mix = this.#mixNow(context)
+    mix.connect(after.input)
+    if (this.#set === null && this.#sounding === null) {
+      mix.disconnect(before.input)
       before.remove()
       return
     }
-    const heard = this.#company ? [main, this.#company.bus] : [main]
-    for (const node of heard) node.connect(after.input)
     after.gain.gain.setValueAtTime(0, context.currentTime)
     after.gain.gain.linearRampToValueAtTime(1, context.currentTime + CROSSFADE_S)
     this.#ramp(before.gain, 0, CROSSFADE_S)
     after.onSounding?.('begins')
     setTimeout(() => {
-      for (const node of heard) node.disconnect(before.input)
+      mix.disconnect(before.input)
       before.remove()
     }, REMOVE_AFTER_MS)
   }
@@ -254,17 +263,17 @@ export class Player implements Clock {
     const buffers = read.flatMap((buffer) => buffer ?? [])
     if (asked !== this.#asked || buffers.length < sources.length) return
     const { reversed } = this.#state
-    const output = this.#outputNow(context)
+    const to = this.#mixNow(context)
     const playback = new SetPlayback({
       context,
-      to: output.input,
+      to,
       buffers: reversed ? buffers.map((buffer) => this.previews.reversed(buffer, context)) : buffers,
       way,
       random: this.#random,
       gainOf: (index) => (sources[index] ? this.#gainOf(sources[index]) : 1),
     })
     this.#set = { sources, playback }
-    output.onSounding?.('begins')
+    this.#output?.onSounding?.('begins')
     this.#notify({ asGame: true, status: 'playing' })
     this.#followSet()
     this.#tick()
@@ -275,6 +284,7 @@ export class Player implements Clock {
     void this.#context?.close()
     this.#context = null
     this.#output = null
+    this.#mix = null
     this.previews.clear()
   }
 
@@ -296,9 +306,15 @@ export class Player implements Clock {
     return this.#context
   }
 
-  #outputNow(context: AudioContext): Output {
-    this.#output ??= this.#makeOutput(context)
-    return this.#output
+  /** What all that sounds is connected to. */
+  #mixNow(context: AudioContext): GainNode {
+    if (this.#mix === null) {
+      this.#output = this.#makeOutput(context)
+      this.#mix = context.createGain()
+      this.#mix.gain.value = this.#mixGain
+      this.#mix.connect(this.#output.input)
+    }
+    return this.#mix
   }
 
   /** The sound itself; null where another was asked for meanwhile, or it could not be loaded. */
@@ -338,9 +354,9 @@ export class Player implements Clock {
       node.loopEnd = loop.endS
     }
     node.connect(gain)
-    const output = this.#outputNow(context)
-    gain.connect(output.input)
-    output.onSounding?.('begins')
+    const mix = this.#mixNow(context)
+    gain.connect(mix)
+    this.#output?.onSounding?.('begins')
     const now = context.currentTime
     // A start at the very beginning keeps its attack; anywhere else a short ramp keeps it from clicking.
     gain.gain.setValueAtTime(fromS === 0 ? this.#gainOf(source) : 0, now)
@@ -351,7 +367,7 @@ export class Player implements Clock {
       if (this.#sounding === sounding) this.#ended()
     }
     this.#sounding = sounding
-    this.#company?.bus.connect(output.input)
+    this.#company?.bus.connect(mix)
     this.#beginCompany(fromS, loop)
     this.#notify({ status: 'playing' })
     this.#tick()

@@ -84,6 +84,10 @@ export function CueRoom(props: CueRoomProps) {
     [heard, before, hand],
   )
   const gains = useMemo(() => matchGains(compared, target), [compared, target])
+  const sources = useMemo(
+    () => compared.flatMap((take) => sourceOf(take, target, gains) ?? []),
+    [compared, target, gains],
+  )
   const [inScene, setInScene] = useState(false)
   const [placing, setPlacing] = useState<Placing | null>(null)
   const [comparing, setComparing] = useState(false)
@@ -297,6 +301,8 @@ export function CueRoom(props: CueRoomProps) {
             projectId={projectId}
             player={player}
             looping={playing.looping}
+            sources={sources}
+            matched={playing.matched}
             onPlacing={setPlacing}
           />
         )}

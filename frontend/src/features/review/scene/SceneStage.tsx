@@ -4,7 +4,7 @@ import { useEffect, useRef, useState } from 'react'
 
 import { ApiProblem } from '@/api'
 import { useHotkeys } from '@/app/keys'
-import { type Player, useAt } from '@/audio'
+import { type Player, type Source, useAt } from '@/audio'
 import type { Placing } from '@/judging/useHearing'
 import { Button } from '@/ui/Button'
 import { figure } from '@/ui/format'
@@ -19,21 +19,26 @@ import classes from './Scene.module.css'
 import { type LaneLevel, levelOf, type Moved, useLanes } from './useLanes'
 
 const RESTS_MS = 250
+const LEAST_SHOWN_DB = 0.05 // less reads 0.0
 
 export interface SceneStageProps {
   takeId: string
   projectId: string
   player: Player
   looping: boolean
+  /** The versions that are switched between, and whether at one loudness. */
+  sources: readonly Source[]
+  matched: boolean
   onPlacing: (placing: Placing | null) => void
 }
 
 /** A version as the game plays it: over its clip, among its neighbours, on its beds. */
-export function SceneStage({ takeId, projectId, player, looping, onPlacing }: SceneStageProps) {
+export function SceneStage(props: SceneStageProps) {
+  const { takeId, projectId, player, looping, sources, matched, onPlacing } = props
   const { data: scene, error } = useQuery(sceneQuery(takeId))
   const [moved, setMoved] = useState<Moved>(new Map())
   const [isAdding, setAdding] = useState(false)
-  const trouble = useLanes(player, scene, moved, onPlacing)
+  const { trouble, loweredDb } = useLanes({ player, scene, moved, sources, matched, onPlacing })
   useLooping(player, looping)
   useHotkeys([
     {
@@ -68,6 +73,11 @@ export function SceneStage({ takeId, projectId, player, looping, onPlacing }: Sc
             : 'No build was audited yet: neighbours play at the level at which they were approved.'}{' '}
           Hold <kbd>w</kbd> to hear the scene without it.
         </p>
+        {loweredDb >= LEAST_SHOWN_DB && (
+          <p role="status" className="small mid">
+            All of it plays {figure(loweredDb, 1)} dB lower, so that the mix does not clip.
+          </p>
+        )}
         {trouble && (
           <p role="status" className="small mid">
             {trouble}

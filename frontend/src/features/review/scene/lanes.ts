@@ -127,7 +127,8 @@ export class SceneLanes implements Company {
   }
 }
 
-const gainOf = ({ isOn, levelDb }: HeardLane): number => (isOn ? 10 ** (levelDb / 20) : 0)
+/** How loud a lane plays; 0 while it is muted. */
+export const gainOf = ({ isOn, levelDb }: HeardLane): number => (isOn ? 10 ** (levelDb / 20) : 0)
 
 function loopRound(node: AudioBufferSourceNode, loop: CompanyStart['loop']): void {
   node.loop = loop !== null

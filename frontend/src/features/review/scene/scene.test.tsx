@@ -170,6 +170,22 @@ test('who only reviews changes no bed, and moves levels for themselves', async (
   expect(server.of('PATCH /v1/beds/bed-1')).toHaveLength(0)
 })
 
+test('a mix that would clip comes down as a whole, and the scene says by how much', async () => {
+  // Each is one wave of half of full scale over the whole scene: 0.5 + 2 · 0.5 · 10^(6/20) is 7.9 dB over full scale.
+  const loud = { durationS: 8, samples: Array.from({ length: 64 }, (_, at) => 0.5 * Math.sin((Math.PI * at) / 32)) }
+  for (const id of ['a', 'b', 'engine']) server.on(`GET /v1/sounds/${id}/preview`, loud)
+  server.on('GET /v1/scene-sounds/s1/preview', loud)
+  const lanes = aScene().lanes.map((lane) => ({ ...lane, loops: true, starts_s: [0] }))
+  const at = (lane: SceneLane | undefined, db: number) => (lane ? [{ ...lane, level_db: db }] : [])
+  const louder = [...at(lanes[0], 0), ...at(lanes[1], 6), ...at(lanes[2], 6)]
+  server.on('POST /v1/takes/a/scene', aScene({ lanes: louder }))
+  const { scene } = await openScene()
+  expect(await scene.findByText('All of it plays 8.9 dB lower, so that the mix does not clip.')).toBeVisible()
+  await userEvent.click(scene.getByRole('button', { name: 'Mute Battle 2' }))
+  await userEvent.click(scene.getByRole('button', { name: 'Mute engine_idle_loop' }))
+  await waitFor(() => expect(scene.queryByText(/so that the mix does not clip/)).toBeNull())
+})
+
 test('the opening of a bed from the references is recorded before it is fetched', async () => {
   await openScene()
   await waitFor(() => expect(server.of('GET /v1/scene-sounds/s1/preview')).toHaveLength(1))

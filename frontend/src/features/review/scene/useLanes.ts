@@ -1,10 +1,11 @@
 import { useEffect, useMemo, useState } from 'react'
 
-import type { Player } from '@/audio'
+import type { Player, Source } from '@/audio'
 import type { Placing } from '@/judging/useHearing'
 
 import { recordOpening, type Scene, type SceneLane } from './api'
-import { type HeardLane, placed, placingOf, SceneLanes } from './lanes'
+import { gainOf, type HeardLane, placed, placingOf, SceneLanes } from './lanes'
+import { loweringDb } from './mixPeak'
 
 /** The lane of the version itself. */
 export const SOUND = 'sound'
@@ -60,13 +61,45 @@ function useBuffers(player: Player, scene: Scene | undefined): [ReadonlyMap<stri
   return [buffers, trouble]
 }
 
-/** Let a version be heard among the other sounds of its scene, for as long as the scene is open. */
-export function useLanes(
-  player: Player,
-  scene: Scene | undefined,
-  moved: Moved,
-  onPlacing: (to: Placing | null) => void,
-) {
+/** The versions that are switched between, each at its places in the scene and at its gain, once it is decoded. */
+function useVersions(player: Player, sources: readonly Source[], placing: Placing | null, matched: boolean) {
+  const [buffers, setBuffers] = useState<ReadonlyMap<string, AudioBuffer>>(new Map())
+  const urls = sources.map(({ url }) => url).join('\n')
+  useEffect(() => {
+    let isWanted = true
+    for (const url of urls.split('\n').filter(Boolean)) {
+      player.previews.get(url).then(
+        (buffer) => isWanted && setBuffers((now) => new Map(now).set(url, buffer)),
+        () => undefined, // the player says that it could not be loaded
+      )
+    }
+    return () => {
+      isWanted = false
+    }
+  }, [player, urls])
+  return useMemo(
+    () =>
+      sources.flatMap(({ url, matchGainDb }) => {
+        const sound = buffers.get(url)
+        const buffer = sound && placing?.place(sound, player.context())
+        return buffer ? [{ buffer, gain: matched ? 10 ** ((matchGainDb ?? 0) / 20) : 1 }] : []
+      }),
+    [player, sources, buffers, placing, matched],
+  )
+}
+
+interface LanesGiven {
+  player: Player
+  scene: Scene | undefined
+  moved: Moved
+  /** The versions that are switched between. */
+  sources: readonly Source[]
+  matched: boolean
+  onPlacing: (to: Placing | null) => void
+}
+
+/** Let a version be heard among the other sounds of its scene, and never clip, for as long as the scene is open. */
+export function useLanes({ player, scene, moved, sources, matched, onPlacing }: LanesGiven) {
   const [lanes] = useState(() => new SceneLanes())
   const [buffers, trouble] = useBuffers(player, scene)
   const heard = useMemo(
@@ -77,28 +110,42 @@ export function useLanes(
       }),
     [scene, buffers, moved],
   )
+
+  const own = scene?.lanes.find(({ id }) => id === SOUND)
+  const level = own && levelOf(own, moved)
+  const hushed = level?.isOn === false
+  const places =
+    scene &&
+    own &&
+    JSON.stringify({ startsS: own.starts_s, loops: own.loops, lengthS: scene.length_s, db: level?.levelDb })
+  const placing = useMemo(() => {
+    if (places === undefined) return null
+    const { db, ...where } = JSON.parse(places) as Parameters<typeof placingOf>[0] & { db: number }
+    return placingOf(where, db)
+  }, [places])
+  const versions = useVersions(player, sources, placing, matched)
+  // One gain for all of them: a switch between alternates leaves the rest of the scene as loud as it was.
+  const loweredDb = useMemo(() => {
+    const beside = heard.map((lane) => ({ buffer: lane.buffer, gain: gainOf(lane) }))
+    return loweringDb([beside, ...(hushed ? [] : versions).map((version) => [...beside, version])])
+  }, [heard, versions, hushed])
+
+  useEffect(() => {
+    player.setMixGain(-loweredDb)
+    return () => player.setMixGain(0)
+  }, [player, loweredDb])
   useEffect(() => lanes.set(heard), [lanes, heard])
   useEffect(() => {
     player.setCompany(lanes)
     return () => player.setCompany(null)
   }, [player, lanes])
-
-  const own = scene?.lanes.find(({ id }) => id === SOUND)
-  const level = own && levelOf(own, moved)
-  const hushed = level?.isOn === false
   useEffect(() => {
     player.setHushed(hushed)
     return () => player.setHushed(false)
   }, [player, hushed])
-  const places =
-    scene &&
-    own &&
-    JSON.stringify({ startsS: own.starts_s, loops: own.loops, lengthS: scene.length_s, db: level?.levelDb })
   useEffect(() => {
-    if (places === undefined) return
-    const { db, ...where } = JSON.parse(places) as Parameters<typeof placingOf>[0] & { db: number }
-    onPlacing(placingOf(where, db))
-  }, [places, onPlacing])
+    if (placing) onPlacing(placing)
+  }, [placing, onPlacing])
   useEffect(() => () => onPlacing(null), [onPlacing])
-  return trouble
+  return { trouble, loweredDb }
 }
