@@ -99,13 +99,12 @@ class Dropouts:
         found: list[tuple[int, int]] = []
         count = kernel.low_runs(steps, self._still, 0.0, SHORTEST, LONGEST, *where)
         runs = self._runs[:count]
-        for (start, end), may_go_on, is_held in zip(
-            runs.tolist(), _may_go_on_beside(steps, runs), _hold_a_value(steps, runs), strict=True
-        ):
+        held = _longest_held(steps, runs, self._step)
+        for (start, end), may_go_on in zip(runs.tolist(), _may_go_on_beside(steps, runs), strict=True):
             if may_go_on and _goes_on_beside(steps, steps, squares, start, end):
                 found.append((start, end))
-            elif is_held:
-                found.extend(self._held(steps, squares, start, end))
+            elif start in held and _goes_on_beside(steps, steps, squares, *held[start], self._step):
+                found.append(held[start])
         count = kernel.low_runs(sharpness, self._smooth, LOUDER * self._smooth, SHORTEST, LONGEST, *where)
         runs = self._runs[:count]
         runs = runs[_may_go_on_beside(sharpness, runs)]
@@ -121,18 +120,6 @@ class Dropouts:
             if louder <= quieter * ALIKE:
                 held = float(squares[start])
                 self._found.append(_Hole(first + start, first + end, channel, quieter, held))
-
-    def _held(
-        self, steps: NDArray[np.float64], squares: NDArray[np.float64], start: int, end: int
-    ) -> list[tuple[int, int]]:
-        """Return the longest stretch of a run in which a value is held, if a sound that moves little is beside it."""
-        turns = np.flatnonzero(np.diff(np.concatenate(([False], steps[start:end] == 0.0, [False]))))
-        runs = turns.reshape(-1, 2) + start
-        lengths = runs[:, 1] - runs[:, 0]
-        if not len(runs) or not SHORTEST <= lengths.max() < end - start:
-            return []
-        first, last = runs[lengths.argmax()].tolist()
-        return [(first, last)] if _goes_on_beside(steps, steps, squares, first, last, self._step) else []
 
     def _leaks(self, cells: Cells, channel: int, start: int, end: int) -> bool:
         """Return whether all that moves in a smooth stretch is one value that leaks away, or a straight line."""
@@ -162,30 +149,45 @@ def _sides(start: int, end: int) -> tuple[slice, slice]:
     return slice(start - 2, start - REACH - 1, -1), slice(end + 1, end + REACH)
 
 
-def _may_go_on_beside(figures: NDArray[np.float64], runs: NDArray[np.int64]) -> NDArray[np.bool_]:
+def _may_go_on_beside(figures: NDArray[np.float64], runs: NDArray[np.int64], grain: float = 0.0) -> NDArray[np.bool_]:
     """Return False for each run, shape (runs, 2), for which `_goes_on_beside` is certainly False.
 
-    The median of a side exceeds what the hole has only if its largest cell does. Noise near the bit depth has
-    thousands of still runs: this looks at all of them together.
+    The median of a side, or of its BETWEEN cells or more before the next hole, exceeds what the hole has only if half
+    of BETWEEN cells do. Noise near the bit depth has thousands of still runs: this looks at all of them together.
     """
     if not len(runs):
         return np.empty(0, dtype=bool)
     starts, ends = runs.T
-    most = LOUDER * np.maximum(np.maximum.reduceat(figures, runs.ravel())[::2], 1e-6)
+    most = LOUDER * np.maximum(np.maximum.reduceat(figures, runs.ravel())[::2], max(grain, 1e-6))
     nearest = np.arange(2, REACH + 1)
-    before = figures[np.maximum(starts[:, np.newaxis] - nearest, 0)].max(axis=1)
-    after = figures[np.minimum(ends[:, np.newaxis] + nearest - 1, len(figures) - 1)].max(axis=1)
+    before = figures[np.maximum(starts[:, np.newaxis] - nearest, 0)] > most[:, np.newaxis]
+    after = figures[np.minimum(ends[:, np.newaxis] + nearest - 1, len(figures) - 1)] > most[:, np.newaxis]
+    enough = BETWEEN - BETWEEN // 2
     at_the_edge = (starts < REACH) | (ends + REACH > len(figures))
-    may: NDArray[np.bool_] = at_the_edge | ~((before <= most) | (after <= most))
+    may: NDArray[np.bool_] = at_the_edge | ((before.sum(axis=1) >= enough) & (after.sum(axis=1) >= enough))
     return may
 
 
-def _hold_a_value(steps: NDArray[np.float64], runs: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Return whether each run, shape (runs, 2), has SHORTEST cells in a row without any step."""
-    still = np.lib.stride_tricks.sliding_window_view(steps == 0.0, SHORTEST).all(axis=1)
-    counts = np.concatenate(([0], np.cumsum(still)))
-    found: NDArray[np.bool_] = counts[np.maximum(runs[:, 1] - SHORTEST + 1, runs[:, 0])] > counts[runs[:, 0]]
-    return found
+def _longest_held(steps: NDArray[np.float64], runs: NDArray[np.int64], grain: float) -> dict[int, tuple[int, int]]:
+    """Return, by the start of a run, the longest part of it that holds a value, where sound may go on beside that.
+
+    Runs, shape (runs, 2), are in order and apart.
+    """
+    turns = np.flatnonzero(np.diff(np.concatenate(([False], steps == 0.0, [False]))))
+    stretches = turns.reshape(-1, 2)
+    lengths = np.diff(stretches).ravel()
+    stretches, lengths = stretches[lengths >= SHORTEST], lengths[lengths >= SHORTEST]
+    of_run = np.searchsorted(runs[:, 1], stretches[:, 0], side="right")
+    order = np.lexsort((-lengths, of_run))
+    _, longest = np.unique(of_run[order], return_index=True)
+    stretches, of_run = stretches[order[longest]], of_run[order[longest]]
+    inside = of_run < len(runs)
+    stretches, whole = stretches[inside], runs[of_run[inside]]
+    inside = (whole[:, 0] <= stretches[:, 0]) & (np.diff(stretches).ravel() < np.diff(whole).ravel())
+    stretches, whole = stretches[inside], whole[inside]
+    may_go_on = _may_go_on_beside(steps, stretches, grain)
+    starts = whole[may_go_on, 0].tolist()
+    return {start: (first, last) for start, (first, last) in zip(starts, stretches[may_go_on].tolist(), strict=True)}
 
 
 def _goes_on_beside(

@@ -45,7 +45,13 @@ def test_a_low_noise_is_not_looked_at_run_by_run(monkeypatch):
     assert len(asked) < 50  # of some thousand still runs
 
 
-def test_a_value_that_is_held_for_two_cells_is_looked_at():
-    steps = np.array([1.0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1])
-    runs = np.array([[0, 4], [3, 7], [6, 11], [2, 4]])
-    assert dropouts._hold_a_value(steps, runs).tolist() == [True, False, True, False]
+def test_the_longest_held_part_of_each_run_is_found():
+    steps = np.ones(200)
+    steps[50:60] = [0, 0, 1e-3, 0, 0, 0, 1e-3, 0, 0, 1e-3]  # the longest has three cells
+    steps[90:93] = 0  # held throughout: the run itself was looked at
+    steps[120:124] = [0, 1e-3, 0, 1e-3]  # never held for two cells
+    steps[150:153] = [1e-3, 0, 0]
+    steps[153:] = 1e-3  # no sound goes on after it
+    runs = np.array([[50, 60], [90, 93], [120, 124], [150, 153]])
+    assert dropouts._longest_held(steps, runs, 1e-3) == {50: (53, 56)}
+    assert dropouts._longest_held(steps, runs[:0], 1e-3) == {}
