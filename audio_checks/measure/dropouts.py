@@ -118,8 +118,7 @@ class Dropouts:
         for start, end in found[: MAX_KEPT - len(self._found)]:
             quieter, louder = sorted(self._power(steps[side], squares[side]) for side in _sides(start, end))
             if louder <= quieter * ALIKE:
-                held = float(squares[start])
-                self._found.append(_Hole(first + start, first + end, channel, quieter, held))
+                self._found.append(_Hole(first + start, first + end, channel, quieter, held=float(squares[start])))
 
     def _leaks(self, cells: Cells, channel: int, start: int, end: int) -> bool:
         """Return whether all that moves in a smooth stretch is one value that leaks away, or a straight line."""
