@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from datetime import datetime
 from uuid import UUID
 
-from sqlalchemy import delete, select, update
+from sqlalchemy import ColumnElement, and_, delete, select, update
 from sqlalchemy.orm import Session, joinedload
 
 from app.shares.models import LiveListener, LiveSession
@@ -24,17 +24,25 @@ def listeners_of(session: Session, playlist_id: UUID) -> Sequence[LiveListener]:
     return sorted(session.scalars(query.execution_options(populate_existing=True)), key=lambda one: one.person.name)
 
 
-def report(session: Session, playlist_id: UUID, person_id: UUID, now: datetime) -> bool:
-    """Note that a person's page is open; return whether they were noted before.
+def listener(session: Session, playlist_id: UUID, person_id: UUID) -> LiveListener | None:
+    """Return a person's place in a session, locked."""
+    found = select(LiveListener).where(_is_place_of(playlist_id, person_id))
+    return session.scalar(found.with_for_update().execution_options(populate_existing=True))
+
+
+def report(session: Session, playlist_id: UUID, person_id: UUID, page_id: UUID | None, now: datetime) -> None:
+    """Note that the page of a person that plays is open.
 
     A statement, not an object: a report changes nothing that other pages show, so they are not notified.
     """
-    noted = update(LiveListener).where(LiveListener.playlist_id == playlist_id, LiveListener.person_id == person_id)
-    return session.scalar(noted.values(seen_at=now).returning(LiveListener.person_id)) is not None
+    noted = update(LiveListener).where(_is_place_of(playlist_id, person_id))
+    session.execute(noted.values(seen_at=now, page_id=page_id))
 
 
 def leave(session: Session, playlist_id: UUID, person_id: UUID) -> None:
     """Forget that a person is in a session."""
-    session.execute(
-        delete(LiveListener).where(LiveListener.playlist_id == playlist_id, LiveListener.person_id == person_id)
-    )
+    session.execute(delete(LiveListener).where(_is_place_of(playlist_id, person_id)))
+
+
+def _is_place_of(playlist_id: UUID, person_id: UUID) -> ColumnElement[bool]:
+    return and_(LiveListener.playlist_id == playlist_id, LiveListener.person_id == person_id)

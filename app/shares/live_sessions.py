@@ -1,4 +1,4 @@
-"""Sessions of playlists: all present hear the same playhead, and one person at a time holds its keys."""
+"""Sessions of playlists: all present hear the same playhead, one person holds its keys, each hears it on one page."""
 
 from datetime import datetime
 from uuid import UUID
@@ -13,41 +13,39 @@ from app.projects.service import ProjectAccess
 from app.shares import live_queries, queries
 from app.shares.errors import KeysHeld, ListenerNotFound, PlayheadMoved, PlaylistInvalid
 from app.shares.models import LiveListener, LiveSession, Playlist
-from app.shares.playlist_schemas import LiveKeys, LiveMove, LiveRead
+from app.shares.playlist_schemas import LiveKeys, LiveMove, LiveRead, LiveReport
 from app.shares.playlists import playlist_for
-from app.shares.rules import holder_now, playhead_s, present_now
+from app.shares.rules import holder_now, is_elsewhere, playhead_s, present_now
 
 
-def live_read(session: Session, actor: Actor, playlist_id: UUID) -> LiveRead:
-    """Return what everyone in a session hears now."""
+def live_read(session: Session, actor: Actor, playlist_id: UUID, page_id: UUID | None) -> LiveRead:
+    """Return what everyone in a session hears now, to one of the caller's pages."""
     playlist_for(session, actor, playlist_id)
-    return _read(session, actor, playlist_id, clock.now())
+    return _read(session, actor, playlist_id, page_id, clock.now())
 
 
-def report(session: Session, actor: Actor, playlist_id: UUID, *, leaves: bool) -> LiveRead:
-    """Note that the caller's page is open, or leaves; the first report joins the session."""
+def report(session: Session, actor: Actor, playlist_id: UUID, body: LiveReport) -> LiveRead:
+    """Note that the caller's page is open, or leaves; the first report joins the session.
+
+    Of several pages of one person the first one plays, until it is gone or another takes over.
+    """
     access, playlist = playlist_for(session, actor, playlist_id)
     now = clock.now()
     if live_queries.live_session(session, playlist_id) is None:
         _begin_session(session, access, playlist)
-    if leaves:
-        live_queries.leave(session, playlist_id, actor.person)
-        live = live_queries.live_session(session, playlist_id, locked=True)
-        if live is not None:  # so that all pages are notified
-            live.sequence += 1
-            live.holder_id = None if live.holder_id == actor.person else live.holder_id
-    elif not live_queries.report(session, playlist_id, actor.person, now):
-        session.add(
-            LiveListener(
-                playlist_id=playlist_id,
-                person_id=actor.person,
-                studio_id=playlist.studio_id,
-                project_id=playlist.project_id,
-                seen_at=now,
-            )
-        )
+    listener = live_queries.listener(session, playlist_id, actor.person)
+    if listener is None:
+        if not body.leaves:
+            _join(session, actor, playlist, body.page_id, now)
+    elif not is_elsewhere(now, body.page_id, listener.page_id, listener.seen_at):
+        if body.leaves:
+            _leave(session, actor, playlist_id)
+        else:
+            live_queries.report(session, playlist_id, actor.person, body.page_id, now)
+    elif body.takes_over and not body.leaves:
+        _take_over(session, actor, _locked(session, playlist_id), body.page_id, now)
     session.flush()
-    return _read(session, actor, playlist_id, now)
+    return _read(session, actor, playlist_id, body.page_id, now)
 
 
 def move(session: Session, actor: Actor, playlist_id: UUID, body: LiveMove) -> LiveRead:
@@ -57,6 +55,7 @@ def move(session: Session, actor: Actor, playlist_id: UUID, body: LiveMove) -> L
     live = _locked(session, playlist_id)
     if _holder(session, live, now) != actor.person:
         raise KeysHeld("you do not hold the keys of this session", fix="take them while they are free, or ask for them")
+    _ensure_on_this_page(session, actor, playlist_id, body.page_id, now)
     if body.sequence != live.sequence:
         raise PlayheadMoved("the playhead was moved since", fix="read the session again")
     if body.take_id not in {entry.take_id for entry in queries.entries_of(session, playlist_id)}:
@@ -65,11 +64,11 @@ def move(session: Session, actor: Actor, playlist_id: UUID, body: LiveMove) -> L
     live.take_id, live.is_playing = body.take_id, body.is_playing
     live.position_s, live.set_at = body.position_s, now
     session.flush()
-    return _read(session, actor, playlist_id, now)
+    return _read(session, actor, playlist_id, body.page_id, now)
 
 
 def pass_keys(session: Session, actor: Actor, playlist_id: UUID, body: LiveKeys) -> LiveRead:
-    """Take the keys while they are free, hand them to another person present, or put them down."""
+    """Take the keys while they are free or on another page of one's own, hand them to another, or put them down."""
     playlist_for(session, actor, playlist_id)
     now = clock.now()
     live = _locked(session, playlist_id)
@@ -78,9 +77,12 @@ def pass_keys(session: Session, actor: Actor, playlist_id: UUID, body: LiveKeys)
         raise KeysHeld(
             "another person holds the keys" if holder_id else "you do not hold the keys", fix="ask who holds them"
         )
+    if body.act != "take":
+        _ensure_on_this_page(session, actor, playlist_id, body.page_id, now)
     match body.act:
         case "take":
             live.holder_id = actor.person
+            _take_over(session, actor, live, body.page_id, now)
         case "drop":
             live.holder_id = None
         case "give":
@@ -89,7 +91,7 @@ def pass_keys(session: Session, actor: Actor, playlist_id: UUID, body: LiveKeys)
             live.holder_id = body.person_id
     live.sequence += 1
     session.flush()
-    return _read(session, actor, playlist_id, now)
+    return _read(session, actor, playlist_id, body.page_id, now)
 
 
 def _begin_session(session: Session, access: ProjectAccess, playlist: Playlist) -> None:
@@ -103,6 +105,39 @@ def _begin_session(session: Session, access: ProjectAccess, playlist: Playlist) 
         "set_at": clock.now(),
     }
     insert_if_absent(session, LiveSession, row, unique=("playlist_id",))
+
+
+def _join(session: Session, actor: Actor, playlist: Playlist, page_id: UUID | None, now: datetime) -> None:
+    session.add(
+        LiveListener(
+            playlist_id=playlist.id,
+            person_id=actor.person,
+            studio_id=playlist.studio_id,
+            project_id=playlist.project_id,
+            seen_at=now,
+            page_id=page_id,
+        )
+    )
+
+
+def _leave(session: Session, actor: Actor, playlist_id: UUID) -> None:
+    live_queries.leave(session, playlist_id, actor.person)
+    live = _locked(session, playlist_id)
+    live.sequence += 1  # so that all pages are notified
+    live.holder_id = None if live.holder_id == actor.person else live.holder_id
+
+
+def _take_over(session: Session, actor: Actor, live: LiveSession, page_id: UUID | None, now: datetime) -> None:
+    live_queries.report(session, live.playlist_id, actor.person, page_id, now)
+    live.sequence += 1  # so that the other page is notified, and falls silent
+
+
+def _ensure_on_this_page(
+    session: Session, actor: Actor, playlist_id: UUID, page_id: UUID | None, now: datetime
+) -> None:
+    listener = live_queries.listener(session, playlist_id, actor.person)
+    if listener is not None and is_elsewhere(now, page_id, listener.page_id, listener.seen_at):
+        raise KeysHeld("you hold the keys on another page of yours", fix="take the keys here first")
 
 
 def _locked(session: Session, playlist_id: UUID) -> LiveSession:
@@ -122,18 +157,21 @@ def _holder(session: Session, live: LiveSession, now: datetime) -> UUID | None:
     return holder_now(now, live.holder_id, [(one.person_id, one.seen_at) for one in listeners])
 
 
-def _read(session: Session, actor: Actor, playlist_id: UUID, now: datetime) -> LiveRead:
+def _read(session: Session, actor: Actor, playlist_id: UUID, page_id: UUID | None, now: datetime) -> LiveRead:
     live = live_queries.live_session(session, playlist_id)
     listeners = live_queries.listeners_of(session, playlist_id)
     seen = [(one.person_id, one.seen_at) for one in listeners]
     present = present_now(now, seen)
     people = {one.person_id: PersonBrief.model_validate(one.person) for one in listeners if one.person_id in present}
     holder_id = holder_now(now, live.holder_id, seen) if live else None
+    own = next((one for one in listeners if one.person_id == actor.person), None)
+    elsewhere = own is not None and is_elsewhere(now, page_id, own.page_id, own.seen_at)
     position_s = playhead_s(now, live.position_s, live.set_at, is_playing=live.is_playing) if live else 0.0
     return LiveRead(
         sequence=live.sequence if live else 0,
         holder=people[holder_id] if holder_id else None,
-        is_holder=holder_id == actor.person and holder_id is not None,
+        is_holder=holder_id == actor.person and not elsewhere,
+        is_elsewhere=elsewhere,
         take_id=live.take_id if live else None,
         is_playing=live.is_playing if live else False,
         position_s=max(0.0, position_s),

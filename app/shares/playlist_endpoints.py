@@ -79,15 +79,17 @@ def save_playlist_position(playlist_id: UUID, body: PositionSet, session: DbSess
 
 
 @router.get("/playlists/{playlist_id}/live", responses=problems(PlaylistNotFound, TeamNeeded))
-def get_live_session(playlist_id: UUID, session: DbSession, actor: Actor = TEAM) -> LiveRead:
+def get_live_session(
+    playlist_id: UUID, session: DbSession, page_id: UUID | None = None, actor: Actor = TEAM
+) -> LiveRead:
     """Return what everyone in the session of a playlist hears now, who is in it, and who holds the keys."""
-    return live_sessions.live_read(session, actor, playlist_id)
+    return live_sessions.live_read(session, actor, playlist_id, page_id)
 
 
 @router.put("/playlists/{playlist_id}/live/presence", responses=problems(PlaylistNotFound, TeamNeeded))
 def report_presence(playlist_id: UUID, body: LiveReport, session: DbSession, actor: Actor = TEAM) -> LiveRead:
-    """Join a session, stay in it for ten seconds more, or leave it."""
-    return live_sessions.report(session, actor, playlist_id, leaves=body.leaves)
+    """Join a session, stay in it for ten seconds more, go on with it on this page, or leave it."""
+    return live_sessions.report(session, actor, playlist_id, body)
 
 
 @router.put(
@@ -103,5 +105,5 @@ def move_playhead(playlist_id: UUID, body: LiveMove, session: DbSession, actor: 
     "/playlists/{playlist_id}/live/keys", responses=problems(PlaylistNotFound, TeamNeeded, KeysHeld, ListenerNotFound)
 )
 def pass_keys(playlist_id: UUID, body: LiveKeys, session: DbSession, actor: Actor = TEAM) -> LiveRead:
-    """Take the keys while they are free, hand them to another person present, or put them down."""
+    """Take the keys while they are free or on another page of one's own, hand them to another, or put them down."""
     return live_sessions.pass_keys(session, actor, playlist_id, body)

@@ -81,12 +81,21 @@ class PlaylistRead(Schema):
     may_share: bool = Field(description="Whether the caller may change it, and make guest links.")
 
 
+PageId = Annotated[
+    UUID | None,
+    Field(
+        description="A page of the caller's own choice of id: of several pages of one person one plays and has keys."
+    ),
+]
+
+
 class LiveRead(Schema):
     """What everyone in a session hears."""
 
     sequence: int
     holder: PersonBrief | None = Field(description="Who holds the keys; null while they are free.")
-    is_holder: bool
+    is_holder: bool = Field(description="Whether the caller holds them, on this page.")
+    is_elsewhere: bool = Field(description="Whether another page of the caller's plays the session; this one does not.")
     take_id: UUID | None
     is_playing: bool
     position_s: float = Field(description="Where the playhead stood at `server_ms`.")
@@ -101,16 +110,20 @@ class LiveMove(Schema):
     take_id: UUID
     is_playing: bool
     position_s: PlaceS
+    page_id: PageId = None
 
 
 class LiveReport(Schema):
     """That a page is open; sent every few seconds, as presence ends ten seconds after the last report."""
 
     leaves: bool = False
+    takes_over: bool = Field(False, description="Play here, and fall silent on the caller's other page.")
+    page_id: PageId = None
 
 
 class LiveKeys(Schema):
-    """The keys, taken while they are free, handed to another person present, or put down."""
+    """The keys, taken while they are free or on another page of one's own, handed to another person, or put down."""
 
     act: Literal["take", "give", "drop"]
     person_id: UUID | None = Field(None, description="Who gets them, of `give`.")
+    page_id: PageId = None

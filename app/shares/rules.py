@@ -99,6 +99,11 @@ def present_now(now: datetime, seen: Sequence[tuple[UUID, datetime]]) -> Collect
     return {person_id for person_id, seen_at in seen if now - seen_at < KEYS_FALL_AFTER}
 
 
+def is_elsewhere(now: datetime, page_id: UUID | None, playing_page_id: UUID | None, seen_at: datetime) -> bool:
+    """Whether another page of the same person plays a session, and still reports."""
+    return page_id != playing_page_id and now - seen_at < KEYS_FALL_AFTER
+
+
 def playhead_s(now: datetime, position_s: float, set_at: datetime, *, is_playing: bool) -> float:
     """Return where the playhead of a session stands."""
     return position_s + (now - set_at).total_seconds() if is_playing else position_s

@@ -257,6 +257,50 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/me/desk-tokens": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List My Desk Tokens
+         * @description Return the caller's keys for `soundlist desk`, without their secrets.
+         */
+        get: operations["list_my_desk_tokens"];
+        put?: never;
+        /**
+         * Create My Desk Token
+         * @description Make a key for `soundlist desk`, which reads what the caller owes; its secret is shown this once.
+         */
+        post: operations["create_my_desk_token"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/me/desk-tokens/{desk_token_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Revoke My Desk Token
+         * @description Revoke one of the caller's keys for `soundlist desk` at once.
+         */
+        delete: operations["revoke_my_desk_token"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/me/email-verifications": {
         parameters: {
             query?: never;
@@ -4957,6 +5001,8 @@ export interface paths {
         /**
          * Get Preview
          * @description Play a sound: at most 48 kHz, 16 bit, in a form that every browser plays; parts of it by Range.
+         *
+         *     With `light` in Ogg Vorbis, to begin with over a slow line; without such a preview as ever.
          */
         get: operations["get_preview"];
         put?: never;
@@ -6005,7 +6051,7 @@ export interface paths {
         get?: never;
         /**
          * Report Presence
-         * @description Join a session, stay in it for ten seconds more, or leave it.
+         * @description Join a session, stay in it for ten seconds more, go on with it on this page, or leave it.
          */
         put: operations["report_presence"];
         post?: never;
@@ -6045,7 +6091,7 @@ export interface paths {
         get?: never;
         /**
          * Pass Keys
-         * @description Take the keys while they are free, hand them to another person present, or put them down.
+         * @description Take the keys while they are free or on another page of one's own, hand them to another, or put them down.
          */
         put: operations["pass_keys"];
         post?: never;
@@ -7673,6 +7719,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/me/soundlist.pyz": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Own Client Program
+         * @description Return `soundlist desk` as one file, to be run by Python 3.11 or newer.
+         */
+        get: operations["get_own_client_program"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/game-files/{render_id}": {
         parameters: {
             query?: never;
@@ -7847,6 +7913,26 @@ export interface paths {
          * @description Return what each studio that the caller works or worked for knows from that work.
          */
         get: operations["read_own_work"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/me/desk": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Own Desk
+         * @description Return the cues that wait for a file from the caller in all projects, what is due soonest first.
+         */
+        get: operations["read_own_desk"];
         put?: never;
         post?: never;
         delete?: never;
@@ -13285,6 +13371,72 @@ export interface components {
             questions: components["schemas"]["AskedQuestion"][];
         };
         /**
+         * DeskTokenAdd
+         * @description What the caller calls a desk token: the machine that it is for.
+         */
+        DeskTokenAdd: {
+            /** Name */
+            name: string;
+        };
+        /**
+         * DeskTokenMade
+         * @description A new key with its secret, which is shown this once.
+         */
+        DeskTokenMade: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Name */
+            name: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /**
+             * Last Used At
+             * @description To within a minute; null: never used.
+             */
+            last_used_at: string | null;
+            /**
+             * Expires At
+             * Format: date-time
+             */
+            expires_at: string;
+            /** Secret */
+            secret: string;
+        };
+        /**
+         * DeskTokenRead
+         * @description One of the caller's keys for `soundlist desk`, without its secret.
+         */
+        DeskTokenRead: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /** Name */
+            name: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /**
+             * Last Used At
+             * @description To within a minute; null: never used.
+             */
+            last_used_at: string | null;
+            /**
+             * Expires At
+             * Format: date-time
+             */
+            expires_at: string;
+        };
+        /**
          * DifferenceRead
          * @description What a change order does to scope, price and dates, and to the check of the plan.
          */
@@ -15684,6 +15836,24 @@ export interface components {
             behind: number;
         };
         /**
+         * LastWord
+         * @description What was said last on the caller's work for a cue.
+         */
+        LastWord: {
+            /** Text */
+            text: string;
+            /**
+             * By
+             * @description Who said it; null: the check.
+             */
+            by: string | null;
+            /**
+             * At
+             * Format: date-time
+             */
+            at: string;
+        };
+        /**
          * LedgerLineRead
          * @description One line of a ledger: why, how much, by which clause, for which cue, and whose act it follows.
          */
@@ -16133,7 +16303,7 @@ export interface components {
         };
         /**
          * LiveKeys
-         * @description The keys, taken while they are free, handed to another person present, or put down.
+         * @description The keys, taken while they are free or on another page of one's own, handed to another person, or put down.
          */
         LiveKeys: {
             /**
@@ -16146,6 +16316,11 @@ export interface components {
              * @description Who gets them, of `give`.
              */
             person_id?: string | null;
+            /**
+             * Page Id
+             * @description A page of the caller's own choice of id: of several pages of one person one plays and has keys.
+             */
+            page_id?: string | null;
         };
         /**
          * LiveMove
@@ -16166,6 +16341,11 @@ export interface components {
             is_playing: boolean;
             /** Position S */
             position_s: number;
+            /**
+             * Page Id
+             * @description A page of the caller's own choice of id: of several pages of one person one plays and has keys.
+             */
+            page_id?: string | null;
         };
         /**
          * LiveRead
@@ -16176,8 +16356,16 @@ export interface components {
             sequence: number;
             /** @description Who holds the keys; null while they are free. */
             holder: components["schemas"]["PersonBrief"] | null;
-            /** Is Holder */
+            /**
+             * Is Holder
+             * @description Whether the caller holds them, on this page.
+             */
             is_holder: boolean;
+            /**
+             * Is Elsewhere
+             * @description Whether another page of the caller's plays the session; this one does not.
+             */
+            is_elsewhere: boolean;
             /** Take Id */
             take_id: string | null;
             /** Is Playing */
@@ -16205,6 +16393,17 @@ export interface components {
              * @default false
              */
             leaves: boolean;
+            /**
+             * Takes Over
+             * @description Play here, and fall silent on the caller's other page.
+             * @default false
+             */
+            takes_over: boolean;
+            /**
+             * Page Id
+             * @description A page of the caller's own choice of id: of several pages of one person one plays and has keys.
+             */
+            page_id?: string | null;
         };
         /**
          * LossLevels
@@ -17601,6 +17800,26 @@ export interface components {
             reviewers: number;
         };
         /**
+         * OwedCue
+         * @description A cue that waits for a file from the caller.
+         */
+        OwedCue: {
+            cue: components["schemas"]["CueBrief"];
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /** Project Name */
+            project_name: string;
+            /** Studio Name */
+            studio_name: string;
+            status: components["schemas"]["CueStatus"];
+            /** Due On */
+            due_on: string | null;
+            last_word: components["schemas"]["LastWord"] | null;
+        };
+        /**
          * OwnBidRead
          * @description The caller's own bid.
          */
@@ -17634,6 +17853,22 @@ export interface components {
             is_awarded: boolean;
             /** Samples */
             samples: components["schemas"]["SampleRead"][];
+        };
+        /**
+         * OwnDesk
+         * @description What the caller owes in all projects that they are engaged on, what is due soonest first; in pages.
+         */
+        OwnDesk: {
+            person: components["schemas"]["PersonBrief"];
+            /**
+             * Projects
+             * @description Projects that the caller is engaged on and whose list they see.
+             */
+            projects: number;
+            /** Items */
+            items: components["schemas"]["OwedCue"][];
+            /** Next */
+            next: string | null;
         };
         /**
          * Pace
@@ -25180,6 +25415,115 @@ export interface operations {
                 content?: never;
             };
             /** @description `sign-in-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_my_desk_tokens: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DeskTokenRead"][];
+                };
+            };
+        };
+    };
+    create_my_desk_token: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["DeskTokenAdd"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DeskTokenMade"];
+                };
+            };
+            /** @description `not-in-demo` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-desk-tokens` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    revoke_my_desk_token: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                desk_token_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `desk-token-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -39943,7 +40287,9 @@ export interface operations {
     };
     get_preview: {
         parameters: {
-            query?: never;
+            query?: {
+                light?: boolean;
+            };
             header?: never;
             path: {
                 picture_id: string;
@@ -39959,6 +40305,7 @@ export interface operations {
                 };
                 content: {
                     "audio/flac": unknown;
+                    "audio/ogg": unknown;
                     "audio/wav": unknown;
                 };
             };
@@ -42954,7 +43301,9 @@ export interface operations {
     };
     get_live_session: {
         parameters: {
-            query?: never;
+            query?: {
+                page_id?: string | null;
+            };
             header?: never;
             path: {
                 playlist_id: string;
@@ -47823,6 +48172,26 @@ export interface operations {
             };
         };
     };
+    get_own_client_program: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/zip": string;
+                };
+            };
+        };
+    };
     get_game_file: {
         parameters: {
             query?: never;
@@ -48230,6 +48599,37 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["WorkFigures"][];
+                };
+            };
+        };
+    };
+    read_own_desk: {
+        parameters: {
+            query?: {
+                cursor?: string | null;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["OwnDesk"];
+                };
+            };
+            /** @description `bad-cursor` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };

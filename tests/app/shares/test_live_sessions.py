@@ -2,7 +2,7 @@
 
 from datetime import timedelta
 from typing import Any
-from uuid import UUID
+from uuid import UUID, uuid4
 
 import pytest
 from fastapi.testclient import TestClient
@@ -143,3 +143,55 @@ def test_designers_and_strangers_are_not_in_it(world: World, live: Live) -> None
         assert live.put(client, "presence").status_code == 404
         assert client.get(f"/v1/playlists/{live.playlist_id}/live").status_code == 404
     assert clock.now().timestamp() * 1000 - live.read(world.producer)["server_ms"] < 5_000
+
+
+def on_page(live: Live, client: TestClient, page_id: UUID) -> dict[str, Any]:
+    return dict(client.get(f"/v1/playlists/{live.playlist_id}/live", params={"page_id": str(page_id)}).json())
+
+
+def test_one_of_two_pages_of_a_person_holds_the_keys_until_the_other_takes_them(world: World, live: Live) -> None:
+    first, second = uuid4(), uuid4()
+    live.put(world.producer, "presence", page_id=str(first))
+    live.put(world.producer, "keys", act="take", page_id=str(first))
+    joined = live.put(world.producer, "presence", page_id=str(second)).json()
+    assert (joined["is_holder"], joined["is_elsewhere"], len(joined["present"])) == (False, True, 1)
+    assert on_page(live, world.producer, first)["is_holder"] is True
+    for refused in (
+        live.move(world.producer, page_id=str(second)),
+        live.put(world.producer, "keys", act="drop", page_id=str(second)),
+    ):
+        assert (refused.status_code, refused.json()["fix"]) == (409, "take the keys here first")
+    assert live.move(world.producer, page_id=str(first)).status_code == 200
+
+    taken = live.put(world.producer, "keys", act="take", page_id=str(second)).json()
+    assert (taken["is_holder"], taken["is_elsewhere"], taken["is_playing"]) == (True, False, True)
+    old = live.put(world.producer, "presence", page_id=str(first)).json()
+    assert (old["is_holder"], old["is_elsewhere"], old["holder"]["name"]) == (False, True, "Producer")
+    assert live.move(world.producer, page_id=str(first)).json()["code"] == "keys-held"
+    assert live.move(world.producer, page_id=str(second)).status_code == 200
+
+
+def test_a_page_that_does_not_play_leaves_without_the_keys(world: World, live: Live) -> None:
+    first, second = uuid4(), uuid4()
+    live.put(world.producer, "presence", page_id=str(first))
+    live.put(world.producer, "keys", act="take", page_id=str(first))
+    left = live.put(world.producer, "presence", page_id=str(second), leaves=True).json()
+    assert left["holder"]["name"] == "Producer"
+    live.put(world.producer, "presence", page_id=str(first), leaves=True)
+    goes_on = live.put(world.producer, "presence", page_id=str(second)).json()
+    assert (goes_on["holder"], goes_on["is_elsewhere"]) == (None, False)
+
+
+def test_a_listener_goes_on_hearing_on_another_page(world: World, live: Live) -> None:
+    first, second = uuid4(), uuid4()
+    live.join(world.approver)
+    live.take_keys(world.approver)
+    live.put(world.producer, "presence", page_id=str(first))
+    before = live.read(world.approver)["sequence"]
+    heard = live.put(world.producer, "presence", page_id=str(second), takes_over=True).json()
+    assert (heard["is_elsewhere"], heard["holder"]["name"]) == (False, "Audio director")
+    assert heard["sequence"] > before  # so that the first page hears of it
+    assert on_page(live, world.producer, first)["is_elsewhere"] is True
+    live.silence(world.producer_id, 11)
+    back = live.put(world.producer, "presence", page_id=str(first)).json()
+    assert back["is_elsewhere"] is False

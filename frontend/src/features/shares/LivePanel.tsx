@@ -5,6 +5,7 @@ import { Person } from '@/ui/Person'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { Row, Rows } from '@/ui/Rows'
 
+import type { Live } from './api'
 import classes from './Shares.module.css'
 import type { LiveHand } from './useLive'
 
@@ -38,7 +39,8 @@ export function LivePanel({ hand, meId }: { hand: LiveHand; meId: string | undef
           </p>
         )}
         {problem !== '' && <ProblemNote detail={problem} />}
-        {isIn && (
+        {isIn && live?.is_elsewhere && <Elsewhere live={live} hand={hand} meId={meId} />}
+        {isIn && !live?.is_elsewhere && (
           <p role="status" className={classes.keys}>
             {live?.holder ? (
               <>
@@ -78,5 +80,27 @@ export function LivePanel({ hand, meId }: { hand: LiveHand; meId: string | undef
         </Rows>
       )}
     </Card>
+  )
+}
+
+/** Another page of the same person plays the session; this one is silent until it takes over. */
+function Elsewhere({ live, hand, meId }: { live: Live; hand: LiveHand; meId: string | undefined }) {
+  const mayTake = live.holder === null || live.holder.id === meId
+  return (
+    <p role="status" className={classes.keys}>
+      <Icon name="headphones" />
+      {live.holder?.id === meId
+        ? 'You hold the keys in another tab, which plays the session. This tab is silent.'
+        : 'You hear the session in another tab. This tab is silent.'}
+      {mayTake ? (
+        <Button variant="primary" onClick={hand.take}>
+          Take the keys here
+        </Button>
+      ) : (
+        <Button variant="primary" onClick={hand.takeOver}>
+          Listen here
+        </Button>
+      )}
+    </p>
   )
 }

@@ -184,7 +184,13 @@ function Room({ playlist }: { playlist: Playlist }) {
               onClick={() => goBy(1)}
               tall
             />
-            {follows && <span className="small mid">{hand.live?.holder?.name ?? 'The session'} plays for all.</span>}
+            {follows && (
+              <span className="small mid">
+                {hand.live?.is_elsewhere
+                  ? 'Your other tab plays.'
+                  : `${hand.live?.holder?.name ?? 'The session'} plays for all.`}
+              </span>
+            )}
           </div>
           <VerdictOfTake
             key={current.take_id}

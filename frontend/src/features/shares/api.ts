@@ -190,17 +190,27 @@ export const savePosition = (playlistId: string, takeId: string, atS: number) =>
     }),
   )
 
+/** Which of a person's pages it is. */
+interface OnPage {
+  page_id: string
+}
+
 const live = (playlistId: string) => ({ params: { path: { playlist_id: playlistId } } })
 
-export const readLive = (playlistId: string) => answered(api.GET('/v1/playlists/{playlist_id}/live', live(playlistId)))
+export const readLive = (playlistId: string, pageId: string) =>
+  answered(
+    api.GET('/v1/playlists/{playlist_id}/live', {
+      params: { path: { playlist_id: playlistId }, query: { page_id: pageId } },
+    }),
+  )
 
-export const reportPresence = (playlistId: string, leaves: boolean) =>
-  answered(api.PUT('/v1/playlists/{playlist_id}/live/presence', { ...live(playlistId), body: { leaves } }))
+export const reportPresence = (playlistId: string, body: Omit<Schemas['LiveReport'], 'page_id'> & OnPage) =>
+  answered(api.PUT('/v1/playlists/{playlist_id}/live/presence', { ...live(playlistId), body }))
 
-export const movePlayhead = (playlistId: string, body: Schemas['LiveMove']) =>
+export const movePlayhead = (playlistId: string, body: Schemas['LiveMove'] & OnPage) =>
   answered(api.PUT('/v1/playlists/{playlist_id}/live/playhead', { ...live(playlistId), body }))
 
-export const passKeys = (playlistId: string, body: { act: 'take' | 'give' | 'drop'; person_id?: string }) =>
+export const passKeys = (playlistId: string, body: { act: 'take' | 'give' | 'drop'; person_id?: string } & OnPage) =>
   answered(api.PUT('/v1/playlists/{playlist_id}/live/keys', { ...live(playlistId), body }))
 
 export const doorQuery = (secret: string) =>

@@ -71,6 +71,7 @@ const LIVE = {
   sequence: 1,
   holder: null,
   is_holder: false,
+  is_elsewhere: false,
   take_id: null,
   is_playing: false,
   position_s: 0,
@@ -217,10 +218,46 @@ test('in a session the keys are taken and handed over', async () => {
   await userEvent.click(screen.getByRole('button', { name: /Hand over the keys to Composer/ }))
   expect(await screen.findByText('Composer holds the keys.')).toBeVisible()
   expect(wrote(asked, 'PUT /v1/playlists/l1/live/keys').map(({ body }) => body)).toEqual([
-    { act: 'take' },
-    { act: 'give', person_id: 'x4' },
+    { act: 'take', page_id: expect.any(String) as string },
+    { act: 'give', person_id: 'x4', page_id: expect.any(String) as string },
   ])
   expect(screen.getByRole('button', { name: 'Play' })).toBeDisabled()
+})
+
+test('a second tab of who holds the keys is silent, says so, and takes them over', async () => {
+  const held = { ...LIVE, holder: people.producer, present: [people.producer] }
+  const playing = { take_id: 't3', position_s: 0.2 }
+  const asked = open('/projects/p1/playlists/l1', {
+    'GET /v1/playlists/l1/live': { ...held, ...playing, is_elsewhere: true },
+    'PUT /v1/playlists/l1/live/presence': { ...held, ...playing, is_elsewhere: true },
+    'PUT /v1/playlists/l1/live/keys': { ...held, ...playing, sequence: 2, is_holder: true },
+  })
+  await userEvent.click(await screen.findByRole('button', { name: 'Join session' }))
+  expect(await screen.findByText(/You hold the keys in another tab/)).toBeVisible()
+  await noViolations()
+  await new Promise((done) => setTimeout(done, 1_000)) // four looks at what all hear
+  expect(screen.getByRole('region', { name: 'Now' })).toHaveTextContent('door')
+  expect(screen.getByRole('button', { name: 'Play' })).toBeDisabled()
+  expect(screen.getByText('Your other tab plays.')).toBeVisible()
+  await userEvent.click(screen.getByRole('button', { name: 'Take the keys here' }))
+  expect(await screen.findByText(/You hold the keys: all hear what you play/)).toBeVisible()
+  const [taken] = wrote(asked, 'PUT /v1/playlists/l1/live/keys')
+  const [reported] = wrote(asked, 'PUT /v1/playlists/l1/live/presence')
+  expect(taken?.body).toEqual({ act: 'take', page_id: (reported?.body as { page_id: string }).page_id })
+  // It goes on where all are, before it leads.
+  await waitFor(() => expect(screen.getByRole('region', { name: 'Now' })).toHaveTextContent('steps'))
+})
+
+test('a second tab of a listener goes on here', async () => {
+  const heard = { ...LIVE, holder: people.composer, present: [people.producer, people.composer] }
+  const asked = open('/projects/p1/playlists/l1', {
+    'PUT /v1/playlists/l1/live/presence': ({ body }: Asked) =>
+      answer({ ...heard, is_elsewhere: !(body as { takes_over?: boolean }).takes_over }),
+  })
+  await userEvent.click(await screen.findByRole('button', { name: 'Start session' }))
+  await userEvent.click(await screen.findByRole('button', { name: 'Listen here' }))
+  expect(await screen.findByText('Composer holds the keys.')).toBeVisible()
+  expect(wrote(asked, 'PUT /v1/playlists/l1/live/presence').at(-1)?.body).toMatchObject({ takes_over: true })
 })
 
 const ROOM = {

@@ -30,6 +30,8 @@ export interface LiveHand {
   join: () => void
   leave: () => void
   take: () => void
+  /** Go on with the session here; the other page of the same person falls silent. */
+  takeOver: () => void
   drop: () => void
   give: (personId: string) => void
   /** What the holder did, for all; nothing for anyone else. */
@@ -42,6 +44,7 @@ export function useLive(playlistId: string, player: Player, playthrough: Playthr
   const queryKey = queryKeys.playlist(playlistId, 'live')
   const [isIn, setIsIn] = useState(false)
   const [problem, setProblem] = useState('')
+  const [pageId] = useState(() => crypto.randomUUID())
   const exchanges = useRef<Exchange[]>([])
 
   const exchange = async (send: () => Promise<Live>): Promise<Live> => {
@@ -55,7 +58,7 @@ export function useLive(playlistId: string, player: Player, playthrough: Playthr
   }
   const { data: live } = useQuery({
     queryKey,
-    queryFn: () => exchange(() => readLive(playlistId)),
+    queryFn: () => exchange(() => readLive(playlistId, pageId)),
     structuralSharing: false, // each answer has its own instant
   })
   const send = async (act: () => Promise<Live>) => {
@@ -68,6 +71,9 @@ export function useLive(playlistId: string, player: Player, playthrough: Playthr
       void invalidate(client, queryKey)
     }
   }
+
+  /** Whether this page took over from another of the same person, and is not yet where all are. */
+  const isCatchingUp = useRef(false)
 
   // One after the other, each with the sequence of the one before; of those that wait only the last one counts.
   const waiting = useRef<Move | null>(null)
@@ -84,6 +90,7 @@ export function useLive(playlistId: string, player: Player, playthrough: Playthr
           take_id: takeId,
           is_playing: isPlaying,
           position_s: isPlaying ? positionS + (Date.now() - atMs) / 1000 : positionS,
+          page_id: pageId,
         }),
       )
     }
@@ -92,25 +99,27 @@ export function useLive(playlistId: string, player: Player, playthrough: Playthr
 
   const lead: LiveHand['lead'] = (takeId, isPlaying, positionS) => {
     if (!isIn || !client.getQueryData<Live>(queryKey)?.is_holder) return
+    isCatchingUp.current = false
     waiting.current = { takeId, isPlaying, positionS, atMs: Date.now() }
     void sendMoves()
   }
 
-  const report = useEffectEvent(() => void send(() => reportPresence(playlistId, false)))
+  const report = useEffectEvent(() => void send(() => reportPresence(playlistId, { leaves: false, page_id: pageId })))
   useEffect(() => {
     if (!isIn) return
     report()
     const timer = setInterval(() => report(), REPORT_MS)
     return () => {
       clearInterval(timer)
-      void reportPresence(playlistId, true).catch(() => undefined)
+      void reportPresence(playlistId, { leaves: true, page_id: pageId }).catch(() => undefined)
     }
-  }, [isIn, playlistId])
+  }, [isIn, playlistId, pageId])
 
   const follow = useEffectEvent(() => {
-    if (!live || live.take_id === null) return
+    if (live?.is_elsewhere && player.isPlaying()) player.pause()
+    if (!live || live.is_elsewhere || live.take_id === null) return
     const wantedS = expectedS(live, offsetMs(exchanges.current), Date.now())
-    if (live.is_holder) {
+    if (live.is_holder && !isCatchingUp.current) {
       // What the holder hears is what counts: a sound that began late is set right for all.
       const isHeard = player.isPlaying() && playthrough.current?.take_id === live.take_id && live.is_playing
       const isAway = Math.abs(wantedS - player.positionS()) > LATE_S
@@ -129,6 +138,7 @@ export function useLive(playlistId: string, player: Player, playthrough: Playthr
     const jumpS = correction(wantedS, player.positionS(), durationS)
     if (live.is_playing && !player.isPlaying() && wantedS < durationS) void player.play(wantedS)
     else if (jumpS !== null) player.seek(jumpS)
+    else isCatchingUp.current = false
   })
   useEffect(() => {
     if (!isIn) return
@@ -142,9 +152,13 @@ export function useLive(playlistId: string, player: Player, playthrough: Playthr
     problem,
     join: () => setIsIn(true),
     leave: () => setIsIn(false),
-    take: () => void send(() => passKeys(playlistId, { act: 'take' })),
-    drop: () => void send(() => passKeys(playlistId, { act: 'drop' })),
-    give: (personId) => void send(() => passKeys(playlistId, { act: 'give', person_id: personId })),
+    take: () => {
+      isCatchingUp.current = live?.is_elsewhere ?? false
+      void send(() => passKeys(playlistId, { act: 'take', page_id: pageId }))
+    },
+    takeOver: () => void send(() => reportPresence(playlistId, { leaves: false, takes_over: true, page_id: pageId })),
+    drop: () => void send(() => passKeys(playlistId, { act: 'drop', page_id: pageId })),
+    give: (personId) => void send(() => passKeys(playlistId, { act: 'give', person_id: personId, page_id: pageId })),
     lead,
   }
 }
