@@ -53,7 +53,7 @@ class Offer:
 
 
 @dataclass
-class Standing:
+class SettledOffers:
     """What of the offers of a contract is settled for one party."""
 
     orders: Sequence[ChangeOrder]
@@ -83,8 +83,8 @@ class Standing:
 class Found:
     """Collects what changed since a contract was signed."""
 
-    def __init__(self, session: Session, reviewer: Reviewer, standing: Standing) -> None:
-        self._session, self._reviewer, self._standing = session, reviewer, standing
+    def __init__(self, session: Session, reviewer: Reviewer, settled: SettledOffers) -> None:
+        self._session, self._reviewer, self._settled_offers = session, reviewer, settled
         self._contract = reviewer.contract
         self._running = [
             one for one in reviewer.covered.values() if one.cut_at is None and one.cue.state is not CueState.CUT
@@ -104,7 +104,9 @@ class Found:
             *self._cut(),
             *self._references(agreed_at),
         ):
-            is_settled = offer.key in self._standing.settled or self._standing.has_order(offer.settlers, offer.at)
+            is_settled = offer.key in self._settled_offers.settled or self._settled_offers.has_order(
+                offer.settlers, offer.at
+            )
             if not is_settled:
                 yield offer
 
@@ -178,8 +180,10 @@ class Found:
         self, kind: OfferKind, cue_id: UUID, changes: Sequence[ListChange], settlers: frozenset[Settler]
     ) -> list[ListChange]:
         """Return the changes of a cue after the last one that a change order or a dismissal has settled."""
-        settled = self._standing.revision_of(kind, cue_id)
-        return [one for one in changes if one.revision > settled and not self._standing.has_order(settlers, one.at)]
+        settled = self._settled_offers.revision_of(kind, cue_id)
+        return [
+            one for one in changes if one.revision > settled and not self._settled_offers.has_order(settlers, one.at)
+        ]
 
     def _described(self, one: ContractCue, changes: Sequence[ListChange]) -> Iterator[Offer]:
         settlers: frozenset[Settler] = frozenset({("reprice_cue", one.cue_id), ("cut_cue", one.cue_id)})
@@ -244,7 +248,7 @@ class Found:
     def _specs(self, agreed_at: datetime) -> Iterator[Offer]:
         """Yield the newest delivery spec where it asks something else of open cues than the one that was settled."""
         held, newer = offer_queries.specs_since(self._session, self._contract.project_id, agreed_at)
-        settled = self._standing.spec_version()
+        settled = self._settled_offers.spec_version()
         before = next((one for one in reversed(newer) if one.version <= settled), held)
         if not newer or before is None or newer[-1].sha256 == before.sha256:
             return

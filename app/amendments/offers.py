@@ -12,15 +12,15 @@ from app.agreements.rules import Party
 from app.amendments import queries, schemas
 from app.amendments.change_order_review import Reviewer
 from app.amendments.errors import OfferSettled
-from app.amendments.offer_finding import SETTLING, Found, Standing
+from app.amendments.offer_finding import SETTLING, Found, SettledOffers
 
 DISMISSED, PROPOSED = "offer_dismissed", "change_proposed"
 
 
 def offers(session: Session, reviewer: Reviewer, party: Party) -> list[schemas.ChangeOfferRead]:
     """Return what changed since both signed and no change order says yet, the newest first, as one party reads it."""
-    standing = _standing(session, reviewer, party)
-    found = sorted(Found(session, reviewer, standing).all(), key=lambda one: (one.at, one.key), reverse=True)
+    settled = _settled_offers(session, reviewer, party)
+    found = sorted(Found(session, reviewer, settled).all(), key=lambda one: (one.at, one.key), reverse=True)
     return [
         schemas.ChangeOfferRead(
             offer=one.key,
@@ -29,7 +29,7 @@ def offers(session: Session, reviewer: Reviewer, party: Party) -> list[schemas.C
             who=one.who,
             at=one.at,
             change=one.change,
-            dismissed=standing.dismissed.get(one.key),
+            dismissed=settled.dismissed.get(one.key),
         )
         for one in found
     ]
@@ -51,22 +51,22 @@ def taken_up(session: Session, reviewer: Reviewer, party: Party, keys: Sequence[
     """Return those of the named offers that stand; a change order that is proposed settles them."""
     if not keys:
         return []
-    standing = {one.offer for one in offers(session, reviewer, party)}
-    return [key for key in dict.fromkeys(keys) if key in standing]
+    open_now = {one.offer for one in offers(session, reviewer, party)}
+    return [key for key in dict.fromkeys(keys) if key in open_now]
 
 
-def _standing(session: Session, reviewer: Reviewer, party: Party) -> Standing:
+def _settled_offers(session: Session, reviewer: Reviewer, party: Party) -> SettledOffers:
     contract_id = reviewer.contract.id
-    standing = Standing(queries.change_orders_of(session, contract_id))
-    settling = {order.number for order in standing.orders if order.state in SETTLING}
+    settled = SettledOffers(queries.change_orders_of(session, contract_id))
+    settling = {order.number for order in settled.orders if order.state in SETTLING}
     for event in events_of_kinds(session, contract_id, {DISMISSED, PROPOSED}):
         said = json.loads(event.payload)
         if event.kind == PROPOSED:
-            standing.settled.update(said.get("offers", ()) if said["change_order"] in settling else ())
+            settled.settled.update(said.get("offers", ()) if said["change_order"] in settling else ())
         elif said["party"] == party.value:
-            standing.settled.add(said["offer"])
+            settled.settled.add(said["offer"])
         else:
-            standing.dismissed[said["offer"]] = schemas.OfferDismissed(
+            settled.dismissed[said["offer"]] = schemas.OfferDismissed(
                 party=Party(said["party"]), by=said["by"], at=event.at, reason=said["reason"]
             )
-    return standing
+    return settled

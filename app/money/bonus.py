@@ -27,37 +27,37 @@ class BonusCue:
 
 
 @dataclass(frozen=True)
-class Standing:
+class BonusStatus:
     """What became of a bonus, and why, in words."""
 
     state: BonusState
     because: str
 
 
-def standing_of(
+def bonus_status_of(
     when: BonusWhen, cues: Sequence[BonusCue], *, today: date, is_running: bool, shipped_on: date | None
-) -> Standing:
+) -> BonusStatus:
     """Return whether a bonus that the software reckons is earned; `cues` are those that were not cut."""
     if when is BonusWhen.SHIPPED:
         if shipped_on is not None:
-            return Standing(BonusState.EARNED, f"the game shipped on {_words(shipped_on)}, as the studio said")
+            return BonusStatus(BonusState.EARNED, f"the game shipped on {_words(shipped_on)}, as the studio said")
         return _open(is_running, "the studio has not said yet that the game has shipped")
     fault = next((fault for cue in cues if (fault := _fault(when, cue, today))), None)
     if fault is not None:
-        return Standing(BonusState.MISSED, fault)
+        return BonusStatus(BonusState.MISSED, fault)
     accepted = sum(cue.accepted_on is not None for cue in cues)
     if not cues:
-        return Standing(BonusState.MISSED, "no cue of the contract is left")
+        return BonusStatus(BonusState.MISSED, "no cue of the contract is left")
     if accepted < len(cues):
         return _open(is_running, f"{accepted} of {len(cues)} cues are accepted")
     how = "by the date of its milestone" if when is BonusWhen.ON_TIME else "without a round of changes"
-    return Standing(BonusState.EARNED, f"every cue was accepted {how}")
+    return BonusStatus(BonusState.EARNED, f"every cue was accepted {how}")
 
 
-def _open(is_running: bool, because: str) -> Standing:
+def _open(is_running: bool, because: str) -> BonusStatus:
     if not is_running:
-        return Standing(BonusState.MISSED, "the contract ended early")
-    return Standing(BonusState.POSSIBLE, because)
+        return BonusStatus(BonusState.MISSED, "the contract ended early")
+    return BonusStatus(BonusState.POSSIBLE, because)
 
 
 def _fault(when: BonusWhen, cue: BonusCue, today: date) -> str | None:

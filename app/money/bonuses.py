@@ -13,7 +13,7 @@ from app.agreements.plan_queries import agreed_terms, terms_of
 from app.agreements.rules import ContractState
 from app.agreements.terms import BonusWhen, MoneyTerms
 from app.kit import clock
-from app.money.bonus import BonusCue, BonusState, Standing, standing_of
+from app.money.bonus import BonusCue, BonusState, BonusStatus, bonus_status_of
 from app.money.ledger import called
 from app.money.ledger_book import LedgerBook
 from app.money.rules import LineKind
@@ -37,7 +37,7 @@ def studio_days(session: Session, contract: Contract) -> StudioDays:
     return StudioDays(ZoneInfo(time_zones_of(session, {contract.studio_id})[contract.studio_id]))
 
 
-def bonus_standing(session: Session, contract: Contract, terms: MoneyTerms) -> Standing | None:
+def bonus_status(session: Session, contract: Contract, terms: MoneyTerms) -> BonusStatus | None:
     """Return what became of a bonus that the software reckons; None where there is none."""
     if not terms.bonus_minor or terms.bonus_when is BonusWhen.OTHER:
         return None
@@ -54,7 +54,7 @@ def bonus_standing(session: Session, contract: Contract, terms: MoneyTerms) -> S
         for cue in plan_queries.cues_of(session, contract.id)
         if cue.cut_at is None
     ]
-    return standing_of(
+    return bonus_status_of(
         terms.bonus_when,
         cues,
         today=days.of(clock.now()),
@@ -68,13 +68,13 @@ def bonus_of(session: Session, contract: Contract, book: LedgerBook) -> BonusRea
     terms = terms_of(session, contract)
     if contract.agreed_at is None or not terms.bonus_minor:
         return None
-    standing = bonus_standing(session, contract, terms)
-    if standing is not None and book.standing(LineKind.BONUS) and standing.state is not BonusState.EARNED:
-        standing = Standing(BonusState.EARNED, "it was due before the contract ended")
+    status = bonus_status(session, contract, terms)
+    if status is not None and book.standing(LineKind.BONUS) and status.state is not BonusState.EARNED:
+        status = BonusStatus(BonusState.EARNED, "it was due before the contract ended")
     trigger = agreed_terms(session, contract).get("bonus_trigger", "")
     return BonusRead(
         amount_minor=terms.bonus_minor,
         when=terms.bonus_when,
-        state=standing.state if standing else None,
-        because=standing.because if standing else str(trigger),
+        state=status.state if status else None,
+        because=status.because if status else str(trigger),
     )

@@ -18,7 +18,7 @@ from app.agreements.terms import DepositAtEnd
 from app.kit import clock
 from app.money import queries
 from app.money.bonus import BonusState
-from app.money.bonuses import bonus_standing
+from app.money.bonuses import bonus_status
 from app.money.days import mark_agreed
 from app.money.ending import Statement, statement_of
 from app.money.errors import ExtraRoundNotFound, OtherPartyNeeded, RoundAlreadySettled
@@ -253,10 +253,10 @@ def settle(session: Session, contract_id: UUID, person_id: UUID | None, *, is_by
     cues = priced(plan_queries.cues_of(session, contract_id))
     book = load_ledger_book(session, contract)
     write(session, contract, settle_shares(book, cues, rules), person_id=person_id, is_by_server=is_by_server)
-    standing = bonus_standing(session, contract, terms) if contract.state is ContractState.AGREED else None
-    if standing is not None:
-        bonus = settle_bonus(book, terms.bonus_minor, is_earned=standing.state is BonusState.EARNED)
-        write(session, contract, bonus, person_id=person_id, is_by_server=is_by_server, reason=standing.because)
+    status = bonus_status(session, contract, terms) if contract.state is ContractState.AGREED else None
+    if status is not None:
+        bonus = settle_bonus(book, terms.bonus_minor, is_earned=status.state is BonusState.EARNED)
+        write(session, contract, bonus, person_id=person_id, is_by_server=is_by_server, reason=status.because)
 
 
 def _priced(covered: ContractCue) -> PricedCue:

@@ -25,7 +25,7 @@ MOST_CLIPS = 12
 MOST_SOURCES = 200
 
 
-class HeardTake(NamedTuple):
+class PlayableTake(NamedTuple):
     """A take that can be played, with its cue and loudness."""
 
     take: Take
@@ -34,7 +34,7 @@ class HeardTake(NamedTuple):
     loudness_lufs: float | None
 
 
-def _heard(*conditions: ColumnElement[bool]) -> Select[Any]:
+def _playable(*conditions: ColumnElement[bool]) -> Select[Any]:
     measurements = CheckRun.report["measurements"]
     whole, shortest = (measurements[name].as_float() for name in ("integrated_lufs", "short_loudness_lufs"))
     drawn = and_(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256)
@@ -47,33 +47,33 @@ def _heard(*conditions: ColumnElement[bool]) -> Select[Any]:
     )
 
 
-def heard_take(session: Session, take_id: UUID) -> HeardTake | None:
+def playable_take(session: Session, take_id: UUID) -> PlayableTake | None:
     """Return a take whose cue is known and that is drawn."""
-    row = session.execute(_heard(Take.id == take_id)).first()
-    return None if row is None else HeardTake._make(row)
+    row = session.execute(_playable(Take.id == take_id)).first()
+    return None if row is None else PlayableTake._make(row)
 
 
-def approved_takes(session: Session, take_ids: Collection[UUID]) -> dict[UUID, HeardTake]:
+def approved_takes(session: Session, take_ids: Collection[UUID]) -> dict[UUID, PlayableTake]:
     """Return those of some takes that are approved and can be played."""
-    rows = session.execute(_heard(in_array(Take.id, take_ids), Take.state == TakeState.APPROVED))
-    return {row[0].id: HeardTake._make(row) for row in rows}
+    rows = session.execute(_playable(in_array(Take.id, take_ids), Take.state == TakeState.APPROVED))
+    return {row[0].id: PlayableTake._make(row) for row in rows}
 
 
-def possible_neighbours(session: Session, of: Cue, scene: tuple[str, str] | None) -> list[HeardTake]:
+def possible_neighbours(session: Session, of: Cue, scene: tuple[str, str] | None) -> list[PlayableTake]:
     """Return approved sounds near a cue, one for each other cue: those of its scene and category first."""
     close = Cue.category == of.category
     if scene is not None:
         column, value = scene
         close = or_(Cue.extra[column].as_string() == value, close)
     rows = session.execute(
-        _heard(Cue.project_id == of.project_id, Cue.id != of.id, Cue.state != CueState.CUT)
+        _playable(Cue.project_id == of.project_id, Cue.id != of.id, Cue.state != CueState.CUT)
         .where(Take.state == TakeState.APPROVED)
         .order_by(case((close, 0), else_=1), func.abs(Cue.position - of.position), Cue.id, Take.variation)
         .limit(MOST_CANDIDATES)
     )
-    first: dict[UUID, HeardTake] = {}
+    first: dict[UUID, PlayableTake] = {}
     for row in rows:
-        first.setdefault(row[1].id, HeardTake._make(row))
+        first.setdefault(row[1].id, PlayableTake._make(row))
     return list(first.values())
 
 

@@ -20,7 +20,7 @@ from app.references.service import opened_file
 from app.scenes import queries
 from app.scenes.errors import BedInvalid, BedNotFound, SceneSoundNotFound, SceneSoundNotMade
 from app.scenes.models import Bed, SceneSound
-from app.scenes.queries import HeardTake
+from app.scenes.queries import PlayableTake
 from app.scenes.rules import (
     FIRST_SPOT_S,
     LOOPING_ROLES,
@@ -47,7 +47,7 @@ class Lane:
 
     id: str
     name: str
-    take: HeardTake | None
+    take: PlayableTake | None
     version: ReferenceVersion | None
     bed: Bed | None
     loops: bool
@@ -90,17 +90,17 @@ def scene_of(session: Session, actor: Actor, take_id: UUID, *, measured: bool = 
     """Return the scene of a version of a known cue that is drawn; for the team."""
     _, access = take_for(session, actor, take_id)
     access.ensure_team()
-    heard = queries.heard_take(session, take_id)
-    if heard is None:
+    playable = queries.playable_take(session, take_id)
+    if playable is None:
         raise TakeNotFound(f"version {take_id} is for no cue yet, or is not drawn")
-    cue = heard.cue
+    cue = playable.cue
     audit = queries.newest_audit(session, cue.project_id)
-    neighbours = _neighbours(session, heard, audit.id if audit else None)
+    neighbours = _neighbours(session, playable, audit.id if audit else None)
     gains = queries.gains_in_game(session, audit.id, [cue.id, *(one.cue.id for one in neighbours)]) if audit else {}
     clips = queries.clips(session, cue)
     spots = _spots_of(cue)
     starts = [0.0] if cue.loop else spots or [FIRST_SPOT_S]
-    lanes = [_take_lane(SOUND, heard, starts, gains)]
+    lanes = [_take_lane(SOUND, playable, starts, gains)]
     lanes += [_take_lane(str(one.cue.id), one, _starts_of(one.cue, starts), gains) for one in neighbours]
     lanes += _bed_lanes(session, cue)
     sounds = queries.scene_sounds(
@@ -111,7 +111,7 @@ def scene_of(session: Session, actor: Actor, take_id: UUID, *, measured: bool = 
         cue=cue,
         take_id=take_id,
         length_s=scene_length_s(
-            duration_s=heard.picture.duration_s or 0.0, spots=starts, clip_s=_clip_s(clips[0]) if clips else None
+            duration_s=playable.picture.duration_s or 0.0, spots=starts, clip_s=_clip_s(clips[0]) if clips else None
         ),
         has_spots=bool(spots),
         audit_label=audit.label if audit else None,
@@ -121,19 +121,19 @@ def scene_of(session: Session, actor: Actor, take_id: UUID, *, measured: bool = 
     )
 
 
-def _neighbours(session: Session, heard: HeardTake, audit_id: UUID | None) -> list[HeardTake]:
-    cue = heard.cue
+def _neighbours(session: Session, playable: PlayableTake, audit_id: UUID | None) -> list[PlayableTake]:
+    cue = playable.cue
     column = next((name for name in cue.extra if folded(name) in SCENE_COLUMNS), None)
     scene = column_value(cue.extra, SCENE_COLUMNS)
     found = queries.possible_neighbours(session, cue, (column, scene) if column and scene else None)
     gains = queries.gains_in_game(session, audit_id, [one.cue.id for one in found]) if audit_id else {}
     by_cue = {one.cue.id: one for one in found}
     candidates = [_candidate(one, gains) for one in found]
-    return [by_cue[one.cue_id] for one in likeliest_neighbours(_candidate(heard, {}), candidates)]
+    return [by_cue[one.cue_id] for one in likeliest_neighbours(_candidate(playable, {}), candidates)]
 
 
-def _candidate(heard: HeardTake, gains: Mapping[UUID, float]) -> Candidate:
-    cue, loudness = heard.cue, heard.loudness_lufs
+def _candidate(playable: PlayableTake, gains: Mapping[UUID, float]) -> Candidate:
+    cue, loudness = playable.cue, playable.loudness_lufs
     return Candidate(
         cue_id=cue.id,
         scene=column_value(cue.extra, SCENE_COLUMNS),
@@ -159,15 +159,15 @@ def _clip_s(clip: ReferenceVersion) -> float | None:
     return None if end_s is None else end_s - (start_s or 0.0)
 
 
-def _take_lane(lane_id: str, heard: HeardTake, starts_s: list[float], gains: Mapping[UUID, float]) -> Lane:
-    gain = gains.get(heard.cue.id)
+def _take_lane(lane_id: str, playable: PlayableTake, starts_s: list[float], gains: Mapping[UUID, float]) -> Lane:
+    gain = gains.get(playable.cue.id)
     return Lane(
         id=lane_id,
-        name=heard.cue.name,
-        take=heard,
+        name=playable.cue.name,
+        take=playable,
         version=None,
         bed=None,
-        loops=heard.cue.loop,
+        loops=playable.cue.loop,
         starts_s=starts_s,
         level_db=round(gain or 0.0, 1),
         level_from=LevelFrom.APPROVED if gain is None else LevelFrom.AUDIT,

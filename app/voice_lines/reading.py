@@ -17,14 +17,14 @@ from app.voice_lines.rules import (
     DEFAULT_TOLERANCE_PERCENT,
     PICK_UPS,
     LineState,
-    Standing,
+    LineStatus,
     TakeFacts,
     approved_duration_s,
     is_length_off,
     length_percent,
+    line_status,
     path_in,
     reason_of,
-    standing_of,
 )
 from app.voice_lines.schemas import (
     CharacterBrief,
@@ -38,14 +38,14 @@ from app.voice_lines.schemas import (
 )
 
 PAGE = 200
-NOT_TRANSLATED = Standing(LineState.NO_TEXT)
+NOT_TRANSLATED = LineStatus(LineState.NO_TEXT)
 
 
 class _Said(NamedTuple):
     """The texts of one language, and what was delivered of them."""
 
     texts: Mapping[UUID, VoiceText]  # by line
-    standings: Mapping[UUID, Standing]  # by line
+    statuses: Mapping[UUID, LineStatus]  # by line
 
 
 class ScriptReader:
@@ -89,21 +89,21 @@ class ScriptReader:
 
     def _reads(self, language: str, said: _Said, lines: Sequence[VoiceLine]) -> list[VoiceLineRead]:
         """Return some lines in one language."""
-        standings = [said.standings.get(line.id, NOT_TRANSLATED) for line in lines]
-        requested = queries.requested_changes(self._session, [one.take.id for one in standings if one.take])
-        returned = [one.take.id for one in standings if one.take and one.state is LineState.RETURNED]
+        statuses = [said.statuses.get(line.id, NOT_TRANSLATED) for line in lines]
+        requested = queries.requested_changes(self._session, [one.take.id for one in statuses if one.take])
+        returned = [one.take.id for one in statuses if one.take and one.state is LineState.RETURNED]
         errors = queries.first_errors(self._session, returned)
         reads = []
-        for line, standing in zip(lines, standings, strict=True):
-            take_id = standing.take.id if standing.take else None
+        for line, status in zip(lines, statuses, strict=True):
+            take_id = status.take.id if status.take else None
             reason = reason_of(
-                standing,
+                status,
                 requested=requested.get(take_id, "") if take_id else "",
                 error=errors.get(take_id, "") if take_id else "",
             )
             before, after = self._neighbours[line.id]
             reads.append(
-                self._read(line, language, said.texts.get(line.id), standing, reason, before=before, after=after)
+                self._read(line, language, said.texts.get(line.id), status, reason, before=before, after=after)
             )
         return reads
 
@@ -112,7 +112,7 @@ class ScriptReader:
     ) -> VoiceLines:
         """Return the lines of one language that fit a filter, from a place on."""
         said = self._said(language)
-        states = {line.id: said.standings.get(line.id, NOT_TRANSLATED).state for line in self.lines}
+        states = {line.id: said.statuses.get(line.id, NOT_TRANSLATED).state for line in self.lines}
         counts = Counter(states.values())
         words = search.casefold().split()
         found = [
@@ -153,7 +153,7 @@ class ScriptReader:
             wanted = [
                 line
                 for line in self.lines
-                if said.standings.get(line.id, NOT_TRANSLATED).state in PICK_UPS
+                if said.statuses.get(line.id, NOT_TRANSLATED).state in PICK_UPS
                 and (character_id is None or line.character_id == character_id)
             ]
             found += self._reads(each, said, wanted)
@@ -192,24 +192,24 @@ class ScriptReader:
         versions = queries.versions_of(self._session, [text.id for text in texts.values()])
         cues = [text.cue_id for text in texts.values()]
         takes = queries.takes_of(self._session, self._project.id, cues, self._access.only_designer_id)
-        standings = {
-            line_id: standing_of(takes[text.cue_id], versions[text.id], is_cut=text.cue.state is CueState.CUT)
+        statuses = {
+            line_id: line_status(takes[text.cue_id], versions[text.id], is_cut=text.cue.state is CueState.CUT)
             for line_id, text in texts.items()
         }
-        return _Said(texts, standings)
+        return _Said(texts, statuses)
 
     def _read(
         self,
         line: VoiceLine,
         language: str,
         text: VoiceText | None,
-        standing: Standing,
+        status: LineStatus,
         reason: str,
         *,
         before: VoiceLine | None,
         after: VoiceLine | None,
     ) -> VoiceLineRead:
-        take, casting = standing.take, self._castings.get((line.character_id, language))
+        take, casting = status.take, self._castings.get((line.character_id, language))
         original_s = self._original_lengths.get(line.id)
         is_translation = language != self.original_language
         percent = length_percent(take.duration_s if take else None, original_s) if is_translation else None
@@ -228,10 +228,10 @@ class ScriptReader:
             after=self._beside(after),
             path=path_in(language, line.file_name),
             cue=self._cue(text),
-            state=standing.state,
+            state=status.state,
             reason=reason,
             take=_take(take),
-            recorded_text=standing.recorded_text,
+            recorded_text=status.recorded_text,
             original_duration_s=original_s,
             length_percent=percent,
             length_is_off=is_length_off(percent, self.tolerance_percent),

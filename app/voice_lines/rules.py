@@ -103,7 +103,7 @@ class TextFrom:
 
 
 @dataclass(frozen=True)
-class Standing:
+class LineStatus:
     """The state of a line in one language, the take that it is judged by, and the text that this was made from."""
 
     state: LineState
@@ -176,24 +176,24 @@ def text_at(texts: Sequence[TextFrom], moment: datetime) -> str:
     return (before or texts)[-1 if before else 0].text
 
 
-def standing_of(takes: Iterable[TakeFacts], texts: Sequence[TextFrom], *, is_cut: bool) -> Standing:
+def line_status(takes: Iterable[TakeFacts], texts: Sequence[TextFrom], *, is_cut: bool) -> LineStatus:
     """Return the state of a line in one language.
 
     It is judged by its newest approved take of the present text, or else by its newest take of that text. Where every
     take was made from another text, the line is stale, by its newest approved take, or else its newest.
     """
     if is_cut:
-        return Standing(LineState.CUT)
+        return LineStatus(LineState.CUT)
     heard = [take for take in takes if take.state is not TakeState.SET_ASIDE]
     newest_first = sorted(heard, key=lambda take: (take.received_at, take.number), reverse=True)
     if not newest_first:
-        return Standing(LineState.NO_TAKE)
+        return LineStatus(LineState.NO_TAKE)
     fresh = [take for take in newest_first if not is_stale(texts, take.received_at)]
     of_them = fresh or newest_first
     take = next((one for one in of_them if one.state is TakeState.APPROVED), of_them[0])
     if not fresh:
-        return Standing(LineState.STALE, take, text_at(texts, take.received_at))
-    return Standing(_STATES.get(take.state, LineState.IN_REVIEW), take)
+        return LineStatus(LineState.STALE, take, text_at(texts, take.received_at))
+    return LineStatus(_STATES.get(take.state, LineState.IN_REVIEW), take)
 
 
 _STATES = {
@@ -203,16 +203,16 @@ _STATES = {
 }
 
 
-def reason_of(standing: Standing, *, requested: str, error: str) -> str:
+def reason_of(status: LineStatus, *, requested: str, error: str) -> str:
     """Return why a line must be recorded, or recorded again; empty where it need not.
 
     `requested` is the change that was requested for the take, `error` what the checks found in it.
     """
-    match standing.state:
+    match status.state:
         case LineState.NO_TAKE:
             return "no take yet"
         case LineState.STALE:
-            return f"the text changed; the take says: {standing.recorded_text}"
+            return f"the text changed; the take says: {status.recorded_text}"
         case LineState.CHANGE_REQUESTED:
             return f"change requested: {requested}" if requested else "change requested"
         case LineState.RETURNED:

@@ -11,7 +11,7 @@ from app.agreements.queries import events_of
 from app.agreements.rules import ContractKind
 from app.agreements.terms import BonusWhen, MoneyTerms
 from app.kit import clock
-from app.money.bonus import BonusCue, BonusState, standing_of
+from app.money.bonus import BonusCue, BonusState, bonus_status_of
 from tests.app.money.agreed import TODAY, Agreed, day, milestone
 from tests.app.reviews.making import refused
 from tests.support.server import World
@@ -57,13 +57,13 @@ def a_cue(accepted_on: date | None = None, *, due_on: date | None = DUE, has_rou
     ],
 )
 def test_on_time_is_to_the_day(cues: list[BonusCue], today: date, state: str, because: str) -> None:
-    standing = standing_of(BonusWhen.ON_TIME, cues, today=today, is_running=True, shipped_on=None)
+    standing = bonus_status_of(BonusWhen.ON_TIME, cues, today=today, is_running=True, shipped_on=None)
     assert (standing.state, standing.because) == (BonusState(state), because)
 
 
 def test_a_contract_that_ended_early_earns_nothing_more() -> None:
     for when in (BonusWhen.ON_TIME, BonusWhen.NO_REJECTED_TAKE, BonusWhen.SHIPPED):
-        standing = standing_of(when, [a_cue()], today=DUE, is_running=False, shipped_on=None)
+        standing = bonus_status_of(when, [a_cue()], today=DUE, is_running=False, shipped_on=None)
         assert (standing.state, standing.because) == (BonusState.MISSED, "the contract ended early")
 
 

@@ -19,8 +19,8 @@ from app.voice_lines.rules import (
     key_for,
     language_tag,
     length_percent,
+    line_status,
     merged_order,
-    standing_of,
 )
 
 START = datetime(2026, 11, 2, 9, tzinfo=UTC)
@@ -86,10 +86,10 @@ def test_a_take_is_stale_by_the_text_of_its_time(texts: list[TextFrom], *, stale
 )
 def test_the_state_of_a_line(takes: list[tuple[int, TakeState, int]], state: LineState) -> None:
     texts = [FIRST, TextFrom("Stay.", hours(2))]
-    standing = standing_of([take(*one) for one in takes], texts, is_cut=False)
-    assert standing.state is state
-    assert standing.recorded_text == ("Go." if state is LineState.STALE else None)
-    assert standing_of([take(*one) for one in takes], texts, is_cut=True).state is LineState.CUT
+    status = line_status([take(*one) for one in takes], texts, is_cut=False)
+    assert status.state is state
+    assert status.recorded_text == ("Go." if state is LineState.STALE else None)
+    assert line_status([take(*one) for one in takes], texts, is_cut=True).state is LineState.CUT
 
 
 @pytest.mark.parametrize(
