@@ -33,6 +33,7 @@ SERVERS_OWN = frozenset({"kit_heartbeats", "accounts_rate_limits", "accounts_sig
 PERSONAL = frozenset(
     {
         *("accounts_sign_ins", "accounts_password_resets", "accounts_email_verifications", "accounts_operators"),
+        "accounts_desk_tokens",
         "accounts_pictures",  # whose name a caller sees, a query decides
         *("notifications_mail_preferences", "notifications_notices"),
     }
@@ -43,7 +44,7 @@ TEAMS_OWN = frozenset(  # no designer reads them
         *("shares_guest_links", "shares_guest_sounds", "shares_guest_visits", "shares_guest_plays"),
         *("shares_guest_copies", "shares_playlists", "shares_playlist_entries", "shares_playlist_positions"),
         *("shares_live_sessions", "shares_live_listeners"),
-        *("webhooks_webhooks", "webhooks_calls"),
+        *("webhooks_webhooks", "webhooks_calls", "webhooks_attempts"),
         "projects_budgets",
         *("reviews_checklist_items", "reviews_item_checks", "reviews_approval_rules"),
         "builds_master_fingerprints",

@@ -47,6 +47,7 @@ class AuthResult:
     secret: str | None = None
     demo_part: str | None = None
     unrecorded_sign_in_id: UUID | None = None  # of the sign-in whose use is to be noted
+    desk_token_id: UUID | None = None
 
 
 def caller_key(credentials: RequestCredentials) -> str:
@@ -116,10 +117,19 @@ def ensure_same_origin(settings: Settings, credentials: RequestCredentials) -> N
         raise CsrfMismatch("this request did not come from Soundlist; open Soundlist and try again")
 
 
-def authenticate_request(database: Database, settings: Settings, credentials: RequestCredentials) -> AuthResult:
-    """Return who comes in, or raise NotSignedIn; CsrfMismatch where a cookie's write is not our page's."""
+def authenticate_request(
+    database: Database, settings: Settings, credentials: RequestCredentials, *, by_desk_token: bool = False
+) -> AuthResult:
+    """Return who comes in, or raise NotSignedIn; CsrfMismatch where a cookie's write is not our page's.
+
+    A desk token is known only where the endpoint admits one.
+    """
     scheme, bearer = _authorization(credentials)
     if scheme:
+        if by_desk_token and scheme == "bearer":
+            found_desk = queries.actor_for_desk_token(database, sha256_of(bearer))
+            if found_desk is not None:
+                return AuthResult(found_desk[0], desk_token_id=found_desk[1])
         actor = queries.actor_for_token(database, sha256_of(bearer)) if scheme == "bearer" else None
         if actor is None:
             raise NotSignedIn("this token is unknown or was revoked; ask the producer for a new one")

@@ -91,6 +91,14 @@ class OperatorNotFound(NotFound):
     """No account, or no operator, of that address."""
 
 
+class DeskTokenNotFound(NotFound):
+    """No such desk token of the caller."""
+
+
+class TooManyDeskTokens(Conflict):
+    """The caller has as many desk tokens as a person may have."""
+
+
 class SignInNotFound(NotFound):
     """No such sign-in of the caller."""
 

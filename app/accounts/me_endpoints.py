@@ -1,21 +1,24 @@
 """The endpoints of the caller's own account: name, password, address, and the browsers signed in to it."""
 
+from collections.abc import Sequence
 from uuid import UUID
 
 from fastapi import APIRouter, Request
 
-from app.accounts import addresses, people, sign_ins
+from app.accounts import addresses, desk_tokens, people, sign_ins
 from app.accounts.authentication import SESSION_COOKIE, sha256_of
 from app.accounts.errors import (
     AlreadyVerified,
+    DeskTokenNotFound,
     NotInDemo,
     PasswordTooWeak,
     SignInNotFound,
     TooManyAttempts,
+    TooManyDeskTokens,
     VerificationNotFound,
     WrongPassword,
 )
-from app.accounts.models import Person
+from app.accounts.models import DeskToken, Person
 from app.accounts.policies import allows
 from app.accounts.request_limits import (
     DeferredSession,
@@ -25,7 +28,15 @@ from app.accounts.request_limits import (
     ensure_sign_in_allowed,
 )
 from app.accounts.rules import Actor, Audience
-from app.accounts.schemas import NameChange, PasswordChange, PersonRead, SignInRead
+from app.accounts.schemas import (
+    DeskTokenAdd,
+    DeskTokenMade,
+    DeskTokenRead,
+    NameChange,
+    PasswordChange,
+    PersonRead,
+    SignInRead,
+)
 from app.kit.http import DbSession, Router, problems
 
 router = Router(prefix="/v1", tags=["accounts"], route_class=RateLimitedRoute)
@@ -79,6 +90,27 @@ def end_my_sign_in(sign_in_id: UUID, session: DbSession, actor: Actor = allows(A
 def end_my_other_sign_ins(request: Request, session: DbSession, actor: Actor = allows(Audience.PERSON)) -> None:
     """Sign every other browser of the caller out."""
     sign_ins.end_others(session, actor, request.cookies.get(SESSION_COOKIE))
+
+
+@router.get("/me/desk-tokens", response_model=list[DeskTokenRead])
+def list_my_desk_tokens(session: DbSession, actor: Actor = allows(Audience.PERSON)) -> Sequence[DeskToken]:
+    """Return the caller's keys for `soundlist desk`, without their secrets."""
+    return desk_tokens.desk_tokens_of(session, actor)
+
+
+@_unsaved_router.post("/me/desk-tokens", status_code=201, responses=problems(NotInDemo, TooManyDeskTokens))
+def create_my_desk_token(
+    body: DeskTokenAdd, session: DbSession, actor: Actor = allows(Audience.PERSON)
+) -> DeskTokenMade:
+    """Make a key for `soundlist desk`, which reads what the caller owes; its secret is shown this once."""
+    token, secret = desk_tokens.create_desk_token(session, actor, body.name)
+    return DeskTokenMade(**DeskTokenRead.model_validate(token).model_dump(), secret=secret)
+
+
+@router.delete("/me/desk-tokens/{desk_token_id}", status_code=204, responses=problems(DeskTokenNotFound))
+def revoke_my_desk_token(desk_token_id: UUID, session: DbSession, actor: Actor = allows(Audience.PERSON)) -> None:
+    """Revoke one of the caller's keys for `soundlist desk` at once."""
+    desk_tokens.revoke_desk_token(session, actor, desk_token_id)
 
 
 @router.post(

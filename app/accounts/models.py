@@ -175,6 +175,20 @@ class Token(Base):
     creator: Mapped[Person] = relationship(lazy="raise")
 
 
+class DeskToken(Base):
+    """A person's key for `soundlist desk`, which reads what they owe and nothing else."""
+
+    __tablename__ = "accounts_desk_tokens"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
+    name: Mapped[str]
+    secret_sha256: Mapped[str] = mapped_column(unique=True)
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    last_used_at: Mapped[datetime | None]
+    expires_at: Mapped[datetime]
+
+
 class Quota(Base):
     """A limit of one studio that is not the default; set by an operator."""
 

@@ -35,10 +35,12 @@ def client_address(request: Request) -> str:
     return request.client.host if request.client else ""
 
 
-def authenticate(request: Request) -> AuthResult:
+def authenticate(request: Request, *, by_desk_token: bool = False) -> AuthResult:
     """Return who is asking; raise NotSignedIn, or CsrfMismatch for a write that is not our page's."""
     runtime = runtime_of(request)
-    return authentication.authenticate_request(runtime.database, runtime.settings, _credentials(request))
+    return authentication.authenticate_request(
+        runtime.database, runtime.settings, _credentials(request), by_desk_token=by_desk_token
+    )
 
 
 def _credentials(request: Request) -> RequestCredentials:
@@ -67,6 +69,8 @@ class Allowed(Authentication):
                 background.add_task(_record_seen, database_of(request), auth.unrecorded_sign_in_id)
             if auth.actor.token_id is not None:
                 background.add_task(_record_token_use, database_of(request), auth.actor.token_id)
+            if auth.desk_token_id is not None:
+                background.add_task(_record_desk_token_use, database_of(request), auth.desk_token_id)
         return auth.actor
 
     def _admit(self, request: Request) -> AuthResult:
@@ -78,7 +82,7 @@ class Allowed(Authentication):
                 return AuthResult(Actor())
             set_reach(request, auth.actor.reach)
             return auth
-        auth = authenticate(request)
+        auth = authenticate(request, by_desk_token=self.policy.desk_token)
         actor = auth.actor
         if actor.token_id is not None:
             if self.policy.build is None:
@@ -105,19 +109,24 @@ def _record_token_use(database: Database, token_id: UUID) -> None:
         queries.record_token_use(session, token_id)
 
 
+def _record_desk_token_use(database: Database, desk_token_id: UUID) -> None:
+    with database.writing() as session:
+        queries.record_desk_token_use(session, desk_token_id)
+
+
 def _record_seen(database: Database, sign_in_id: UUID) -> None:
     with database.writing() as session:
         queries.record_seen(session, sign_in_id)
 
 
-def allows(audience: Audience, *, build: Scope | None = None) -> Any:
+def allows(audience: Audience, *, build: Scope | None = None, desk_token: bool = False) -> Any:
     """Declare and enforce the policy of an endpoint, which receives the Actor as the default of its `actor` parameter.
 
     Enforced here is what needs no object: sign-in, the origin of a browser's write, a build's scope, the operator. Who
     may see an object is part of its query and answers 404; the role in its studio or project is checked by the service,
     once the object is known to be visible. `tests/house/test_policies.py` asks every endpoint as every audience.
     """
-    return Depends(Allowed(Policy(audience, build)))
+    return Depends(Allowed(Policy(audience, build, desk_token)))
 
 
 def demo_part_of(request: Request) -> tuple[str, tuple[str, ...]] | None:

@@ -8,6 +8,7 @@ from sqlalchemy import bindparam, delete, or_, select, update
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import (
+    DeskToken,
     EmailVerification,
     Holiday,
     InvoiceDetails,
@@ -85,6 +86,38 @@ def actor_for_token(database: Database, secret_sha256: str) -> Actor | None:
             scopes=frozenset(map(Scope, token.scopes)),
         )
     return None
+
+
+_DESK_TOKEN = (
+    select(DeskToken.id, DeskToken.person_id, Membership.studio_id, Membership.roles)
+    .join(Membership, Membership.person_id == DeskToken.person_id, isouter=True)
+    .where(
+        DeskToken.secret_sha256 == bindparam("secret_sha256"),
+        DeskToken.expires_at > bindparam("now", type_=UtcDateTime()),
+    )
+)
+
+
+def actor_for_desk_token(database: Database, secret_sha256: str) -> tuple[Actor, UUID] | None:
+    """Return who holds this desk token, and its id; None when it is unknown, revoked or over."""
+    rows = database.read_autocommit(_DESK_TOKEN, {"secret_sha256": secret_sha256, "now": clock.now()})
+    if not rows:
+        return None
+    roles = {row.studio_id: frozenset(map(Role, row.roles)) for row in rows if row.studio_id is not None}
+    return Actor(person_id=rows[0].person_id, roles=roles), rows[0].id
+
+
+def record_desk_token_use(session: Session, desk_token_id: UUID) -> None:
+    """Keep when a desk token was last used, to the minute."""
+    now = clock.now()
+    is_old = DeskToken.last_used_at.is_(None) | (DeskToken.last_used_at < now - TOKEN_USE_RECORDED_EVERY)
+    session.execute(update(DeskToken).where(DeskToken.id == desk_token_id, is_old).values(last_used_at=now))
+
+
+def desk_tokens(session: Session, person_id: UUID) -> Sequence[DeskToken]:
+    """Return a person's desk tokens that are not over, newest first."""
+    found = select(DeskToken).where(DeskToken.person_id == person_id, DeskToken.expires_at > clock.now())
+    return session.scalars(found.order_by(DeskToken.id.desc())).all()
 
 
 def actor_for_demo_part(session: Session, part: str) -> Actor | None:

@@ -190,7 +190,8 @@ class Audience(StrEnum):
 
 @dataclass(frozen=True)
 class Policy:
-    """The policy of an endpoint: its audience, and the scope that admits a build."""
+    """The policy of an endpoint: its audience, the scope that admits a build, and whether a desk token does."""
 
     audience: Audience
     build: Scope | None = None
+    desk_token: bool = False

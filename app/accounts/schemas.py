@@ -161,6 +161,28 @@ class SignInRead(Schema):
     expires_at: datetime
 
 
+class DeskTokenAdd(Schema):
+    """What the caller calls a desk token: the machine that it is for."""
+
+    name: Line
+
+
+class DeskTokenRead(Schema):
+    """One of the caller's keys for `soundlist desk`, without its secret."""
+
+    id: UUID
+    name: str
+    created_at: datetime
+    last_used_at: datetime | None = Field(description="To within a minute; null: never used.")
+    expires_at: datetime
+
+
+class DeskTokenMade(DeskTokenRead):
+    """A new key with its secret, which is shown this once."""
+
+    secret: str
+
+
 class SignInAdd(_WithPassword):
     """Address and password."""
 

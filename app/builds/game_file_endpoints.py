@@ -69,6 +69,16 @@ def get_client_program(
 ) -> Response:
     """Return `soundlist pull` and `soundlist why` as one file, to be run by Python 3.11 or newer."""
     packs.ensure_team_or_build(project_access(session, actor, project_id))
+    return _program()
+
+
+@router.get("/me/soundlist.pyz", response_class=Response, responses={200: {"content": {ZIPAPP: BINARY}}})
+def get_own_client_program(_actor: Actor = allows(Audience.PERSON, desk_token=True)) -> Response:
+    """Return `soundlist desk` as one file, to be run by Python 3.11 or newer."""
+    return _program()
+
+
+def _program() -> Response:
     headers = {"Content-Disposition": f'attachment; filename="{NAME}"'}
     return Response(client_program(), media_type=ZIPAPP, headers=headers)
 

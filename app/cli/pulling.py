@@ -30,3 +30,9 @@ def fmod(context: typer.Context) -> None:
 def adopt(context: typer.Context) -> None:
     """Send a folder of shipped sounds, to become cues with approved takes."""
     raise typer.Exit(main(["adopt", *context.args]))
+
+
+@cli.command(context_settings=OPTIONS_OF_CLIENT)
+def desk(context: typer.Context) -> None:
+    """List what you owe as a sound designer on all servers, what is due soonest first."""
+    raise typer.Exit(main(["desk", *context.args]))

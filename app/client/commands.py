@@ -6,6 +6,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from app.client import desk
 from app.client.adopting import adopt
 from app.client.errors import REFUSED, UNREACHABLE, Refusal, ServerUnreachable
 from app.client.fmod_studio import PORT, import_in_studio
@@ -19,6 +20,11 @@ CODES = """exit codes:
   1  it is not: files were kept, failed or would change, or --no-placeholders refuses
   2  asked wrongly, the lock file is damaged, or the server refuses
   3  the server cannot be reached; what is here was compared with the lock file
+"""
+DESK_CODES = """exit codes:
+  0  every server answered
+  2  asked wrongly, or a server refuses the token; the rest is shown
+  3  a server cannot be reached; the rest is shown
 """
 
 
@@ -113,7 +119,31 @@ def parser() -> argparse.ArgumentParser:
     _add_source(asking)
     asking.add_argument("--offline", action="store_true", help="ask the lock file alone")
     asking.add_argument("--format", choices=("text", "json"), default="text", help="text, or JSON for programs")
+    _add_desk(commands)
     return whole
+
+
+def _add_desk(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    own = commands.add_parser(
+        "desk",
+        help="list what you owe on all servers, what is due soonest first",
+        description="List what you owe as a sound designer on all servers, what is due soonest first.",
+        epilog=DESK_CODES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
+    )
+    own.set_defaults(run=desk.desk)
+    own.add_argument("--format", choices=("text", "json"), default="text", help="a table, or JSON for programs")
+    own.add_argument("--server", metavar="NAME", help="only this server")
+    actions = own.add_subparsers(dest="action")
+    adding = actions.add_parser("add", help="keep a server with your token", allow_abbrev=False)
+    adding.set_defaults(run=desk.add)
+    adding.add_argument("address", metavar="URL", help="https://…; the token is asked for, or comes by SOUNDLIST_TOKEN")
+    adding.add_argument("--name", help="what to call it; its host if left out")
+    actions.add_parser("list", help="list the servers", allow_abbrev=False).set_defaults(run=desk.list_servers)
+    removing = actions.add_parser("remove", help="forget a server and its token", allow_abbrev=False)
+    removing.set_defaults(run=desk.remove)
+    removing.add_argument("name", metavar="NAME")
 
 
 def _add_source(command: argparse.ArgumentParser) -> None:

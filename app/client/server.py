@@ -6,7 +6,7 @@ import time
 import urllib.error
 import urllib.request
 from base64 import b64encode
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 from urllib.parse import quote, urlencode, urljoin, urlsplit
 
@@ -33,9 +33,19 @@ class _NoRedirects(urllib.request.HTTPRedirectHandler):
 class Server:
     """One server and project."""
 
-    def __init__(self, source: Source) -> None:
+    def __init__(
+        self, source: Source, *, retry_delays_s: Sequence[float] | None = None, redirects: bool = True
+    ) -> None:
         self.source = source
+        self._retry_delays_s = retry_delays_s
+        self._redirects = redirects
         self._opener = urllib.request.build_opener(_NoRedirects())
+
+    def of_person(self, path: str, **params: str | None) -> Any:
+        """Return an answer about the person whose token this is."""
+        given = {name: value for name, value in params.items() if value is not None}
+        query = f"?{urlencode(given)}" if given else ""
+        return self._json(self._read(f"{self.source.server}/v1/me/{path}{query}"))
 
     def of_project(self, path: str, **params: str | None) -> Any:
         """Return an answer of the project's API."""
@@ -66,7 +76,8 @@ class Server:
             raise Refusal(f"{self.source.server} did not answer as Soundlist does; is the address right?") from None
 
     def _read(self, url: str, headers: Mapping[str, str] | None = None, body: bytes | None = None) -> bytes:
-        for delay_s in (*RETRY_DELAYS_S, None):
+        delays_s = RETRY_DELAYS_S if self._retry_delays_s is None else self._retry_delays_s
+        for delay_s in (*delays_s, None):
             try:
                 with self.open(url, headers, body) as answer:
                     return answer.read(MAX_JSON_BYTES + 1)
@@ -94,7 +105,7 @@ class Server:
                 with error:
                     if error.code not in REDIRECTS or "location" not in error.headers:
                         raise _refused(error) from None
-                    if body is not None:  # what is sent goes to the server that was named, and nowhere else
+                    if body is not None or not self._redirects:  # the named server is asked, and no other
                         raise Refusal(f"{self.source.server} redirects what is sent; name the other address") from None
                     url = _next(url, error.headers["location"])
             except CUT as error:

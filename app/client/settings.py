@@ -48,10 +48,9 @@ def read_source(
     token = os.environ.get(TOKEN, "").strip()
     if not token:
         raise Refusal(f"{TOKEN} is not set; a producer creates a token on the project's page Builds")
-    if not token.isascii() or not token.isprintable() or " " in token:
-        raise Refusal(f"{TOKEN} is no token: it has a space or a character that no token has")
+    ensure_token(token, TOKEN)
     return Source(
-        _safe_address(address, allow_http=allow_http), project, target, token, "--server" if server else str(path)
+        safe_address(address, allow_http=allow_http), project, target, token, "--server" if server else str(path)
     )
 
 
@@ -89,7 +88,14 @@ def _read(path: Path) -> dict[str, str]:
     return {key: value.strip() for key, value in said.items()}
 
 
-def _safe_address(address: str, *, allow_http: bool) -> str:
+def ensure_token(token: str, named: str) -> None:
+    """Raise Refusal for what cannot be a token; it is not printed."""
+    if not token.isascii() or not token.isprintable() or " " in token:
+        raise Refusal(f"{named} is no token: it has a space or a character that no token has")
+
+
+def safe_address(address: str, *, allow_http: bool) -> str:
+    """Return the address of a server; raise Refusal where a token would cross the network unencrypted."""
     try:
         parts = urlsplit(address)
         host, port = parts.hostname or "", parts.port

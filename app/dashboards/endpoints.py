@@ -10,6 +10,8 @@ from app.accounts.rules import Actor, Audience
 from app.dashboards import finding, money, next_steps, progress, schemas, service
 from app.dashboards.designer_work import own_work, work_of_entry
 from app.dashboards.desk import Desk
+from app.dashboards.own_desk import own_desk
+from app.dashboards.own_desk_schemas import OwnDesk
 from app.dashboards.pace import pace
 from app.dashboards.pace_schemas import Pace
 from app.dashboards.reaper import reaper_project_of
@@ -93,6 +95,14 @@ def read_roster_work(
 def read_own_work(session: DbSession, actor: Actor = allows(Audience.PERSON)) -> list[WorkFigures]:
     """Return what each studio that the caller works or worked for knows from that work."""
     return own_work(session, actor)
+
+
+@router.get("/me/desk", responses=problems(BadCursor))
+def read_own_desk(
+    session: DbSession, cursor: str | None = None, actor: Actor = allows(Audience.PERSON, desk_token=True)
+) -> OwnDesk:
+    """Return the cues that wait for a file from the caller in all projects, what is due soonest first."""
+    return own_desk(session, actor, cursor)
 
 
 @router.get("/projects/{project_id}/desk", responses=problems(ProjectNotFound, DesignerNeeded))

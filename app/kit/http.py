@@ -2,7 +2,7 @@
 
 from collections.abc import AsyncIterator, Iterator
 from contextlib import AbstractAsyncContextManager, contextmanager
-from datetime import UTC, datetime
+from datetime import UTC, date, datetime
 from functools import partial
 from typing import Annotated, Any, Generic, TypeVar
 from uuid import UUID
@@ -213,4 +213,15 @@ def instant_cursor(cursor: str | None) -> tuple[datetime, UUID] | None:
             raise ValueError(at)
         return instant.astimezone(UTC), UUID(id_)
     except (ValueError, OverflowError):
+        raise bad_cursor(cursor) from None
+
+
+def day_cursor(cursor: str | None) -> tuple[date, UUID] | None:
+    """Read a cursor that is a day and an id."""
+    if cursor is None:
+        return None
+    day, _, id_ = cursor.partition(".")
+    try:
+        return date.fromisoformat(day), UUID(id_)
+    except ValueError:
         raise bad_cursor(cursor) from None

@@ -9,6 +9,7 @@ from fastapi.testclient import TestClient
 from sqlalchemy.orm import Session
 
 from app.accounts.authentication import new_secret, sha256_of
+from app.accounts.desk_tokens import create_desk_token
 from app.accounts.models import (
     EmailVerification,
     Operator,
@@ -22,7 +23,7 @@ from app.accounts.models import (
 )
 from app.accounts.passwords import hash_of
 from app.accounts.queries import actor_for_person
-from app.accounts.rules import Role, Scope
+from app.accounts.rules import Actor, Role, Scope
 from app.accounts.service import add_token
 from app.agreements.clauses import Clause
 from app.agreements.documents import sha256_of as text_sha256_of
@@ -310,6 +311,7 @@ class House(World):
             "invitation_id": self._invitation_id,
             "studio_invitation_id": self._studio_invitation_id,
             "sign_in_id": self._sign_in_id,
+            "desk_token_id": self._desk_token_id,
             "token_id": token[0].id,
             "job_id": str(new_id()),
             **money,
@@ -514,6 +516,8 @@ class House(World):
         session.add_all([invitation, studio_invitation, reset, verification, sign_up, signed_in])
         session.flush()
         self._sign_in_id = signed_in.id
+        desk_token, self.desk_secret = create_desk_token(session, Actor(person_id=self.designer_id), "Laptop")
+        self._desk_token_id = desk_token.id
         self._invitation_id, self._studio_invitation_id = invitation.id, studio_invitation.id
 
     def _add_outsiders(self, session: Session) -> None:

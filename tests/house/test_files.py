@@ -36,6 +36,7 @@ MAX_LINES = {
 }
 SERVER_COMMANDS = {
     "adopt",
+    "desk",
     "serve",
     "worker",
     "migrate",
@@ -134,7 +135,8 @@ def test_every_command_of_the_server_that_the_documents_name_is_one():
     assert {command.split()[0] for command in named} == SERVER_COMMANDS - {"demo", "openapi"} | {"jobs", "operators"}
     for command in named:
         words = [word for word in command.split() if re.fullmatch(r"[a-z][a-z-]*", word)]
-        shown = CliRunner().invoke(cli, [*words[: 2 if words[0] in ("jobs", "operators") else 1], "--help"])
+        has_action = words[0] in ("jobs", "operators") or words[:2] in (["desk", "add"], ["desk", "remove"])
+        shown = CliRunner().invoke(cli, [*words[: 2 if has_action else 1], "--help"])
         assert shown.exit_code == 0, command
         assert all(flag in shown.output for flag in re.findall(r"--[a-z-]+", command)), command
 

@@ -19,7 +19,7 @@ from tests.support.server import RunningServer
 # sign-ins, and that a sound library of one's own is forgotten, say nothing of the project.
 BEFORE_NDA = {
     *("read_project", "read_next_steps", "list_contracts"),
-    *("see_upload", "cancel_upload", "end_my_sign_in", "remove_sound_library"),
+    *("see_upload", "cancel_upload", "end_my_sign_in", "revoke_my_desk_token", "remove_sound_library"),
 }
 OF_THE_PROJECT = (ONE_DESIGNERS - CONTRACTS) | {
     *(

@@ -26,7 +26,7 @@ ONE_DESIGNERS = {
     "tray_action_id",
     "library_id",
     *("game_task_id", "listening_note_id"),
-    *("sign_in_id", "saved_view_id"),
+    *("sign_in_id", "saved_view_id", "desk_token_id"),
     *CONTRACTS,
 }
 TEAMS = {Audience.PRODUCER, Audience.TEAM, Audience.APPROVER}
@@ -158,6 +158,15 @@ def test_a_build_keeps_to_its_project_and_scopes(house: House, operation: Operat
         assert refusal(client, house, operation) == refused(operation, 403, "scope-missing")
     if wanted is not Scope.DELIVERIES_WRITE:  # which needs a designer of the studio's own besides
         assert is_let_in(ask(house.build(house.secret_with[wanted]), house, operation))
+
+
+@each(lambda _: True)
+def test_a_desk_token_reads_the_desk_and_nothing_else(house: House, operation: Operation) -> None:
+    client = house.build(house.desk_secret)
+    if operation.policy.desk_token:
+        assert is_let_in(ask(client, house, operation))
+    else:
+        assert refusal(client, house, operation) == refused(operation, 401, "not-signed-in")
 
 
 @each(lambda operation: names_in(operation) & STUDIOS)

@@ -19,6 +19,7 @@ export const queryKeys = {
   signUp: family('sign-up'),
   signUpLink: family<[secret: string]>('sign-up-link'),
   signIns: family('sign-ins'),
+  deskTokens: family('desk-tokens'),
   mailPreferences: family('mail-preferences'),
   mailChoice: family<[secret: string]>('mail-choice'),
   studioPeople: family<[studioId: string]>('studio-people'),

@@ -9,6 +9,7 @@ import { Row, Rows } from '@/ui/Rows'
 
 import { sessionQuery, useChangePassword, useOpenStudio, useRename } from './api'
 import classes from './Account.module.css'
+import { DeskTokensCard } from './DeskTokensCard'
 import { Field, Form } from '@/app/Form'
 import { InvoiceDetailsCard } from './InvoiceDetailsCard'
 import { MailCard } from './MailCard'
@@ -72,6 +73,7 @@ export function AccountPage() {
           </Rows>
         </Card>
         {me.projects.some(({ part }) => part === 'designer') && <InvoiceDetailsCard />}
+        {session?.demo === false && me.projects.some(({ part }) => part === 'designer') && <DeskTokensCard />}
         <MailCard />
         {session?.demo !== true && <StudioCard />}
       </div>

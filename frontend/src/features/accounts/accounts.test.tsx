@@ -85,6 +85,7 @@ const as = (me: typeof PRODUCER | typeof DESIGNER, more: Answers = {}, demo = fa
   'GET /v1/review-queue/count': { cues: 0, is_all: true },
   'GET /v1/projects/p1/desk': EMPTY_DESK,
   'GET /v1/me/sign-ins': SIGN_INS,
+  'GET /v1/me/desk-tokens': [],
   ...more,
 })
 
@@ -525,6 +526,43 @@ describe('the security of an account', () => {
         '/v1/me/sign-ins',
       ]),
     )
+  })
+
+  test('a designer creates a desk token, whose secret is shown once, and revokes another', async () => {
+    const token = {
+      id: 'd1',
+      name: 'Laptop',
+      created_at: '2026-11-20T09:00:00Z',
+      last_used_at: null,
+      expires_at: '2027-11-20T09:00:00Z',
+    }
+    const server = serve(
+      as(DESIGNER, {
+        'GET /v1/me/desk-tokens': [token],
+        'POST /v1/me/desk-tokens': { ...token, id: 'd2', name: 'Studio computer', secret: 'sld_secret' },
+        'DELETE /v1/me/desk-tokens/d1': null,
+      }),
+    )
+    const user = userEvent.setup()
+    openApp('/account')
+    const card = within(await screen.findByRole('region', { name: 'Desk tokens' }))
+    expect(await card.findByRole('listitem')).toHaveTextContent(/Laptop.*never used/)
+    await user.clear(card.getByLabelText('Token name'))
+    await user.type(card.getByLabelText('Token name'), 'Studio computer')
+    await user.click(card.getByRole('button', { name: 'Create token' }))
+    expect(await card.findByText('sld_secret')).toBeInTheDocument()
+    expect(server.asked.find(({ method }) => method === 'POST')?.body).toEqual({ name: 'Studio computer' })
+    await user.click(card.getByRole('button', { name: 'I’ve saved it' }))
+    expect(card.queryByText('sld_secret')).toBeNull()
+    await user.click(card.getByRole('button', { name: 'Revoke Laptop' }))
+    await waitFor(() => expect(server.asked.some(({ method }) => method === 'DELETE')).toBe(true))
+  })
+
+  test('the game team has no desk tokens', async () => {
+    serve(as(PRODUCER))
+    openApp('/account')
+    await screen.findByRole('region', { name: 'Active sessions' })
+    expect(screen.queryByRole('region', { name: 'Desk tokens' })).toBeNull()
   })
 
   test('the mailed link verifies by a press', async () => {

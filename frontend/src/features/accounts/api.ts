@@ -99,6 +99,30 @@ export function useEndOtherSignIns() {
   })
 }
 
+export type DeskTokenMade = Schemas['DeskTokenMade']
+
+export const deskTokensQuery = queryOptions({
+  queryKey: queryKeys.deskTokens(),
+  queryFn: () => answered(api.GET('/v1/me/desk-tokens')),
+})
+
+export function useCreateDeskToken() {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (name: string) => answered(api.POST('/v1/me/desk-tokens', { body: { name } })),
+    onSettled: () => invalidate(client, queryKeys.deskTokens()),
+  })
+}
+
+export function useRevokeDeskToken() {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (id: string) =>
+      answered(api.DELETE('/v1/me/desk-tokens/{desk_token_id}', { params: { path: { desk_token_id: id } } })),
+    onSettled: () => invalidate(client, queryKeys.deskTokens()),
+  })
+}
+
 export type MailPreferences = Schemas['MailPreferencesRead']
 export type News = Schemas['News']
 export type Cadence = Schemas['Cadence']

@@ -1,0 +1,210 @@
+"""`soundlist desk`: what a designer owes on all servers, what is due soonest first."""
+
+import argparse
+import getpass
+import json
+import os
+import shutil
+import sys
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from datetime import date
+from typing import Any
+from urllib.parse import urlsplit
+
+from app.client.desk_servers import DeskServer, file_path, read_servers, write_servers
+from app.client.errors import DONE, REFUSED, UNREACHABLE, Refusal, ServerUnreachable
+from app.client.server import Server
+from app.client.settings import TOKEN, ensure_token, safe_address
+from app.client.terminal import say, shown, warn
+
+FORMAT = 1
+AT_ONCE = 8
+RETRY_DELAYS_S = (0.5,)
+MAX_PAGES = 25  # of 200 cues each
+NO_DAY = "9999-12-31"
+STATES = {
+    "to_make": "to do",
+    "placeholder": "to do",
+    "partly_accepted": "to do in part",
+    "question": "question asked",
+    "returned": "returned by the check",
+    "unjudged": "not checked: our fault",
+    "change_requested": "change requested",
+}
+HEADS = ("due", "cue", "name", "state", "project", "studio", "server", "said last")
+
+
+@dataclass
+class Answer:
+    """What one server said, or why it said nothing."""
+
+    server: DeskServer
+    cues: list[dict[str, Any]] = field(default_factory=list)
+    person: str | None = None
+    problem: str | None = None
+    code: int = DONE
+    is_whole: bool = True
+
+
+def desk(options: argparse.Namespace) -> int:
+    """Print what is owed on all servers; return the exit code."""
+    servers = list(read_servers().values())
+    if not servers:
+        raise Refusal("no server yet; create a token on your page Account, then: soundlist desk add https://…")
+    if options.server is not None:
+        servers = [one for one in servers if one.name == options.server]
+        if not servers:
+            raise Refusal(f'no server is called "{options.server}"; soundlist desk list names them')
+    with ThreadPoolExecutor(AT_ONCE) as pool:
+        answers = list(pool.map(_ask, servers))
+    _report(answers, as_json=options.format == "json")
+    codes = {answer.code for answer in answers}
+    return REFUSED if REFUSED in codes else UNREACHABLE if UNREACHABLE in codes else DONE
+
+
+def add(options: argparse.Namespace) -> int:
+    """Keep a server with its token, once the server knows the token."""
+    address = safe_address(options.address, allow_http=False)
+    servers = read_servers()
+    host = urlsplit(address)
+    name = options.name or (f"{host.hostname}:{host.port}" if host.port else str(host.hostname))
+    if not name.isprintable() or not name.strip():
+        raise Refusal("the name of a server is one line that can be read")
+    server = DeskServer(name, address, _read_token())
+    answer = _ask(server, pages=1)
+    if answer.code == UNREACHABLE:
+        raise ServerUnreachable(answer.problem)
+    if answer.problem is not None:
+        raise Refusal(answer.problem)
+    write_servers({**servers, name: server})
+    say(f"{shown(name)}: signed in as {shown(str(answer.person))}; kept in {shown(str(file_path()))}")
+    return DONE
+
+
+def list_servers(_options: argparse.Namespace) -> int:
+    """Print the servers without their tokens."""
+    for server in read_servers().values():
+        say(f"{shown(server.name)}  {shown(server.address)}")
+    return DONE
+
+
+def remove(options: argparse.Namespace) -> int:
+    """Forget a server and its token."""
+    servers = read_servers()
+    if options.name not in servers:
+        raise Refusal(f'no server is called "{options.name}"; soundlist desk list names them')
+    del servers[options.name]
+    write_servers(servers)
+    say(f"{shown(options.name)} is removed. Its token is valid until you revoke it on your page Account.")
+    return DONE
+
+
+def _read_token() -> str:
+    token = os.environ.get(TOKEN, "").strip()
+    if token:
+        named = TOKEN
+    elif sys.stdin.isatty():
+        named, token = "what was typed", getpass.getpass("Token of your page Account: ").strip()
+    else:
+        named, token = "standard input", sys.stdin.readline(1_000).strip()
+    if not token:
+        raise Refusal(f"a token is needed: type it, send it to standard input, or set {TOKEN}")
+    ensure_token(token, named)
+    return token
+
+
+def _ask(server: DeskServer, pages: int = MAX_PAGES) -> Answer:
+    """Return every cue that one server's person owes there."""
+    answer = Answer(server)
+    asked = Server(server.source, retry_delays_s=RETRY_DELAYS_S, redirects=False)
+    cursor: str | None = None
+    try:
+        for _ in range(pages):
+            said = asked.of_person("desk", cursor=cursor)
+            answer.person = str(said["person"]["name"])
+            answer.cues += [_cue(server, one) for one in said["items"]]
+            cursor = said["next"]
+            if cursor is None:
+                break
+        answer.is_whole = cursor is None
+    except ServerUnreachable as error:
+        answer.problem, answer.code = f"cannot be reached: {error}", UNREACHABLE
+    except Refusal as refusal:
+        answer.problem, answer.code = str(refusal), REFUSED
+    except (KeyError, TypeError, ValueError):
+        answer.problem, answer.code = "its answer is not understood; is this program too old?", REFUSED
+    return answer
+
+
+def _cue(server: DeskServer, said: Any) -> dict[str, Any]:
+    last = said["last_word"]
+    if said["due_on"] is not None:
+        date.fromisoformat(said["due_on"])
+    return {
+        "server": server.name,
+        "cue": str(said["cue"]["label"]),
+        "name": str(said["cue"]["name"]),
+        "project": str(said["project_name"]),
+        "studio": str(said["studio_name"]),
+        "state": str(said["status"]),
+        "due_on": said["due_on"],
+        "said_last": None if last is None else str(last["text"]),
+        "said_by": None if last is None or last["by"] is None else str(last["by"]),
+        "said_at": None if last is None else str(last["at"]),
+        "page": f"{server.address}/projects/{said['project_id']}/desk",
+    }
+
+
+def _report(answers: Sequence[Answer], *, as_json: bool) -> None:
+    cues = sorted(
+        (cue for answer in answers for cue in answer.cues),
+        key=lambda cue: (cue["due_on"] or NO_DAY, cue["server"], cue["project"], cue["cue"]),
+    )
+    if as_json:
+        servers = [
+            {
+                "name": answer.server.name,
+                "address": answer.server.address,
+                "person": answer.person,
+                "cues": len(answer.cues),
+                "is_whole": answer.is_whole,
+                "problem": answer.problem,
+            }
+            for answer in answers
+        ]
+        say(json.dumps({"format_version": FORMAT, "servers": servers, "cues": cues}, indent=2))
+    elif cues:
+        _print_table([_row(cue) for cue in cues])
+    elif any(answer.problem is None for answer in answers):
+        say("Nothing is owed.")
+    for answer in answers:
+        name = shown(answer.server.name)
+        if answer.problem is not None:
+            warn(f"{name} is left out: {shown(answer.problem)}")
+        elif not answer.is_whole:
+            warn(f"{name}: only the first {len(answer.cues)} cues are shown; open the desk in the browser for the rest")
+
+
+def _row(cue: dict[str, Any]) -> list[str]:
+    is_late = cue["due_on"] is not None and cue["due_on"] < date.today().isoformat()  # noqa: DTZ011 - the person's day
+    due = f"{cue['due_on']} late" if is_late else cue["due_on"] or "no day"
+    said = " ".join((cue["said_last"] or "").split())
+    if cue["said_by"]:
+        said = f"{cue['said_by']}: {said}"
+    state = STATES.get(cue["state"], cue["state"])
+    row = (due, cue["cue"], cue["name"], state, cue["project"], cue["studio"], cue["server"], said)
+    return [shown(one) for one in row]
+
+
+def _print_table(rows: list[list[str]]) -> None:
+    """Print rows in columns; on a terminal what was said last ends where the line does."""
+    table = [list(HEADS), *rows]
+    widths = [max(len(row[place]) for row in table) for place in range(len(HEADS) - 1)]
+    room = shutil.get_terminal_size().columns - sum(widths) - 2 * len(widths) if sys.stdout.isatty() else None
+    for row in table:
+        *known, said = row
+        if room is not None and len(said) > max(room, 20):
+            said = said[: max(room, 20) - 1] + "…"
+        say("  ".join([*(text.ljust(width) for text, width in zip(known, widths, strict=True)), said]).rstrip())

@@ -1,0 +1,100 @@
+import { TextInput } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+import { type FormEvent, useState } from 'react'
+
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { ago, day } from '@/ui/format'
+import { Row, Rows } from '@/ui/Rows'
+
+import classes from './Account.module.css'
+import { type DeskTokenMade, deskTokensQuery, useCreateDeskToken, useRevokeDeskToken } from './api'
+import { CardProblem } from './PeopleCards'
+
+/** Keys with which `soundlist desk` on one's own machine reads what one owes. */
+export function DeskTokensCard() {
+  const { data: tokens, error } = useQuery(deskTokensQuery)
+  const create = useCreateDeskToken()
+  const revoke = useRevokeDeskToken()
+  const [made, setMade] = useState<DeskTokenMade | null>(null)
+  const send = (event: FormEvent<HTMLFormElement>) => {
+    event.preventDefault()
+    const name = new FormData(event.currentTarget).get('name')
+    create.mutate(typeof name === 'string' ? name : '', { onSuccess: setMade })
+  }
+  return (
+    <Card aria-labelledby="desk-tokens">
+      <CardHead id="desk-tokens" title="Desk tokens" note="for soundlist desk" />
+      <CardProblem error={error ?? create.error ?? revoke.error} />
+      <Rows aria-label="Desk tokens">
+        {tokens?.map(({ id, name, created_at, last_used_at, expires_at }) => (
+          <Row key={id}>
+            <div className="grow">
+              <p className="strong">{name}</p>
+              <p className="small mid">
+                {`created ${day(created_at)}, ${last_used_at ? `last used ${ago(last_used_at)}` : 'never used'}, ends ${day(expires_at)}`}
+              </p>
+            </div>
+            <Button
+              variant="quiet"
+              aria-label={`Revoke ${name}`}
+              onClick={() => revoke.mutate(id, { onSuccess: () => showToast(`“${name}” is revoked.`) })}
+            >
+              Revoke
+            </Button>
+          </Row>
+        ))}
+      </Rows>
+      <div className={classes.inside}>
+        {made ? (
+          <Secret token={made} onDone={() => setMade(null)} />
+        ) : (
+          <form className="stack" onSubmit={send} noValidate aria-label="Create desk token">
+            <TextInput
+              name="name"
+              label="Token name"
+              defaultValue="My computer"
+              description="It reads what you owe in all projects, and nothing else."
+            />
+            <div className="row wrap">
+              <Button type="submit" aria-busy={create.isPending}>
+                Create token
+              </Button>
+              <a href="/v1/me/soundlist.pyz" download>
+                Download soundlist.pyz
+              </a>
+            </div>
+          </form>
+        )}
+      </div>
+    </Card>
+  )
+}
+
+function Secret({ token: { name, secret }, onDone }: { token: DeskTokenMade; onDone: () => void }) {
+  const copy = async () => {
+    await navigator.clipboard.writeText(secret)
+    showToast('Token copied.')
+  }
+  return (
+    <div className="stack" role="status">
+      <p>
+        <span className="strong">{`Copy the secret of “${name}” now. It is not shown again.`}</span>{' '}
+        <span className="mid">
+          Paste it when <code className="mono">{`python3 soundlist.pyz desk add ${window.location.origin}`}</code> asks
+          for it.
+        </span>
+      </p>
+      <code className={`mono ${classes.secret}`}>{secret}</code>
+      <div className="row wrap">
+        <Button icon="copy" onClick={() => void copy()}>
+          Copy secret
+        </Button>
+        <Button variant="quiet" onClick={onDone}>
+          I’ve saved it
+        </Button>
+      </div>
+    </div>
+  )
+}
