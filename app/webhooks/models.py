@@ -61,3 +61,19 @@ class WebhookCall(Base):
     problem: Mapped[str] = mapped_column(default="")  # why it failed
     created_at: Mapped[datetime] = mapped_column(default=clock.now, index=True)
     webhook: Mapped[Webhook] = relationship(lazy="raise")
+    attempts: Mapped[list["WebhookAttempt"]] = relationship(lazy="raise", order_by="WebhookAttempt.id")
+
+
+class WebhookAttempt(Base):
+    """One sending of a message, with what was answered."""
+
+    __tablename__ = "webhooks_attempts"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    call_id: Mapped[UUID] = mapped_column(ForeignKey("webhooks_calls.id"), index=True)
+    tried_at: Mapped[datetime]
+    took_ms: Mapped[int]
+    status: Mapped[int | None]  # None: nothing was answered
+    answer: Mapped[str]  # the beginning of the body that came back
+    problem: Mapped[str]  # why it failed

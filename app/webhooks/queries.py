@@ -3,11 +3,11 @@
 from collections.abc import Collection, Sequence
 from uuid import UUID
 
-from sqlalchemy import func, select
-from sqlalchemy.orm import Session, contains_eager, joinedload
+from sqlalchemy import ColumnElement, func, select
+from sqlalchemy.orm import Session, contains_eager, joinedload, selectinload
 
 from app.projects.models import Project
-from app.webhooks.models import Webhook, WebhookCall
+from app.webhooks.models import Webhook, WebhookAttempt, WebhookCall
 
 
 def webhooks_of(session: Session, studio_id: UUID) -> Sequence[Webhook]:
@@ -34,17 +34,22 @@ def webhook_in(session: Session, studio_ids: Collection[UUID], webhook_id: UUID)
 
 
 def calls_of(session: Session, webhook_id: UUID, *, before: UUID | None, limit: int) -> Sequence[WebhookCall]:
-    """Return a webhook's calls, newest first."""
-    found = select(WebhookCall).where(WebhookCall.webhook_id == webhook_id)
+    """Return a webhook's calls, newest first, with their attempts."""
+    found = select(WebhookCall).where(WebhookCall.webhook_id == webhook_id).options(selectinload(WebhookCall.attempts))
     if before is not None:
         found = found.where(WebhookCall.id < before)
     return session.scalars(found.order_by(WebhookCall.id.desc()).limit(limit)).all()
 
 
 def call_in(session: Session, studio_ids: Collection[UUID], call_id: UUID) -> WebhookCall | None:
-    """Return a call of a webhook of one of these studios, with its webhook."""
+    """Return a call of a webhook of one of these studios, with its webhook and its attempts."""
     found = select(WebhookCall).where(WebhookCall.id == call_id, WebhookCall.studio_id.in_(studio_ids))
-    return session.scalar(found.options(joinedload(WebhookCall.webhook)))
+    return session.scalar(found.options(joinedload(WebhookCall.webhook), selectinload(WebhookCall.attempts)))
+
+
+def is_attempt_at(condition: ColumnElement[bool]) -> ColumnElement[bool]:
+    """Whether an attempt is at one of the calls that a condition holds for."""
+    return WebhookAttempt.call_id.in_(select(WebhookCall.id).where(condition))
 
 
 def call_to_send(session: Session, call_id: UUID, attempt: UUID, *, locked: bool) -> WebhookCall | None:

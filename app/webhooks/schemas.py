@@ -69,6 +69,16 @@ class WebhooksRead(Schema):
     may_be_localhost: bool = Field(description="Whether this server calls its own machine too, for trying things out.")
 
 
+class WebhookAttemptRead(Schema):
+    """One sending of a message, with what was answered."""
+
+    tried_at: datetime
+    took_ms: int
+    status: int | None = Field(description="Null where nothing was answered.")
+    answer: str = Field(description="The first 1,000 bytes of it.")
+    problem: str = Field(description="Empty where the message was taken.")
+
+
 class WebhookCallRead(Schema):
     """One message to one address, with what was answered last."""
 
@@ -84,3 +94,4 @@ class WebhookCallRead(Schema):
     answer: str = Field(description="The first 1,000 bytes of it.")
     problem: str
     body: str
+    attempts: list[WebhookAttemptRead] = Field(description="Each sending, the first one first; kept with the message.")

@@ -13,7 +13,7 @@ from app.kit.runtime import Runtime
 from app.notifications.queries import producer_addresses
 from app.notifications.service import write_news
 from app.webhooks import queries
-from app.webhooks.models import Webhook, WebhookCall
+from app.webhooks.models import Webhook, WebhookAttempt, WebhookCall
 from app.webhooks.rules import DISABLED_AFTER, CallState, is_delivered, pause_after, signature
 from app.webhooks.service import schedule, valid_secrets
 
@@ -74,6 +74,17 @@ def _record(runtime: Runtime, session: Session, call: WebhookCall, outcome: Outc
     call.status = outcome.answer.status if outcome.answer else None
     call.answer = outcome.answer.beginning if outcome.answer else ""
     call.next_attempt = call.next_at = None
+    session.add(
+        WebhookAttempt(
+            studio_id=call.studio_id,
+            call_id=call.id,
+            tried_at=now,
+            took_ms=call.took_ms,
+            status=call.status,
+            answer=call.answer,
+            problem=call.problem,
+        )
+    )
     if not outcome.problem:
         call.state, webhook.failing_since = CallState.DELIVERED, None
         return

@@ -26,7 +26,7 @@ from app.webhooks.errors import (
     WebhookNotFound,
     WebhooksFull,
 )
-from app.webhooks.models import Webhook, WebhookCall
+from app.webhooks.models import Webhook, WebhookAttempt, WebhookCall
 from app.webhooks.rules import (
     CALLS_KEPT_FOR,
     EVENTS,
@@ -136,6 +136,7 @@ def rotate_secret(session: Session, actor: Actor, webhook_id: UUID) -> Webhook:
 def remove(session: Session, actor: Actor, webhook_id: UUID) -> None:
     """Delete a webhook with its calls."""
     webhook = webhook_for(session, actor, webhook_id)
+    session.execute(delete(WebhookAttempt).where(queries.is_attempt_at(WebhookCall.webhook_id == webhook.id)))
     session.execute(delete(WebhookCall).where(WebhookCall.webhook_id == webhook.id))
     session.delete(webhook)
 
@@ -239,4 +240,6 @@ def schedule(session: Session, call: WebhookCall, *, delay_s: float) -> None:
 
 def delete_old_calls(session: Session, now: datetime) -> None:
     """Delete what was sent long ago from the log."""
-    session.execute(delete(WebhookCall).where(WebhookCall.created_at < now - CALLS_KEPT_FOR))
+    is_old = WebhookCall.created_at < now - CALLS_KEPT_FOR
+    session.execute(delete(WebhookAttempt).where(queries.is_attempt_at(is_old)))
+    session.execute(delete(WebhookCall).where(is_old))

@@ -5,7 +5,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.kit import clock
-from app.webhooks.models import Webhook, WebhookCall
+from app.webhooks.models import Webhook, WebhookAttempt, WebhookCall
 from app.webhooks.rules import CallState, WebhookEvent, WebhookForm
 
 
@@ -33,5 +33,8 @@ def add_webhook(session: Session, *, studio_id: UUID, created_by: UUID) -> dict[
         answer="taken",
     )
     session.add(call)
+    session.flush()
+    attempt = {"tried_at": clock.now(), "took_ms": 12, "status": 200, "answer": "taken", "problem": ""}
+    session.add(WebhookAttempt(studio_id=studio_id, call_id=call.id, **attempt))
     session.flush()
     return {"webhook_id": webhook.id, "webhook_call_id": call.id}

@@ -24308,6 +24308,34 @@ export interface components {
             project_id?: string | null;
         };
         /**
+         * WebhookAttemptRead
+         * @description One sending of a message, with what was answered.
+         */
+        WebhookAttemptRead: {
+            /**
+             * Tried At
+             * Format: date-time
+             */
+            tried_at: string;
+            /** Took Ms */
+            took_ms: number;
+            /**
+             * Status
+             * @description Null where nothing was answered.
+             */
+            status: number | null;
+            /**
+             * Answer
+             * @description The first 1,000 bytes of it.
+             */
+            answer: string;
+            /**
+             * Problem
+             * @description Empty where the message was taken.
+             */
+            problem: string;
+        };
+        /**
          * WebhookCallRead
          * @description One message to one address, with what was answered last.
          */
@@ -24343,6 +24371,11 @@ export interface components {
             problem: string;
             /** Body */
             body: string;
+            /**
+             * Attempts
+             * @description Each sending, the first one first; kept with the message.
+             */
+            attempts: components["schemas"]["WebhookAttemptRead"][];
         };
         /**
          * WebhookChange

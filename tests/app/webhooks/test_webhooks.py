@@ -10,11 +10,12 @@ from typing import Any
 from uuid import UUID
 
 import pytest
+from sqlalchemy import select
 
 from app.kit import clock
 from app.webhooks import jobs, queries, sending
 from app.webhooks.bodies import Message, body_of
-from app.webhooks.models import WebhookCall
+from app.webhooks.models import WebhookAttempt, WebhookCall
 from app.webhooks.rules import PAUSES, WebhookEvent, WebhookForm, is_delivered, pause_after, signature
 from tests.app.reviews.making import Stage
 from tests.support.deliver import add_cues
@@ -172,6 +173,32 @@ def test_what_fails_is_tried_again_with_pauses_then_given_up(world: World, targe
     assert len({(request.headers["webhook-id"], request.body) for request in target.received}) == 1
 
 
+def test_each_attempt_at_a_message_is_in_its_log(world: World, target: Receiver, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(sending, "pause_after", lambda _tries: timedelta(hours=1))  # no attempt but those made here
+    webhook = add(world, target.url)
+    target.status, target.answer = 500, b"out of order " * 200
+    world.producer.post(f"/v1/webhooks/{webhook['id']}/test").raise_for_status()
+    until_tried(world, webhook)
+    target.status = 503
+    attempt_again(world, calls(world, webhook)[0]["id"])
+    target.status, target.answer = 200, b"taken"
+    attempt_again(world, calls(world, webhook)[0]["id"])
+    (call,) = calls(world, webhook)
+    assert (call["state"], call["tries"]) == ("delivered", 3)
+    log = call["attempts"]
+    assert [(one["status"], one["problem"]) for one in log] == [
+        (500, "answered 500"),
+        (503, "answered 503"),
+        (200, ""),
+    ]
+    assert [len(one["answer"]) for one in log] == [1_000, 1_000, len("taken")]
+    assert all(one["took_ms"] >= 0 for one in log)
+    assert sorted(one["tried_at"] for one in log) == [one["tried_at"] for one in log]
+    assert world.producer.delete(f"/v1/webhooks/{webhook['id']}").status_code == 204
+    with world.server.runtime.database.reading() as session:
+        assert session.scalars(select(WebhookAttempt)).all() == []
+
+
 def test_an_attempt_that_is_not_due_any_more_sends_nothing(world: World, target: Receiver):
     webhook = add(world, target.url)
     call_id = world.producer.post(f"/v1/webhooks/{webhook['id']}/test").json()["id"]
@@ -309,4 +336,5 @@ def test_calls_leave_the_log_after_thirty_days(world: World, target: Receiver, m
             jobs.delete_old_calls(world.server.runtime, {})
         with world.server.runtime.database.reading() as session:
             found = queries.calls_of(session, UUID(webhook["id"]), before=None, limit=5)
-        assert len(found) == left
+            attempts = session.scalars(select(WebhookAttempt)).all()
+        assert (len(found), len(attempts)) == (left, left)

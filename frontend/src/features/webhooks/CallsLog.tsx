@@ -54,7 +54,21 @@ function OneCall({ call, mayReplay, onReplay }: { call: Call; mayReplay: boolean
           {status !== null && `, answered ${status}`}
           {isTried && nextAt && `. Next attempt ${day(nextAt)}, ${clock(nextAt)}`}.
         </p>
-        {call.answer && (
+        {call.attempts.length > 1 && (
+          <>
+            <p className="small strong">Attempts</p>
+            <ol aria-label="Attempts" className="small">
+              {call.attempts.map((one) => (
+                <li key={one.tried_at}>
+                  <time dateTime={one.tried_at}>{`${day(one.tried_at)}, ${clock(one.tried_at)}`}</time>
+                  {`: ${one.problem || `answered ${one.status}`}, in ${one.took_ms} ms`}
+                  {one.answer && <pre className="mono">{one.answer}</pre>}
+                </li>
+              ))}
+            </ol>
+          </>
+        )}
+        {call.attempts.length <= 1 && call.answer && (
           <>
             <p className="small strong">Answer</p>
             <pre className="mono small">{call.answer}</pre>

@@ -41,6 +41,7 @@ const aCall = (more: Partial<Call> = {}): Call => ({
   answer: 'out of order',
   problem: 'answered 500',
   body: '{"type": "take.approved"}',
+  attempts: [],
   ...more,
 })
 
@@ -113,6 +114,25 @@ test('the log says what was answered, and sends again', async () => {
   expect(within(log).getByText(/10 attempts, the last took 120 ms, answered 500/)).toBeVisible()
   await user.click(within(log).getByRole('button', { name: /^Send again/ }))
   await waitFor(() => expect(wrote(asked, 'POST /v1/webhook-calls/c1/replay')).toHaveLength(1))
+})
+
+test('each attempt at a message is in its log', async () => {
+  const user = userEvent.setup()
+  const attempts = [
+    { tried_at: '2026-11-20T10:00:00Z', took_ms: 120, status: 500, answer: 'out of order', problem: 'answered 500' },
+    { tried_at: '2026-11-20T10:00:05Z', took_ms: 9, status: null, answer: '', problem: 'the connection was refused' },
+    { tried_at: '2026-11-20T10:05:05Z', took_ms: 40, status: 200, answer: 'taken', problem: '' },
+  ]
+  const call = aCall({ state: 'delivered', tries: 3, status: 200, answer: 'taken', problem: '', attempts })
+  answers['GET /v1/webhooks/w1/calls'] = { items: [call], next: null }
+  openApp('/webhooks')
+  await user.click(await screen.findByRole('button', { name: /^Log/ }))
+  await user.click(await screen.findByText('Delivered'))
+  const log = await screen.findByRole('list', { name: 'Attempts' })
+  const rows = within(log).getAllByRole('listitem')
+  expect(rows[0]).toHaveTextContent(/answered 500, in 120 ms.*out of order/)
+  expect(rows[1]).toHaveTextContent(/the connection was refused, in 9 ms/)
+  expect(rows[2]).toHaveTextContent(/answered 200, in 40 ms.*taken/)
 })
 
 test('a test is sent, a secret replaced, an address disabled, and deleted after a question', async () => {
