@@ -60,7 +60,15 @@ if TYPE_CHECKING:
     from audio_checks.placeholders.speech import synthesize_speech
     from audio_checks.render.kept_coded import keep_coded
     from audio_checks.render.key import render_key
-    from audio_checks.render.preview import average_spectrum, excitation, is_preview, preview, spectrogram, wave_shapes
+    from audio_checks.render.preview import (
+        average_spectrum,
+        excitation,
+        is_preview,
+        light_preview,
+        preview,
+        spectrogram,
+        wave_shapes,
+    )
     from audio_checks.render.provenance import Exported, Provenance, export_master
     from audio_checks.render.render import render_master
     from audio_checks.render.rendered import Loss, Rendered
@@ -174,6 +182,7 @@ __all__ = [
     "is_preview",
     "keep_coded",
     "known_sound",
+    "light_preview",
     "likely_sounds",
     "load_spec",
     "make_placeholder",
@@ -266,6 +275,7 @@ _HOMES = {
         "average_spectrum",
         "excitation",
         "is_preview",
+        "light_preview",
         "preview",
         "spectrogram",
         "wave_shapes",

@@ -30,7 +30,7 @@ export default defineConfig({
         ...(process.env.LONG_WALKS ? ['judging.spec.ts', 'leaving.spec.ts', 'worked-example.spec.ts'] : []),
       ],
     },
-    { name: 'parts', testMatch: ['parts.spec.ts', 'heard.spec.ts'] },
+    { name: 'parts', testMatch: ['parts.spec.ts', 'heard.spec.ts', 'atOnce.spec.ts'] },
     {
       name: 'demo',
       testMatch: [

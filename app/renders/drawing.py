@@ -27,6 +27,7 @@ from audio_checks import (
     is_lossy,
     is_preview,
     keep_coded,
+    light_preview,
     preview,
     rehearse_check,
     render_master,
@@ -41,7 +42,7 @@ THUMB_FULL_SCALE = 127
 PEAKS_FULL_SCALE = 10_000  # a step is 80 dB below, less than a pixel
 PLAYABLE_RATE_HZ = 48_000
 MASTER = ""  # no target's name is empty
-PEAKS, SPECTRUM, PREVIEW = "peaks.json", "spectrum.png", "preview.wav"
+PEAKS, SPECTRUM, PREVIEW, LIGHT = "peaks.json", "spectrum.png", "preview.wav", "light.ogg"
 
 
 class Facts(TypedDict):
@@ -72,6 +73,7 @@ class Drawn(TypedDict):
     thumb: Thumb
     plays_itself: bool
     preview_of: str  # the target whose file serves as the preview; empty if there is a separate preview
+    has_light: bool  # a smaller preview was written, to begin with over a slow line
 
 
 class Made(TypedDict):
@@ -104,7 +106,8 @@ def prepare(
             found[target] = error.with_traceback(None)
     if draws_master:
         try:
-            found[MASTER] = _drawn(path, Path(folder), loop=loop, known=known)
+            found[MASTER] = drawing = _drawn(path, Path(folder), loop=loop, known=known)
+            drawing["has_light"] = light_preview(_played(path, places_of, drawing), Path(folder) / LIGHT)
         except (RenderRefused, Unreadable) as error:
             found[MASTER] = error.with_traceback(None)
     return found
@@ -168,7 +171,16 @@ def _drawn(path: str, folder: Path, *, loop: bool, known: _Known) -> Drawn:
         "thumb": cast(Thumb, small.in_steps(THUMB_FULL_SCALE)),
         "plays_itself": plays_itself,
         "preview_of": preview_of,
+        "has_light": False,
     }
+
+
+def _played(path: str, places_of: dict[str, Path], drawing: Drawn) -> Path:
+    """Return what plays a master: itself, the game file of a target, or a preview of its own."""
+    if drawing["plays_itself"]:
+        return Path(path)
+    target = drawing["preview_of"]
+    return places_of[target] / (game_file("pcm") if target else PREVIEW)
 
 
 def _spectrum(path: str | Path) -> bytes:

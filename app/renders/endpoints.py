@@ -77,14 +77,25 @@ def list_other_sounds(
 @router.get(
     "/sounds/{picture_id}/preview",
     response_class=Response,
-    responses={200: {"content": {"audio/flac": {}, "audio/wav": {}}}, **problems(SoundNotFound, NotDrawn, BlobMissing)},
+    responses={
+        200: {"content": {"audio/flac": {}, "audio/ogg": {}, "audio/wav": {}}},
+        **problems(SoundNotFound, NotDrawn, BlobMissing),
+    },
 )
 def get_preview(
-    picture_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = MAY_SEE
+    picture_id: UUID,
+    request: Request,
+    session: DbSession,
+    runtime: CurrentRuntime,
+    light: bool = False,
+    actor: Actor = MAY_SEE,
 ) -> Response:
-    """Play a sound: at most 48 kHz, 16 bit, in a form that every browser plays; parts of it by Range."""
+    """Play a sound: at most 48 kHz, 16 bit, in a form that every browser plays; parts of it by Range.
+
+    With `light` in Ogg Vorbis, to begin with over a slow line; without such a preview as ever.
+    """
     picture = service.picture_in_sight(session, actor, picture_id)
-    sha256, media_type = service.drawn(picture.preview_sha256), picture.preview_media_type or "audio/wav"
+    sha256, media_type = service.preview_file(picture, light=light)
     return blob_response(request, runtime.store, picture.studio_id, sha256, media_type=media_type, by_link=True)
 
 

@@ -115,9 +115,8 @@ class Picture(Base):
     spectrum_sha256: Mapped[str | None]
     preview_sha256: Mapped[str | None]
     preview_media_type: Mapped[str | None]
-    drawn_bytes: Mapped[int | None] = mapped_column(
-        BigInteger
-    )  # of all three together; None: drawn before it was noted
+    light_sha256: Mapped[str | None]  # of the preview in Ogg Vorbis; None: small, of a game file, or drawn before
+    drawn_bytes: Mapped[int | None] = mapped_column(BigInteger)  # of all together; None: drawn before it was noted
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 

@@ -23,6 +23,7 @@ def stored_picture(
     spectrum = spectrum or runtime.store.put_file(studio_id, folder / drawing.SPECTRUM)
     if preview is None and not drawn["plays_itself"]:
         preview = runtime.store.put_file(studio_id, folder / drawing.PREVIEW)
+    light = runtime.store.put_file(studio_id, folder / drawing.LIGHT) if drawn["has_light"] else None
     return Picture(
         studio_id=studio_id,
         sound_sha256=sound_sha256,
@@ -33,5 +34,6 @@ def stored_picture(
         spectrum_sha256=spectrum.sha256,
         preview_sha256=preview.sha256 if preview else sound_sha256,
         preview_media_type="audio/wav",
-        drawn_bytes=sum(blob.size_bytes for blob in (peaks, spectrum, preview) if blob),
+        light_sha256=light.sha256 if light else None,
+        drawn_bytes=sum(blob.size_bytes for blob in (peaks, spectrum, preview, light) if blob),
     )

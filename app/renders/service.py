@@ -116,6 +116,13 @@ def picture_in_sight(session: Session, actor: Actor, picture_id: UUID) -> Pictur
     return picture
 
 
+def preview_file(picture: Picture, *, light: bool) -> tuple[str, str]:
+    """Return the hash and media type of what plays a sound; the light preview where it is asked for and made."""
+    if light and picture.light_sha256 is not None:
+        return picture.light_sha256, "audio/ogg"
+    return drawn(picture.preview_sha256), picture.preview_media_type or "audio/wav"
+
+
 def drawn(sha256: str | None) -> str:
     """Return the hash of something drawn; raise NotDrawn if there is none."""
     if sha256 is None:

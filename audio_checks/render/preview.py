@@ -17,6 +17,7 @@ from audio_checks.measure.average_spectrum import AverageSpectrum, BandLevels
 from audio_checks.measure.masking import Excitation
 from audio_checks.measure.spectrogram import Spectrogram
 from audio_checks.measure.waveform import LARGE_POINTS, SMALL_POINTS, Waveform, WaveShape
+from audio_checks.render.coding import Coder
 from audio_checks.render.recipe import Recipe
 from audio_checks.render.render import render
 from audio_checks.render.rendered import Rendered
@@ -24,6 +25,10 @@ from audio_checks.spec.delivery_spec import Target
 
 MAX_RATE_HZ = 48_000
 BIT_DEPTH = 16
+LIGHT = Coder("vorbis", 0.2)  # some 95 kbit/s in stereo
+LIGHT_SEED = bytes(4)  # each file has one stream alone
+LEAST_CODED_RATE_HZ = 8_000
+LEAST_CODED_BYTES = 65_536  # a smaller file is here as soon as a coded one
 REVERSED_BLOCK_FRAMES = 65_536
 MAKE_A_PREVIEW = (  # what a target says of its files, but for their peaks
     "sample_rate_hz",
@@ -88,6 +93,28 @@ def preview(
     if backwards:
         _turn_round(out)
     return rendered
+
+
+def light_preview(preview_path: str | os.PathLike[str], out_path: str | os.PathLike[str]) -> bool:
+    """Write a preview as Ogg Vorbis of the same rate and length, to begin with over a slow line; it never ships.
+
+    Parameters
+    ----------
+    preview_path, out_path : path
+        What `preview` made, or a file that plays as it is; and the Ogg file to write.
+
+    Returns
+    -------
+    bool
+        False where none is written: the file is small already, or its rate is below 8 kHz.
+    """
+    path = Path(preview_path)
+    with wav.open_regular(path) as file:
+        layout = wav.read_layout(file)
+    if path.stat().st_size <= LEAST_CODED_BYTES or layout.sample_rate_hz < LEAST_CODED_RATE_HZ:
+        return False
+    LIGHT.write(path, Path(out_path), seed=LIGHT_SEED, durable=False)
+    return True
 
 
 def is_preview(rendered: Rendered, target: Target, master_rate_hz: int) -> bool:

@@ -52,6 +52,7 @@ DRAWN = {
     "thumb": {"points": 1, "min": [-1], "max": [1], "rms": [0]},
     "plays_itself": False,
     "preview_of": "",
+    "has_light": False,
 }  # fmt: skip
 FIXED = FixedMaster(None, "a.wav", (), (), REPORT, None)
 

@@ -437,3 +437,86 @@ test('left, it is silent and lets go of everything', async () => {
   expect(context.closed).toBe(true)
   expect(made.previews.has('/a')).toBe(false)
 })
+
+describe('a light preview', () => {
+  const LIGHT = 'audio/ogg'
+  let arrivals: Map<string, () => void>
+  const serve = (lightType = LIGHT) => {
+    arrivals = new Map()
+    vi.stubGlobal('fetch', (url: string) => {
+      fetched.push(url)
+      const [path = ''] = url.split('?')
+      const type = url.endsWith('?light=true') ? lightType : 'audio/wav'
+      const answer = () => new Response(JSON.stringify(SOUNDS[path]), { headers: { 'content-type': type } })
+      return new Promise((resolve) => arrivals.set(url, () => resolve(answer())))
+    })
+  }
+  const light = () =>
+    new Player({
+      createContext: () => Object.assign(context, { baseLatency: 0.01 }) as unknown as AudioContext,
+      onFrame: () => () => undefined,
+      light: true,
+    })
+  const arrive = async (url: string) => {
+    await vi.waitFor(() => expect(arrivals.has(url)).toBe(true))
+    arrivals.get(url)?.()
+    await new Promise((resolve) => setTimeout(resolve))
+  }
+
+  test('plays at once, and the exact sound takes its place at the same sample, with a fade of 5 ms', async () => {
+    serve()
+    const made = light()
+    const selected = made.select(A)
+    await arrive('/a?light=true')
+    await selected
+    await made.play()
+    expect(made.getState()).toMatchObject({ status: 'playing', isLight: true })
+    expect(context.started).toHaveLength(1)
+    expect(last()).toMatchObject({ atS: 0.02, fromS: 0 })
+    context.currentTime = 0.42
+    await arrive('/a')
+    expect(made.getState()).toMatchObject({ status: 'playing', isLight: false })
+    // 0.42 − 0.02 s are over; the device begins 0.02 s from now, and both are at 0.42 s of the sound then.
+    expect(context.started.map(({ atS, fromS }) => [atS, fromS])).toEqual([
+      [0.02, 0],
+      [expect.closeTo(0.44, 9), expect.closeTo(0.42, 9)],
+    ])
+    expect(context.started[0]?.stoppedAtS).toBeCloseTo(0.445, 9)
+    expect(last()?.gain.calls).toEqual([
+      ['set', 0, expect.closeTo(0.44, 9)],
+      ['ramp', 1, expect.closeTo(0.445, 9)],
+    ])
+  })
+
+  test('goes round the loop to the same place where the exact one takes over near its end', async () => {
+    serve()
+    const made = light()
+    const selected = made.select(A)
+    await arrive('/a?light=true')
+    await selected
+    made.setLooping(true)
+    await made.play()
+    context.currentTime = 1.01
+    await arrive('/a')
+    expect(last()?.fromS).toBeCloseTo(0.01, 9)
+  })
+
+  test('that an older sound does not have is the exact one, and is not fetched again', async () => {
+    serve('audio/wav')
+    const made = light()
+    const selected = made.select(A)
+    await arrive('/a?light=true')
+    await selected
+    await made.play()
+    expect(made.getState()).toMatchObject({ status: 'playing', isLight: false })
+    expect(fetched).toEqual(['/a?light=true'])
+  })
+
+  test('of all that is next is fetched before the exact sounds, and of later ones alone', async () => {
+    serve()
+    const made = light()
+    made.previews.keepReady(['/a', '/b'], ['/c'])
+    for (const url of ['/a?light=true', '/b?light=true', '/c?light=true', '/a', '/b']) await arrive(url)
+    expect(fetched).toEqual(['/a?light=true', '/b?light=true', '/c?light=true', '/a', '/b'])
+  })
+})

@@ -26,10 +26,13 @@ export interface PlayerParts {
   now?: () => number
   /** Fetch no sound before one is played, or before `previews.release`. */
   held?: boolean
+  /** Begin with light previews, where the browser plays them. */
+  light?: boolean
 }
 
 /** Long enough that a switch does not click, too short to hear as a fade. */
 const FADE_S = 0.005
+const LEAST_LEAD_S = 0.015
 const REDUCED_STEP_MS = 100
 /** One way of hearing fades into another: long enough that the filters of the new one have settled. */
 const CROSSFADE_S = 0.02
@@ -75,7 +78,8 @@ export class Player implements Clock {
     this.#onFrame = parts.onFrame ?? everyFrame
     this.#reducedMotion = parts.reducedMotion ?? (() => matchMedia('(prefers-reduced-motion: reduce)').matches)
     this.#now = parts.now ?? (() => performance.now())
-    this.previews = new Previews((data) => this.#contextNow().decodeAudioData(data))
+    this.previews = new Previews((data) => this.#contextNow().decodeAudioData(data), parts.light)
+    this.previews.onExact = (url) => this.#exactIsHere(url)
     if (!parts.held) this.previews.release()
   }
 
@@ -95,12 +99,7 @@ export class Player implements Clock {
 
   isPlaying = (): boolean => this.#sounding !== null
 
-  positionS = (): number => {
-    const sounding = this.#sounding
-    if (sounding === null) return this.#positionS
-    const at = this.#bufferPositionS(sounding)
-    return this.#state.reversed ? sounding.buffer.duration - at : at
-  }
+  positionS = (): number => this.#positionAtS()
 
   // What it is asked
 
@@ -120,11 +119,11 @@ export class Player implements Clock {
     this.#source = source
     this.#notify({ sourceId: source.id, error: null })
     const asked = ++this.#asked
-    const buffer = await this.#read(source, asked, wasPlaying)
+    const buffer = await this.#read(source, asked, wasPlaying ? 'soon' : 'released')
     if (buffer === null) return
     this.#notify({ durationS: buffer.duration })
     // Asked again only now: it may have been paused, or have ended, while the other was on its way.
-    if (wasPlaying && this.isPlaying()) this.#sound(buffer, source, Math.max(0, this.positionS() + laterS))
+    if (wasPlaying && this.isPlaying()) this.#takeOver(buffer, source, laterS)
     else this.#moved(Math.min(Math.max(0, this.#positionS + laterS), buffer.duration))
   }
 
@@ -137,10 +136,11 @@ export class Player implements Clock {
     const context = this.#contextNow()
     if (context.state === 'suspended') void context.resume()
     if (!this.previews.has(source.url)) this.#notify({ status: 'loading', error: null })
-    const buffer = await this.#read(source, asked)
+    const buffer = await this.#read(source, asked, 'soon')
     if (buffer === null) return
     this.#notify({ durationS: buffer.duration })
     this.#sound(buffer, source, fromS ?? this.#startS(buffer.duration))
+    void this.previews.get(source.url).catch(() => undefined) // the preview goes on
   }
 
   pause(): void {
@@ -259,7 +259,7 @@ export class Player implements Clock {
     this.#leaveSet()
     this.#silence()
     this.#notify({ status: 'loading', error: null })
-    const read = await Promise.all(sources.map((source) => this.#read(source, asked)))
+    const read = await Promise.all(sources.map((source) => this.#read(source, asked, 'exact')))
     const buffers = read.flatMap((buffer) => buffer ?? [])
     if (asked !== this.#asked || buffers.length < sources.length) return
     const { reversed } = this.#state
@@ -318,10 +318,12 @@ export class Player implements Clock {
   }
 
   /** The sound itself; null where another was asked for meanwhile, or it could not be loaded. */
-  async #read(source: Source, asked: number, isUrgent = true): Promise<AudioBuffer | null> {
+  async #read(source: Source, asked: number, how: 'soon' | 'released' | 'exact'): Promise<AudioBuffer | null> {
+    const read = { soon: 'first', released: 'select', exact: 'get' } as const
     try {
-      const buffer = await (isUrgent ? this.previews.get(source.url) : this.previews.select(source.url))
+      const buffer = await this.previews[read[how]](source.url)
       if (asked !== this.#asked) return null
+      this.#notify({ isLight: !this.previews.has(source.url) })
       return source.place?.(buffer, this.#contextNow()) ?? buffer
     } catch {
       if (asked !== this.#asked) return null
@@ -331,7 +333,31 @@ export class Player implements Clock {
     }
   }
 
-  #sound(given: AudioBuffer, source: Source, positionS: number): void {
+  /** Put the exact sound in the place of its preview: at the same sample, without a gap. */
+  #exactIsHere(url: string): void {
+    const source = this.#source
+    if (source?.url !== url || !this.#state.isLight) return
+    this.#notify({ isLight: false })
+    if (this.#sounding === null || this.#set !== null) return
+    const asked = this.#asked
+    void this.#read(source, asked, 'exact').then((buffer) => {
+      if (buffer && this.isPlaying()) this.#takeOver(buffer, source)
+    })
+  }
+
+  /** The next time at which the device begins a sound to the sample: what should begin sooner begins late. */
+  #soonS(context: AudioContext): number {
+    const latencyS = context.baseLatency as number | undefined // rendered by itself, a context has none
+    return context.currentTime + (latencyS === undefined ? 0 : Math.max(LEAST_LEAD_S, 2 * latencyS))
+  }
+
+  /** Sound in the place of what sounds now, at the same moment of it, or so much later. */
+  #takeOver(buffer: AudioBuffer, source: Source, laterS = 0): void {
+    const atS = this.#soonS(this.#contextNow())
+    this.#sound(buffer, source, Math.max(0, this.#positionAtS(atS) + laterS), atS)
+  }
+
+  #sound(given: AudioBuffer, source: Source, positionS: number, atS = this.#soonS(this.#contextNow())): void {
     this.previews.release()
     const context = this.#contextNow()
     const { reversed } = this.#state
@@ -339,7 +365,7 @@ export class Player implements Clock {
     const loop = this.#loopOf(buffer.duration)
     let fromS = Math.min(buffer.duration, Math.max(0, reversed ? buffer.duration - positionS : positionS))
     if (loop && (fromS < loop.startS || fromS >= loop.endS)) fromS = loop.startS
-    this.#silence({ alone: true })
+    this.#silence({ alone: true, atS })
     if (fromS >= buffer.duration) {
       this.#ended()
       return
@@ -357,26 +383,25 @@ export class Player implements Clock {
     const mix = this.#mixNow(context)
     gain.connect(mix)
     this.#output?.onSounding?.('begins')
-    const now = context.currentTime
     // A start at the very beginning keeps its attack; anywhere else a short ramp keeps it from clicking.
-    gain.gain.setValueAtTime(fromS === 0 ? this.#gainOf(source) : 0, now)
-    gain.gain.linearRampToValueAtTime(this.#gainOf(source), now + FADE_S)
-    node.start(now, fromS)
-    const sounding: Sounding = { node, gain, buffer, fromS, atS: now, speed: 1 }
+    gain.gain.setValueAtTime(fromS === 0 ? this.#gainOf(source) : 0, atS)
+    gain.gain.linearRampToValueAtTime(this.#gainOf(source), atS + FADE_S)
+    node.start(atS, fromS)
+    const sounding: Sounding = { node, gain, buffer, fromS, atS, speed: 1 }
     node.onended = () => {
       if (this.#sounding === sounding) this.#ended()
     }
     this.#sounding = sounding
     this.#company?.bus.connect(mix)
-    this.#beginCompany(fromS, loop)
+    this.#beginCompany(fromS, loop, atS)
     this.#notify({ status: 'playing' })
     this.#tick()
   }
 
-  #beginCompany(fromS: number, loop: TimeRange | null): void {
+  #beginCompany(fromS: number, loop: TimeRange | null, atS = this.#contextNow().currentTime): void {
     if (this.#company === null) return
     const context = this.#contextNow()
-    this.#company.sounds.begin({ context, to: this.#company.bus, atS: context.currentTime, fromS, loop })
+    this.#company.sounds.begin({ context, to: this.#company.bus, atS, fromS, loop })
   }
 
   #endCompany(): void {
@@ -393,22 +418,21 @@ export class Player implements Clock {
   }
 
   /** Stop what sounds, with a fade that is too short to hear. */
-  #silence({ alone = false } = {}): void {
+  #silence({ alone = false, atS = this.#context?.currentTime ?? 0 } = {}): void {
     const sounding = this.#sounding
     if (sounding === null) return
     if (!alone) this.#endCompany()
     this.#positionS = this.positionS()
     this.#sounding = null
     sounding.node.onended = null
-    this.#ramp(sounding.gain, 0)
-    sounding.node.stop(this.#contextNow().currentTime + FADE_S)
+    this.#ramp(sounding.gain, 0, FADE_S, atS)
+    sounding.node.stop(atS + FADE_S)
     this.#output?.onSounding?.('pauses')
     this.#endFrame?.()
     this.#endFrame = null
   }
 
-  #ramp(gain: GainNode, to: number, fadeS = FADE_S): void {
-    const now = this.#contextNow().currentTime
+  #ramp(gain: GainNode, to: number, fadeS = FADE_S, now = this.#contextNow().currentTime): void {
     gain.gain.cancelScheduledValues(now)
     gain.gain.setValueAtTime(gain.gain.value, now)
     gain.gain.linearRampToValueAtTime(to, now + fadeS)
@@ -429,8 +453,16 @@ export class Player implements Clock {
     return reversed ? { startS: durationS - endS, endS: durationS - startS } : { startS, endS }
   }
 
-  #bufferPositionS({ node, buffer, fromS, atS, speed }: Sounding): number {
-    const at = fromS + speed * Math.max(0, this.#contextNow().currentTime - atS)
+  /** Where in the sound the player is at a time of the context: now, or soon. */
+  #positionAtS(atS?: number): number {
+    const sounding = this.#sounding
+    if (sounding === null) return this.#positionS
+    const at = this.#bufferPositionS(sounding, atS)
+    return this.#state.reversed ? sounding.buffer.duration - at : at
+  }
+
+  #bufferPositionS({ node, buffer, fromS, atS, speed }: Sounding, now = this.#contextNow().currentTime): number {
+    const at = fromS + speed * Math.max(0, now - atS)
     if (!node.loop) return Math.min(at, buffer.duration)
     if (at < node.loopEnd) return at
     return node.loopStart + ((at - node.loopStart) % (node.loopEnd - node.loopStart))

@@ -38,6 +38,8 @@ export interface PlayerState {
   /** A set is being played as the game does. */
   asGame: boolean
   error: string | null
+  /** What is heard is a light preview; the exact sound takes its place once it is here. */
+  isLight: boolean
 }
 
 export const SILENT: PlayerState = {
@@ -50,4 +52,5 @@ export const SILENT: PlayerState = {
   matched: true,
   asGame: false,
   error: null,
+  isLight: false,
 }

@@ -46,16 +46,24 @@ export function useHearing(
   return source
 }
 
-/** Have what is heard now, and what the next cue needs, fetched and decoded in this order once sounds may be fetched. */
-export function useReady(player: Player, takes: readonly ReviewTake[], next: QueueItem | undefined): void {
-  const urls = [...takes, ...(next?.takes ?? [])].flatMap(({ preview_url }) =>
-    preview_url === null ? [] : [preview_url],
-  )
-  const list = urls.join('\n')
+/**
+ * Have what is heard now, and what the next cue needs, fetched and decoded in this order once sounds may be fetched;
+ * of later cues what can be heard soonest.
+ */
+export function useReady(
+  player: Player,
+  takes: readonly ReviewTake[],
+  next: QueueItem | undefined,
+  later: readonly QueueItem[] = [],
+): void {
+  const list = urlsOf([...takes, ...(next?.takes ?? [])])
+  const laterList = urlsOf(later.flatMap((item) => item.takes))
   useEffect(() => {
-    player.previews.keepReady(list === '' ? [] : list.split('\n'))
-  }, [player, list])
+    player.previews.keepReady(list.split('\n').filter(Boolean), laterList.split('\n').filter(Boolean))
+  }, [player, list, laterList])
 }
+
+const urlsOf = (takes: readonly ReviewTake[]): string => takes.flatMap((take) => take.preview_url ?? []).join('\n')
 
 /** Let sounds be fetched once the page shows what it is for and asks for nothing more: a preview is as large as all else. */
 export function useRelease(player: Player, isShown: boolean): void {

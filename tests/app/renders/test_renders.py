@@ -10,6 +10,7 @@ from uuid import UUID
 
 import numpy as np
 import pytest
+import soundfile
 from sqlalchemy import func, select, update
 from sqlalchemy.orm import Session, joinedload
 
@@ -18,6 +19,7 @@ from app.conformance.models import CheckRun
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit import kill_points
+from app.kit.blob_response import FOR_EVER
 from app.kit.db import new_id
 from app.kit.queue import queue_of
 from app.projects.models import Spec
@@ -108,6 +110,29 @@ def test_the_preview_plays_in_parts(world: World) -> None:
     assert part.status_code == 206
     assert part.headers["content-range"] == f"bytes 100-199/{len(whole.content)}"
     assert part.content == whole.content[100:200]
+
+
+def test_a_light_preview_is_as_long_as_the_sound_and_a_small_sound_is_sent_as_it_is(
+    world: World,
+) -> None:
+    add_cue(world, "beep")
+    add_cue(world, "tick")
+    long_id = deliver_sound(world, "beep.wav", sine(hz=1_000, dbfs=-6, rate=96_000, seconds=2.0), rate=96_000)
+    short_id = deliver_sound(world, "tick.wav", sine(hz=1_000, dbfs=-6, seconds=0.1))
+    exact_url, short_url = (sounds(world, one)["master"]["preview_url"] for one in (long_id, short_id))
+    exact, light = world.reviewer.get(exact_url), world.reviewer.get(f"{exact_url}?light=true")
+    assert (light.headers["content-type"], light.headers["cache-control"]) == ("audio/ogg", FOR_EVER)
+    assert len(light.content) < len(exact.content) / 4
+    heard, _ = soundfile.read(io.BytesIO(light.content))
+    played, rate_hz = soundfile.read(io.BytesIO(exact.content))
+    assert (len(heard), rate_hz) == (len(played), 48_000)
+    # At the same samples: moved by a single one, this tone would differ by 13 % of its level.
+    assert np.sqrt(np.mean((heard - played)[1_000:-1_000] ** 2)) < 0.05 * np.sqrt(np.mean(played**2))
+    part = world.reviewer.get(f"{exact_url}?light=true", headers={"Range": "bytes=0-99"})
+    assert (part.status_code, part.content) == (206, light.content[:100])
+    small = world.reviewer.get(f"{short_url}?light=true")
+    assert (small.headers["content-type"], small.content) == ("audio/wav", world.reviewer.get(short_url).content)
+    assert world.stranger.get(f"{exact_url}?light=true").status_code == 404
 
 
 def test_what_plays_already_is_its_own_preview(world: World) -> None:
@@ -201,7 +226,8 @@ def test_jobs_that_run_twice_change_nothing(world: World) -> None:
     for picture in world.server.in_database(
         lambda session: session.scalars(select(Picture).where(Picture.studio_id == world.studio_id)).all()
     ):
-        drawn = {picture.peaks_sha256, picture.spectrum_sha256, picture.preview_sha256} - {picture.sound_sha256}
+        hashes = (picture.peaks_sha256, picture.spectrum_sha256, picture.preview_sha256, picture.light_sha256)
+        drawn = set(hashes) - {picture.sound_sha256, None}
         sizes = world.server.runtime.store.sizes_bytes(picture.studio_id, drawn)
         assert picture.drawn_bytes == sum(sizes.values()) > 0
 

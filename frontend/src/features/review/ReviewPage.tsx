@@ -40,7 +40,7 @@ export function ReviewPage(): ReactNode {
   // Sums are a matter of producers and of the cue's own designer; who decides and neither is, needs none to decide.
   const seesMoney = project?.is_producer === true || project?.part === 'designer'
   const { data: money } = useQuery({ ...cueMoneyQuery(cueId), enabled: seesMoney })
-  const [player, playing] = usePlayer({ held: true })
+  const [player, playing] = usePlayer({ held: true, light: true })
   const conditions = useCondition(player)
   const [queueOpen, setQueueOpen] = useState(false)
   const [isFiltering, setFiltering] = useState(false)
@@ -57,7 +57,7 @@ export function ReviewPage(): ReactNode {
 
   const at = waiting.findIndex(({ cue }) => cue.id === cueId)
   const ahead = at < 0 ? waiting : [...waiting.slice(at + 1), ...waiting.slice(0, at)]
-  useReady(player, waiting[at]?.takes ?? NONE, ahead[0])
+  useReady(player, waiting[at]?.takes ?? NONE, ahead[0], ahead.slice(1, 3))
   const aheadIds = ahead
     .slice(0, AHEAD)
     .map(({ cue }) => cue.id)

@@ -30,6 +30,8 @@ interface TransportProps {
   takeId: string
 }
 
+const LIGHT = 'Coded, to begin sooner. The exact sound takes its place as soon as it is here.'
+
 const loadConditions = () => import('./ConditionsMenu').then(({ ConditionsMenu }) => ConditionsMenu)
 
 /** Whether it is heard as a phone or a television plays it; said as long as it is so. */
@@ -97,6 +99,11 @@ export function Transport({
         onClick={() => void player.toggle()}
       />
       <Time player={player} durationS={durationS} />
+      {silent === null && playing.durationS > 0 && (
+        <span className="small mid" title={playing.isLight ? LIGHT : undefined}>
+          {playing.isLight ? 'Preview' : 'Exact'}
+        </span>
+      )}
       <HotkeyButton
         keys="l"
         keyLabel="Loop the range"

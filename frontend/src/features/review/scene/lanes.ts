@@ -86,7 +86,7 @@ export class SceneLanes implements Company {
   }
 
   begin(start: CompanyStart): void {
-    if (this.#start && this.#start.to === start.to && Math.abs(this.#positionS() - start.fromS) < SAME_S) {
+    if (this.#start && this.#start.to === start.to && Math.abs(this.#positionS(start.atS) - start.fromS) < SAME_S) {
       for (const { node } of this.#sounding.values()) loopRound(node, start.loop)
       this.#start = start
       return
@@ -119,10 +119,10 @@ export class SceneLanes implements Company {
     this.#sounding.set(lane.id, { lane, node, gain })
   }
 
-  #positionS(): number {
+  #positionS(now = this.#start?.context.currentTime ?? 0): number {
     if (this.#start === null) return 0
-    const { context, atS, fromS, loop } = this.#start
-    const at = fromS + Math.max(0, context.currentTime - atS)
+    const { atS, fromS, loop } = this.#start
+    const at = fromS + Math.max(0, now - atS)
     return loop && at >= loop.endS ? loop.startS + ((at - loop.startS) % (loop.endS - loop.startS)) : at
   }
 }

@@ -1,0 +1,215 @@
+import { execFileSync } from 'node:child_process'
+import { once } from 'node:events'
+import { readFile, writeFile } from 'node:fs/promises'
+import { createServer, type Server as Listener } from 'node:http'
+import type { AddressInfo } from 'node:net'
+import { fileURLToPath } from 'node:url'
+
+import { expect, type Page, test } from '@playwright/test'
+import { build, type Rolldown } from 'vite'
+
+import type * as Heard from './heard'
+import { PYTHON, ROOT } from './server'
+
+const RATE_HZ = 48_000
+const LONG_S = 60
+/** What is promised, and how much later it may be on a machine that does other things too. */
+const FIRST_SOUND_MS = 150
+const BUSY = 3
+const FADE_FRAMES = 0.005 * RATE_HZ
+
+declare const heard: typeof Heard
+declare const output: Output
+
+/** What the page recorded at the destination of its context. */
+interface Output {
+  player: Heard.Player
+  /** The time of the first sound, by the clock of the page. */
+  firstSoundMs: () => number
+  pressedMs: () => number
+  /** All samples from the first sound on. */
+  samples: () => number[]
+}
+
+/** A sweep, in which each place is known by its samples; both channels alike. */
+const sweep = (frame: number, topHz: number): number => {
+  const s = frame / RATE_HZ
+  return Math.round(16_000 * Math.cos(2 * Math.PI * (200 * s + ((topHz - 200) * s * s) / (2 * LONG_S)))) / 32_768
+}
+
+function wav(topHz: number): Buffer {
+  const bytes = Buffer.alloc(44 + LONG_S * RATE_HZ * 4)
+  bytes.write('RIFF', 0)
+  bytes.writeUInt32LE(bytes.length - 8, 4)
+  bytes.write('WAVEfmt ', 8)
+  for (const [value, at] of [[16, 16], [RATE_HZ, 24], [RATE_HZ * 4, 28], [bytes.length - 44, 40]] as const) bytes.writeUInt32LE(value, at) // prettier-ignore
+  for (const [value, at] of [[1, 20], [2, 22], [4, 32], [16, 34]] as const) bytes.writeUInt16LE(value, at) // prettier-ignore
+  bytes.write('data', 36)
+  for (let frame = 0; frame < LONG_S * RATE_HZ; frame += 1) {
+    const value = sweep(frame, topHz) * 32_768
+    bytes.writeInt16LE(value, 44 + 4 * frame)
+    bytes.writeInt16LE(value, 46 + 4 * frame)
+  }
+  return bytes
+}
+
+let script: string
+let listener: Listener
+const files = new Map<string, { type: string; bytes: Buffer }>()
+
+test.beforeAll(async () => {
+  const testInfo = test.info()
+  const made = (await build({
+    configFile: false,
+    logLevel: 'silent',
+    build: {
+      write: false,
+      minify: false,
+      lib: { entry: fileURLToPath(new URL('heard.ts', import.meta.url)), name: 'heard', formats: ['iife'] },
+    },
+  })) as Rolldown.RolldownOutput[]
+  script = made[0]?.output[0].code ?? ''
+  files.set('/', { type: 'text/html', bytes: Buffer.from('<!doctype html><title>Heard</title>') })
+  for (const [name, topHz] of [
+    ['/a', 2_000],
+    ['/b', 6_000],
+  ] as const) {
+    const bytes = wav(topHz)
+    const [path, light] = [testInfo.outputPath(`${name.slice(1)}.wav`), testInfo.outputPath(`${name.slice(1)}.ogg`)]
+    await writeFile(path, bytes)
+    const code = 'import sys, audio_checks; assert audio_checks.light_preview(*sys.argv[1:])'
+    execFileSync(PYTHON, ['-c', code, path, light], { cwd: ROOT })
+    files.set(name, { type: 'audio/wav', bytes })
+    files.set(`${name}?light=true`, { type: 'audio/ogg', bytes: await readFile(light) })
+  }
+  listener = createServer((request, answer) => {
+    const file = files.get(request.url ?? '')
+    answer.writeHead(file ? 200 : 404, { 'Content-Type': file?.type ?? 'text/plain' })
+    answer.end(file?.bytes)
+  }).listen(0, '127.0.0.1')
+  await once(listener, 'listening')
+})
+
+test.afterAll(() => listener.close())
+
+/** A page that plays by the player and records what reaches the device; Space plays. */
+async function open(page: Page, mbitPerS: number, latencyMs: number): Promise<void> {
+  await page.goto(`http://127.0.0.1:${(listener.address() as AddressInfo).port}/`)
+  await page.addScriptTag({ content: script })
+  await page.evaluate(async () => {
+    const recorder = `registerProcessor('recorder', class extends AudioWorkletProcessor {
+      process([input]) {
+        if (input[0]) this.port.postMessage({ frame: currentFrame, samples: input[0].slice() })
+        return true
+      }
+    })`
+    const context = new AudioContext({ sampleRate: 48_000 })
+    await context.audioWorklet.addModule(URL.createObjectURL(new Blob([recorder], { type: 'text/javascript' })))
+    const node = new AudioWorkletNode(context, 'recorder')
+    node.connect(context.destination)
+    const blocks: { frame: number; samples: Float32Array }[] = []
+    node.port.onmessage = ({ data }: MessageEvent<{ frame: number; samples: Float32Array }>) => {
+      if (blocks.length > 0 || data.samples.some((value) => value !== 0)) blocks.push(data)
+    }
+    // All that is connected to the device is recorded on its way.
+    const connect = Reflect.get(AudioNode.prototype, 'connect') as (this: AudioNode, to: AudioNode) => AudioNode
+    Object.assign(AudioNode.prototype, {
+      connect(this: AudioNode, to: AudioNode) {
+        return connect.call(this, to === context.destination ? node : to)
+      },
+    })
+    await context.resume()
+    const player = new heard.Player({ createContext: () => context, light: true })
+    let pressedMs = 0
+    addEventListener('keydown', (event) => {
+      pressedMs = event.timeStamp
+      void player.play()
+    })
+    const first = () => {
+      const [block] = blocks
+      if (!block) return -1
+      return block.frame + block.samples.findIndex((value) => value !== 0)
+    }
+    const output: Output = {
+      player,
+      pressedMs: () => pressedMs,
+      firstSoundMs: () => {
+        const { contextTime = 0, performanceTime = 0 } = context.getOutputTimestamp()
+        return first() < 0 ? Infinity : performanceTime + (first() / context.sampleRate - contextTime) * 1_000
+      },
+      samples: () => blocks.flatMap(({ samples }) => [...samples]).slice(first() - (blocks[0]?.frame ?? 0)),
+    }
+    Object.assign(globalThis, { output })
+  })
+  const devtools = await page.context().newCDPSession(page)
+  await devtools.send('Network.enable')
+  await devtools.send('Network.emulateNetworkConditions', {
+    offline: false,
+    latency: latencyMs,
+    downloadThroughput: (mbitPerS * 1_000_000) / 8,
+    uploadThroughput: (mbitPerS * 1_000_000) / 8,
+  })
+}
+
+const soundsWithinMs = async (page: Page): Promise<number> => {
+  await expect.poll(() => page.evaluate(() => output.firstSoundMs())).toBeLessThan(Infinity)
+  return page.evaluate(() => output.firstSoundMs() - output.pressedMs())
+}
+
+/** The first and last place at which what was heard is not the exact sound. */
+function apart(samples: readonly number[], topHz: number, from: number, to: number): { first: number; last: number } {
+  let [first, last] = [-1, -1]
+  for (let frame = from; frame < to; frame += 1) {
+    if (Math.abs((samples[frame] ?? 0) - sweep(frame, topHz)) < 1e-4) continue
+    if (first < 0) first = frame
+    last = frame
+  }
+  return { first, last }
+}
+
+test('a sound that is next plays at once over 5 Mbit/s and 80 ms, and the exact one takes over without a gap', async ({
+  page,
+}) => {
+  await open(page, 5, 80)
+  await page.evaluate(() => output.player.select({ id: 'a', url: '/a' }))
+  await page.keyboard.press('Space')
+  const firstMs = await soundsWithinMs(page)
+  expect(await page.evaluate(() => output.player.getState().isLight)).toBe(true)
+  await expect.poll(() => page.evaluate(() => output.player.getState().isLight), { timeout: 90_000 }).toBe(false)
+  await page.waitForTimeout(1_000)
+  const samples = await page.evaluate(() => output.samples())
+  const { last } = apart(samples, 2_000, 0, samples.length)
+  const [window, levels] = [FADE_FRAMES, [] as number[]]
+  for (let start = window; start + window <= samples.length; start += window) {
+    levels.push(Math.sqrt(samples.slice(start, start + window).reduce((sum, value) => sum + value ** 2, 0) / window))
+  }
+  const [least, middle] = [Math.min(...levels), levels.sort((a, b) => a - b)[Math.floor(levels.length / 2)] ?? 0]
+  console.log(
+    `key to first sound ${firstMs.toFixed(0)} ms; exact after ${(last / RATE_HZ).toFixed(2)} s of sound; ` +
+      `least level of 5 ms ${(20 * Math.log10(least / middle)).toFixed(1)} dB beside the middle one`,
+  )
+  expect(firstMs).toBeLessThan(BUSY * FIRST_SOUND_MS)
+  // From there on each sample is that of the exact sound, at the very place at which the preview was.
+  expect(samples.length - last).toBeGreaterThan(RATE_HZ / 4)
+  expect(last).toBeLessThan(LONG_S * RATE_HZ)
+  expect(20 * Math.log10(least / middle)).toBeGreaterThan(-3)
+})
+
+test('a switch between alternates takes 5 ms of what is heard, to the sample', async ({ page }) => {
+  await open(page, 1_000, 0)
+  await page.evaluate(async () => {
+    await Promise.all(['/a', '/b'].map((url) => output.player.previews.get(url)))
+    await output.player.select({ id: 'a', url: '/a' })
+  })
+  await page.keyboard.press('Space')
+  await soundsWithinMs(page)
+  await page.waitForTimeout(500)
+  await page.evaluate(() => output.player.select({ id: 'b', url: '/b' }))
+  await page.waitForTimeout(500)
+  const samples = await page.evaluate(() => output.samples())
+  const { first } = apart(samples, 2_000, 0, samples.length)
+  const { last } = apart(samples, 6_000, 0, samples.length)
+  console.log(`a switch: ${(((last - first + 1) / RATE_HZ) * 1_000).toFixed(2)} ms`)
+  expect(first).toBeGreaterThan(RATE_HZ / 10)
+  expect(last - first + 1).toBeLessThanOrEqual(FADE_FRAMES + 1)
+})
