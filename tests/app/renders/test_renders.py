@@ -112,9 +112,7 @@ def test_the_preview_plays_in_parts(world: World) -> None:
     assert part.content == whole.content[100:200]
 
 
-def test_a_light_preview_is_as_long_as_the_sound_and_a_small_sound_is_sent_as_it_is(
-    world: World,
-) -> None:
+def test_a_light_preview_is_as_long_as_the_sound_and_a_small_sound_is_sent_as_it_is(world: World) -> None:
     add_cue(world, "beep")
     add_cue(world, "tick")
     long_id = deliver_sound(world, "beep.wav", sine(hz=1_000, dbfs=-6, rate=96_000, seconds=2.0), rate=96_000)
