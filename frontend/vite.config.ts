@@ -9,6 +9,9 @@ import { precompress } from './scripts/precompress.ts'
 
 const server = process.env.SOUNDLIST_SERVER ?? 'http://127.0.0.1:8000'
 
+// Tests with vi.mock: a module that another file has loaded is no longer replaced.
+const REPLACES_MODULES = ['src/features/take/DryStem.test.tsx']
+
 export default defineConfig({
   plugins: [react(), early(), precompress()],
   resolve: { alias: { '@': fileURLToPath(new URL('./src', import.meta.url)) } },
@@ -45,9 +48,13 @@ export default defineConfig({
     testTimeout: 60_000,
     hookTimeout: 60_000,
     projects: [
-      // A page environment for each file costs 3 s of processor. Tests of screens are not independent without one.
-      { extends: true, test: { name: 'screens', include: ['src/**/*.test.tsx'] } },
+      // Files share a page environment and modules: to load them for each doubled what the tests of screens cost.
       { extends: true, test: { name: 'logic', include: ['src/**/*.test.ts'], isolate: false } },
+      {
+        extends: true,
+        test: { name: 'screens', include: ['src/**/*.test.tsx'], exclude: REPLACES_MODULES, isolate: false },
+      },
+      { extends: true, test: { name: 'alone', include: REPLACES_MODULES } },
     ],
   },
 })

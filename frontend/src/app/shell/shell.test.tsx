@@ -2,7 +2,7 @@ import { QueryClient } from '@tanstack/react-query'
 import { createMemoryHistory, createRoute, createRouter, RouterProvider } from '@tanstack/react-router'
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { expect, test, vi } from 'vitest'
+import { afterEach, expect, test, vi } from 'vitest'
 
 import { draw } from '@/test/draw'
 import { serve } from '@/test/server'
@@ -33,6 +33,14 @@ const DESIGNER: ShellData = {
   counts: { desk: 3 },
   operates: false,
 }
+
+// The routes of the product are shared with the files that run after this one.
+const { children: ofRoot } = rootRoute
+const { children: ofShell } = shellRoute
+afterEach(() => {
+  Object.assign(rootRoute, { children: ofRoot })
+  Object.assign(shellRoute, { children: ofShell })
+})
 
 function Page({ name }: { name: string }) {
   useTitle(name)

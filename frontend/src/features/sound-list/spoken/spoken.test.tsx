@@ -19,6 +19,7 @@ const SAID = {
   recorded_by: { id: 'x1', name: 'Producer' },
   recorded_at: '2026-11-20T10:00:00Z',
 }
+const readBlob = Object.getOwnPropertyDescriptor(Blob.prototype, 'arrayBuffer')
 const stopTrack = vi.fn()
 const getUserMedia = vi.fn()
 
@@ -55,7 +56,11 @@ beforeEach(() => {
     value: () => Promise.resolve(new ArrayBuffer(1)),
   })
 })
-afterEach(() => Reflect.deleteProperty(navigator, 'mediaDevices'))
+afterEach(() => {
+  Reflect.deleteProperty(navigator, 'mediaDevices')
+  if (readBlob) Object.defineProperty(Blob.prototype, 'arrayBuffer', readBlob)
+  else Reflect.deleteProperty(Blob.prototype, 'arrayBuffer')
+})
 
 function show(said: unknown, mayEdit = true, more: object = {}) {
   const { asked } = serve({
