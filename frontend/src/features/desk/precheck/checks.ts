@@ -16,7 +16,8 @@ type Found = Partial<Finding> & Pick<Finding, 'code' | 'message' | 'fix'>
 
 interface Subject {
   layout: Layout
-  peaks: Peaks
+  /** Null where only the header was read. */
+  peaks: Peaks | null
   spec: SpecView
   length: CueLength | null
 }
@@ -225,8 +226,9 @@ function* againstRequest(length: Fraction, askedS: number, { length_locked, fram
 
 function* samplePeak({ layout, peaks, spec }: Subject): Iterable<Found> {
   const { sample_peak_dbfs: limit, tolerance_db: tolerance } = spec.limits
+  if (limit === null || peaks === null) return
   const peak = peakOf(peaks)
-  if (limit === null || peak <= limit + tolerance) return
+  if (peak <= limit + tolerance) return
   const atS = peaks.frame / layout.sampleRateHz
   yield {
     code: 'sample-peak:over',
@@ -242,7 +244,7 @@ function* samplePeak({ layout, peaks, spec }: Subject): Iterable<Found> {
 
 function* silence({ layout, peaks, spec }: Subject): Iterable<Found> {
   const { silence_below_dbfs: limit, tolerance_db: tolerance } = spec.limits
-  if (limit === null) return
+  if (limit === null || peaks === null) return
   const peak = peakOf(peaks)
   const where = { start_s: 0, end_s: durationOf(layout) }
   if (peak < limit - tolerance) {

@@ -15,12 +15,19 @@ export interface Judgement {
   findings: Finding[]
 }
 
+/** Whether a file is a FLAC by its bytes and its name; one without a name is known by its bytes. */
+async function startsAsFlac(file: Blob, read: Read): Promise<boolean> {
+  const isNamed = !('name' in file) || String(file.name).toLowerCase().endsWith('.flac')
+  return isNamed && String.fromCharCode(...(await read(0, 4))) === 'fLaC'
+}
+
 /** Judge a file as the server would, as far as its header and its peaks go; null where only the server can say. */
 export async function judgeFile({ file, spec, length }: Judgeable): Promise<Judgement | null> {
   const read: Read = async (offset, count) => new Uint8Array(await file.slice(offset, offset + count).arrayBuffer())
   try {
-    const layout = await readLayout(read, file.size)
-    const peaks = await peaksOf(layout, read)
+    const isFlac = await startsAsFlac(file, read)
+    const layout = isFlac ? await (await import('./flac')).readFlacLayout(read) : await readLayout(read, file.size)
+    const peaks = isFlac ? null : await peaksOf(layout, read)
     return { isUnreadable: false, findings: check({ layout, peaks, spec, length }) }
   } catch (refusal) {
     if (refusal instanceof LeftToServer) return null

@@ -1,7 +1,7 @@
 /** The header of a WAV or RF64 file, read as the server reads it; what is odd about one is left to the server. */
 
 export interface Layout {
-  container: 'wav' | 'rf64'
+  container: 'wav' | 'rf64' | 'flac'
   encoding: 'pcm' | 'float'
   sampleRateHz: number
   bitDepth: number
