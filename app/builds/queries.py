@@ -7,7 +7,7 @@ from datetime import datetime
 from typing import Any, NamedTuple
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, func, select
+from sqlalchemy import ColumnElement, func, literal, select
 from sqlalchemy.orm import Session, defer, joinedload, undefer
 
 from app.accounts.models import Person
@@ -330,10 +330,11 @@ def open_remarks(session: Session, cue_ids: Collection[UUID], designer_id: UUID)
         .where(*of_takes, ChangeRequest.feedback_id.is_not(None))
         .order_by(ChangeRequest.id)
     ).all()
+    author = func.coalesce(Person.name, literal("guest ").concat(Comment.guest_name))
     comments = session.execute(
-        select(Take.cue_id, Take.file_name, Comment.start_s, Person.name, Comment.created_at, Comment.text)
+        select(Take.cue_id, Take.file_name, Comment.start_s, author, Comment.created_at, Comment.text)
         .join(Comment, Comment.take_id == Take.id)
-        .join(Person, Person.id == Comment.written_by)
+        .outerjoin(Person, Person.id == Comment.written_by)
         .where(*of_takes, Comment.resolved_at.is_(None))
         .order_by(Comment.id)
     ).all()

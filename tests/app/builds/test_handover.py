@@ -8,7 +8,10 @@ from typing import Any
 from uuid import UUID
 
 import pytest
+from sqlalchemy.orm import Session
 
+from app.deliveries.models import Take
+from app.reviews.comments import add_guest_comment
 from tests.app.agreements.conftest import Contracts
 from tests.app.builds.approved import sound
 from tests.app.money.agreed import Agreed, milestone
@@ -57,6 +60,14 @@ class Half:
 
 def test_it_has_what_the_next_designer_needs_and_nothing_of_money(world: World) -> None:
     half = Half(world)
+    said = world.reviewer.post(f"/v1/takes/{half.takes[1]}/comments", json={"text": "Very long"})
+    assert said.status_code == 201, said.text
+
+    def add_advice(session: Session) -> None:
+        take = session.get_one(Take, half.takes[1])
+        add_guest_comment(session, take, "Ada", text="Too bright", start_s=None, end_s=None)
+
+    world.server.in_database(add_advice)
     half.end()
     answer = half.pack()
     assert answer.status_code == 200, answer.text
@@ -78,6 +89,9 @@ def test_it_has_what_the_next_designer_needs_and_nothing_of_money(world: World) 
     assert f"- masters/laser.wav, SHA-256 {sha256}; made from scratch" in text
     assert "Change requested, shield.wav at 0.10 s, Audio director" in text
     assert "a duller clank" in text
+    assert "- Comment, shield.wav, Composer, " in text
+    assert "- Comment, shield.wav, guest Ada, " in text
+    assert "Too bright" in text
     assert "warp: Which ship warps in?" in text
     for secret in (REASON, "USD", "299", "99.99", "99,99"):
         assert secret not in text.replace(sha256, "") + table.replace(sha256, "")
