@@ -71,6 +71,12 @@ def test_a_note_beyond_midi_is_none():
     assert read_inst(bytes([128, *bytes(6)])).unity_note is None
 
 
+def test_half_of_a_pitch_fraction_is_50_cents():
+    # The sampler chunk counts a semitone in parts of 2**32.
+    content = struct.pack("<9I", 0, 0, 0, 60, 0x8000_0000, 0, 0, 0, 0)
+    assert read_smpl(content) == Instrument(unity_note=60, fine_tune_cents=50.0)
+
+
 def test_notes():
     assert read_smpl(payload(smpl([(0, 9)]))) == Instrument(unity_note=60, fine_tune_cents=0.0)
     assert read_inst(payload(chunks.inst(48, -12, -6, (40, 60), (1, 100)))) == Instrument(
