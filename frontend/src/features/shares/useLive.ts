@@ -104,14 +104,16 @@ export function useLive(playlistId: string, player: Player, playthrough: Playthr
     void sendMoves()
   }
 
-  const report = useEffectEvent(() => void send(() => reportPresence(playlistId, { leaves: false, page_id: pageId })))
+  const report = useEffectEvent(
+    () => void send(() => reportPresence(playlistId, { leaves: false, takes_over: false, page_id: pageId })),
+  )
   useEffect(() => {
     if (!isIn) return
     report()
     const timer = setInterval(() => report(), REPORT_MS)
     return () => {
       clearInterval(timer)
-      void reportPresence(playlistId, { leaves: true, page_id: pageId }).catch(() => undefined)
+      void reportPresence(playlistId, { leaves: true, takes_over: false, page_id: pageId }).catch(() => undefined)
     }
   }, [isIn, playlistId, pageId])
 
