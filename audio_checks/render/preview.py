@@ -28,7 +28,7 @@ BIT_DEPTH = 16
 LIGHT = Coder("vorbis", 0.2)  # some 95 kbit/s in stereo
 LIGHT_SEED = bytes(4)  # each file has one stream alone
 LEAST_CODED_RATE_HZ = 8_000
-LEAST_CODED_BYTES = 65_536  # a smaller file is here as soon as a coded one
+LEAST_CODED_BYTES = 600_000  # a smaller file is mostly here before it is asked for; coding costs 6 to 12 ms a second
 REVERSED_BLOCK_FRAMES = 65_536
 MAKE_A_PREVIEW = (  # what a target says of its files, but for their peaks
     "sample_rate_hz",

@@ -115,7 +115,7 @@ def test_the_preview_plays_in_parts(world: World) -> None:
 def test_a_light_preview_is_as_long_as_the_sound_and_a_small_sound_is_sent_as_it_is(world: World) -> None:
     add_cue(world, "beep")
     add_cue(world, "tick")
-    long_id = deliver_sound(world, "beep.wav", sine(hz=1_000, dbfs=-6, rate=96_000, seconds=2.0), rate=96_000)
+    long_id = deliver_sound(world, "beep.wav", sine(hz=1_000, dbfs=-6, rate=96_000, seconds=7.0), rate=96_000)
     short_id = deliver_sound(world, "tick.wav", sine(hz=1_000, dbfs=-6, seconds=0.1))
     exact_url, short_url = (sounds(world, one)["master"]["preview_url"] for one in (long_id, short_id))
     exact, light = world.reviewer.get(exact_url), world.reviewer.get(f"{exact_url}?light=true")
