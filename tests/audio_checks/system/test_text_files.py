@@ -1,9 +1,11 @@
 """Texts that people write are bounded before they are parsed."""
 
 import contextlib
+import os
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import pytest
 from hypothesis import given
@@ -93,3 +95,18 @@ def test_a_hostile_tree_does_not_stop_the_command_line(tmp_path):
     assert done.returncode == 2
     assert "more than 16 parts" in done.stdout + done.stderr
     assert time.monotonic() - begun < 60
+
+
+def test_a_text_of_as_many_bytes_as_allowed_is_read_and_a_longer_one_is_not(tmp_path: Path):
+    path = tmp_path / "text"
+    path.write_bytes(b"x" * 1_000)
+    assert read_text(path, most_bytes=1_000) == "x" * 1_000
+    with pytest.raises(SpecError, match="is larger than"):
+        read_text(path, most_bytes=999)
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="a system without FIFOs")
+def test_a_fifo_is_refused_and_not_waited_for(tmp_path: Path):
+    os.mkfifo(tmp_path / "text")
+    with pytest.raises(SpecError, match="is no regular file but a pipe or a device"):
+        read_text(tmp_path / "text")
