@@ -63,18 +63,19 @@ def test_what_was_said_last_is_named_with_who_said_it(world: World):
 def test_pages_hold_each_cue_once(world: World, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(own_desk, "CUES", 2)
     stage = Stage(world)
-    for place in range(5):
+    for place in range(4):
         cue_id = stage.cue(f"sound_{place}")
-        if place > 2:
+        if place > 1:
             set_due(world, cue_id, date(2026, 12, place))
     found, query = [], {}
     while True:
         answer = world.designer.get("/v1/me/desk", params=query).json()
+        assert answer["items"], "a page is empty"
         found += [one["cue"]["name"] for one in answer["items"]]
         if answer["next"] is None:
             break
         query = {"cursor": answer["next"]}
-    assert found == ["sound_3", "sound_4", "sound_0", "sound_1", "sound_2"]
+    assert found == ["sound_2", "sound_3", "sound_0", "sound_1"]
     assert world.designer.get("/v1/me/desk", params={"cursor": "soon"}).json()["code"] == "bad-cursor"
 
 

@@ -99,9 +99,9 @@ export function Transport({
         onClick={() => void player.toggle()}
       />
       <Time player={player} durationS={durationS} />
-      {silent === null && playing.durationS > 0 && (
-        <span className="small mid" title={playing.isLight ? LIGHT : undefined}>
-          {playing.isLight ? 'Preview' : 'Exact'}
+      {silent === null && playing.durationS > 0 && playing.isLight && (
+        <span className="small mid" title={LIGHT}>
+          Preview
         </span>
       )}
       <HotkeyButton
