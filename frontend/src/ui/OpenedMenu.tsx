@@ -13,17 +13,27 @@ interface OpenedMenuProps extends MenuProps {
 export function OpenedMenu({ button, position, width, children }: OpenedMenuProps) {
   const [isOpen, setOpen] = useState(false)
   const bar = useRef<HTMLSpanElement>(null)
+  useEffect(() => setOpen(true), [])
   useEffect(() => {
-    // The focus goes back here when the menu closes.
-    bar.current?.querySelector('button')?.focus()
-    setOpen(true)
-  }, [])
+    // Before the menu opens and after it closes the button has the focus, unless a field that an item opened took it:
+    // Mantine's own `returnFocus` would take it from that field, and what is typed there would be taken for shortcuts.
+    if (!isOpen && hasNoFocus()) bar.current?.querySelector('button')?.focus()
+  }, [isOpen])
   return (
     <span ref={bar} style={{ display: 'contents' }}>
-      <Menu opened={isOpen} onChange={setOpen} position={position} width={width} transitionProps={{ duration: 0 }}>
+      <Menu
+        opened={isOpen}
+        onChange={setOpen}
+        position={position}
+        width={width}
+        transitionProps={{ duration: 0 }}
+        returnFocus={false}
+      >
         <Menu.Target>{button}</Menu.Target>
         <Menu.Dropdown>{children}</Menu.Dropdown>
       </Menu>
     </span>
   )
 }
+
+const hasNoFocus = () => document.activeElement === null || document.activeElement === document.body
