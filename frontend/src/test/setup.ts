@@ -1,7 +1,7 @@
 import '@testing-library/jest-dom/vitest'
 
 import { cleanup, configure } from '@testing-library/react'
-import { afterEach, beforeEach, vi } from 'vitest'
+import { afterAll, afterEach, beforeEach, vi } from 'vitest'
 
 import { forgetDrafts } from '@/app/drafts'
 import { dismissToast } from '@/app/toast'
@@ -21,6 +21,8 @@ afterEach(() => {
   cleanup()
   vi.unstubAllGlobals()
 })
+// Files share modules: one that is still being loaded when a file ends would stay broken for all that follow.
+afterAll(() => vi.dynamicImportSettled())
 
 // jsdom lays nothing out and paints nothing; these answer as a browser without a screen would.
 class StillObserver implements ResizeObserver {
