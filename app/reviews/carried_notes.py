@@ -1,5 +1,6 @@
 """Notes on earlier versions, carried over to the next one until they are said to be done."""
 
+from collections import defaultdict
 from collections.abc import Collection, Iterable
 from uuid import UUID
 
@@ -18,16 +19,24 @@ from app.reviews.schemas import CarriedNote, NoteAnswerRead
 
 def carried_notes(session: Session, cue_id: UUID) -> list[CarriedNote]:
     """Return the notes of a cue that were or are carried over, in the order in which they were written."""
-    asked, said = queries.notes_to_carry(session, cue_id)
+    return notes_by_cue(session, [cue_id]).get(cue_id, [])
+
+
+def notes_by_cue(session: Session, cue_ids: Collection[UUID]) -> dict[UUID | None, list[CarriedNote]]:
+    """Return the notes of cues that were or are carried over, by cue, in the order in which they were written."""
+    asked, said = queries.notes_to_carry(session, cue_ids)
     answers = queries.newest_answers(session, [one.id for one in asked] + [one.id for one, _ in said])
-    notes = [
-        *(_note(one, one.take, answers.get(one.id)) for one in asked),
-        *(_note(one, take, answers.get(one.id)) for one, take in said if one.resolved_at is None or one.id in answers),
+    written: list[tuple[ChangeRequest | Comment, Take]] = [
+        *((one, one.take) for one in asked),
+        *((one, take) for one, take in said if one.resolved_at is None or one.id in answers),
     ]
-    if notes:
-        approvals = {take.variation: (take, verdict) for take, verdict in queries.approvals_of(session, cue_id)}
-        notes = [_with_approval(note, *approvals.get(note.variation, (None, None))) for note in notes]
-    return sorted(notes, key=lambda note: note.created_at)
+    found = queries.approvals_of(session, cue_ids) if written else []
+    approvals = {(take.cue_id, take.variation): (take, verdict) for take, verdict in found}
+    by_cue: defaultdict[UUID | None, list[CarriedNote]] = defaultdict(list)
+    for one, take in sorted(written, key=lambda note: note[0].created_at):
+        approval = approvals.get((take.cue_id, take.variation), (None, None))
+        by_cue[take.cue_id].append(_with_approval(_note(one, take, answers.get(one.id)), *approval))
+    return by_cue
 
 
 def _with_approval(note: CarriedNote, approved: Take | None, verdict: Verdict | None) -> CarriedNote:

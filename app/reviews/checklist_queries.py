@@ -13,15 +13,20 @@ from app.reviews.rules import ApprovalBlockers
 
 def blockers_of(session: Session, project_id: UUID) -> ApprovalBlockers:
     """Return what blocks approval in a project."""
-    set_to = session.scalar(select(ApprovalRule.blockers).where(ApprovalRule.project_id == project_id))
-    return ApprovalBlockers.NONE if set_to is None else set_to
+    return blockers_in(session, [project_id]).get(project_id, ApprovalBlockers.NONE)
 
 
-def items_of_project(session: Session, project_id: UUID) -> Sequence[ChecklistItem]:
-    """Return the items of a project's checklists by category, those of every cue first, in order."""
+def blockers_in(session: Session, project_ids: Collection[UUID]) -> dict[UUID, ApprovalBlockers]:
+    """Return what blocks approval in projects, by project, of those that have set it."""
+    query = select(ApprovalRule.project_id, ApprovalRule.blockers)
+    return dict(session.execute(query.where(in_array(ApprovalRule.project_id, project_ids))).all())
+
+
+def items_in(session: Session, project_ids: Collection[UUID]) -> Sequence[ChecklistItem]:
+    """Return the items of projects' checklists by category, those of every cue first, in order."""
     return session.scalars(
         select(ChecklistItem)
-        .where(ChecklistItem.project_id == project_id, ChecklistItem.removed_at.is_(None))
+        .where(in_array(ChecklistItem.project_id, project_ids), ChecklistItem.removed_at.is_(None))
         .order_by(ChecklistItem.category, ChecklistItem.place)
     ).all()
 

@@ -1,9 +1,7 @@
-"""Checklists by category, what is checked of a take, and what blocks its approval."""
+"""Checklists by category, and what is checked of a take."""
 
-from collections import defaultdict
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from itertools import groupby
-from typing import Protocol
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -12,48 +10,29 @@ from app.accounts.rules import Actor
 from app.deliveries.service import take_for
 from app.kit import clock
 from app.kit.db import insert_if_absent
-from app.kit.errors import FieldProblem
 from app.projects.queries import lock_project
 from app.projects.service import project_access
 from app.reviews import checklist_queries as queries
-from app.reviews.carried_notes import carried_notes
+from app.reviews.approval_blocks import OfCue, blocked_takes
 from app.reviews.checklist_schemas import (
     ApprovalSettingsRead,
-    BlockedTake,
     ChecklistItemRead,
     ChecklistRead,
     CueChecklist,
     ItemCheckRead,
 )
-from app.reviews.errors import ApprovalBlocked, ChecklistItemNotFound, TooManyChecklists
+from app.reviews.errors import ChecklistItemNotFound, TooManyChecklists
 from app.reviews.models import ApprovalRule, ChecklistItem, ItemCheck
-from app.reviews.rules import ApprovalBlockers, ensure_checklist, what_is_open
+from app.reviews.rules import ApprovalBlockers, ensure_checklist
 from app.sound_lists.models import Cue
 
 MAX_CHECKLISTS = 100
-HOW_TO_CLOSE = "resolve the comments, mark the notes as done and check the items in Review, then approve again"
-
-
-class OfCue(Protocol):
-    """A version of a cue: a take, or what is shown of one."""
-
-    @property
-    def id(self) -> UUID:
-        """The take's."""
-
-    @property
-    def variation(self) -> int:
-        """Of its cue."""
-
-    @property
-    def number(self) -> int | None:
-        """Of the version."""
 
 
 def approval_settings(session: Session, actor: Actor, project_id: UUID) -> ApprovalSettingsRead:
     """Return the checklists of a project and what blocks approval there."""
     project_access(session, actor, project_id).ensure_team()
-    by_category = groupby(queries.items_of_project(session, project_id), lambda item: item.category)
+    by_category = groupby(queries.items_in(session, [project_id]), lambda item: item.category)
     return ApprovalSettingsRead(
         blockers=queries.blockers_of(session, project_id),
         checklists=[ChecklistRead(category=category, items=_shown(list(items))) for category, items in by_category],
@@ -68,7 +47,7 @@ def set_checklist(
     access.ensure_producer()
     ensure_checklist(items)
     lock_project(session, project_id)
-    has_one = {item.category for item in queries.items_of_project(session, project_id)}
+    has_one = {item.category for item in queries.items_in(session, [project_id])}
     if items and category not in has_one and len(has_one) >= MAX_CHECKLISTS:
         raise TooManyChecklists(
             f"{len(has_one)} categories have a checklist, as many as may have one",
@@ -138,48 +117,8 @@ def cue_checklist(session: Session, cue: Cue, takes: Sequence[OfCue]) -> CueChec
         blockers=queries.blockers_of(session, cue.project_id),
         items=_shown(items),
         checks=[ItemCheckRead.model_validate(check) for check in checks],
-        blocked=_blocked(session, cue, takes, items, checks),
+        blocked=blocked_takes(session, {cue: takes}).get(cue.id, []),
     )
-
-
-def ensure_nothing_open(session: Session, cue: Cue, takes: Sequence[OfCue]) -> None:
-    """Raise ApprovalBlocked, with every take that is, where something is open that the project wants closed."""
-    items = queries.items_for(session, cue.project_id, cue.category)
-    checks = queries.checks_of(session, [take.id for take in takes]) if items else []
-    blocked = _blocked(session, cue, takes, items, checks)
-    if not blocked:
-        return
-    by_id = {take.id: take for take in takes}
-    errors: list[FieldProblem] = []
-    for one in blocked:
-        take = by_id[one.take_id]
-        of_set = f" of variation {take.variation}" if cue.variations > 1 else ""
-        errors.append({"where": str(take.id), "message": f"version {take.number}{of_set}: {one.why}"})
-    said = "; ".join(error["message"] for error in errors)
-    raise ApprovalBlocked(f"nothing was approved of {cue.name}. {said}", errors=errors, fix=HOW_TO_CLOSE)
-
-
-def _blocked(
-    session: Session,
-    cue: Cue,
-    takes: Sequence[OfCue],
-    items: Sequence[ChecklistItem],
-    checks: Collection[ItemCheck],
-) -> list[BlockedTake]:
-    blockers = queries.blockers_of(session, cue.project_id)
-    comments = queries.open_comments(session, [take.id for take in takes]) if blockers.are_notes else {}
-    notes = carried_notes(session, cue.id) if blockers.are_notes else []
-    not_done = [note for note in notes if note.answer is None or not note.answer.is_done]
-    checked: defaultdict[UUID, set[UUID]] = defaultdict(set)
-    for check in checks:
-        checked[check.take_id].add(check.item_id)
-    found = []
-    for take in takes:
-        earlier = sum(note.variation == take.variation and note.number < (take.number or 0) for note in not_done)
-        unchecked = [item.text for item in items if item.id not in checked[take.id]] if blockers.are_items else []
-        if why := what_is_open(comments.get(take.id, 0), earlier, unchecked):
-            found.append(BlockedTake(take_id=take.id, why=why))
-    return found
 
 
 def _shown(items: Sequence[ChecklistItem]) -> list[ChecklistItemRead]:

@@ -151,14 +151,14 @@ def action_verdicts(session: Session, action_id: UUID) -> Sequence[Verdict]:
     ).all()
 
 
-def approvals_of(session: Session, cue_id: UUID) -> Sequence[tuple[Take, Verdict]]:
-    """Return a cue's approved takes with the verdict of a person that approved each, and who gave it."""
+def approvals_of(session: Session, cue_ids: Collection[UUID]) -> Sequence[tuple[Take, Verdict]]:
+    """Return the approved takes of cues with the verdict of a person that approved each, and who gave it."""
     back = aliased(Verdict)
     return session.execute(
         select(Take, Verdict)
         .join(Verdict, Verdict.take_id == Take.id)
         .where(
-            Take.cue_id == cue_id,
+            in_array(Take.cue_id, cue_ids),
             Take.state == TakeState.APPROVED,
             Verdict.kind == VerdictKind.APPROVE,
             Verdict.given_by.is_not(None),
@@ -253,9 +253,11 @@ def people_who_see(session: Session, take: Take) -> Sequence[Person]:
     return session.scalars(seen.order_by(Person.name, Person.id)).all()
 
 
-def notes_to_carry(session: Session, cue_id: UUID) -> tuple[Sequence[ChangeRequest], Sequence[tuple[Comment, Take]]]:
+def notes_to_carry(
+    session: Session, cue_ids: Collection[UUID]
+) -> tuple[Sequence[ChangeRequest], Sequence[tuple[Comment, Take]]]:
     """Return what was asked and said of versions for which a change was requested; no reply, nor by its designer."""
-    asked_of = (Take.cue_id == cue_id, Take.state == TakeState.CHANGE_REQUESTED)
+    asked_of = (in_array(Take.cue_id, cue_ids), Take.state == TakeState.CHANGE_REQUESTED)
     asked = change_requests_of(session, ChangeRequest.take.has(and_(*asked_of)), ChangeRequest.feedback_id.is_not(None))
     said = session.execute(
         select(Comment, Take)

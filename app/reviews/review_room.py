@@ -29,7 +29,9 @@ from app.projects.service import project_access
 from app.renders.service import sound_places
 from app.renders.shown_renders import ShownPicture
 from app.reviews import queries, queue_queries
+from app.reviews.approval_blocks import blocked_takes
 from app.reviews.carried_notes import carried_notes
+from app.reviews.checklist_schemas import BlockedTake
 from app.reviews.checklists import cue_checklist
 from app.reviews.deemed_cues import LastDay, last_days
 from app.reviews.models import ChangeRequest, Comment, Verdict
@@ -81,6 +83,7 @@ def review_queue(
             by_cue[one.take.cue.id].append(one)
             cues.append(one.take.cue)
     facts = queue_queries.cues_on_review(session, by_cue)
+    blocked = blocked_takes(session, {cue: [one.take for one in by_cue[cue.id]] for cue in cues})
     changed = [cue_id for cue_id, of_cue in facts.items() if of_cue.is_changed]
     changes = queue_queries.last_changes(session, changed) if changed else {}
     words = findings_of_sets(session, cues, _specs_of(one for takes in by_cue.values() for one in takes))
@@ -95,6 +98,7 @@ def review_queue(
             is_urgent=cue.id in urgent,
             last_change=changes.get(cue.id),
             last_day=last.get(cue.id),
+            blocked=blocked.get(cue.id, []),
         )
         for cue in shown
         if (takes := by_cue.get(cue.id))
@@ -136,9 +140,7 @@ def _reach(session: Session, actor: Actor, project_id: UUID | None, *, is_own: b
         return queue_queries.in_project(project_id)
     if not actor.roles:
         raise TeamNeeded("only a game team has a review queue")
-    if is_own:
-        return queue_queries.in_scopes(approval_scopes(session, actor))
-    return queue_queries.in_studios(actor.roles)
+    return queue_queries.in_scopes(approval_scopes(session, actor)) if is_own else queue_queries.in_studios(actor.roles)
 
 
 def _queue_item(
@@ -150,6 +152,7 @@ def _queue_item(
     is_urgent: bool,
     last_change: str | None,
     last_day: LastDay | None,
+    blocked: list[BlockedTake],
 ) -> QueueItem:
     cue = waiting[0].take.cue
     if cue is None:
@@ -170,6 +173,7 @@ def _queue_item(
         findings_count=len(findings),
         worst_finding=min(findings, key=lambda finding: finding.severity != "error", default=None),
         takes=takes,
+        blocked=blocked,
     )
 
 

@@ -13,7 +13,7 @@ from app.deliveries.rules import TakeState
 from app.kit.http import Schema
 from app.renders.rules import RenderState
 from app.renders.schemas import SoundBrief
-from app.reviews.checklist_schemas import CueChecklist
+from app.reviews.checklist_schemas import BlockedTake, CueChecklist
 from app.reviews.rules import QueueKind, VerdictKind
 from app.sound_lists.rules import CueState, Reverb
 
@@ -136,6 +136,7 @@ class QueueItem(Schema):
     findings_count: int
     worst_finding: FindingRead | None
     takes: list[ReviewTake]
+    blocked: list[BlockedTake] = Field(description="Those of the takes that cannot be approved yet.")
 
 
 class QueueCount(Schema):

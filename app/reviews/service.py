@@ -17,7 +17,7 @@ from app.projects.approval import approval_rights, ensure_may_approve
 from app.projects.errors import ProducerNeeded
 from app.projects.service import ProjectAccess
 from app.reviews import queries
-from app.reviews.checklists import ensure_nothing_open
+from app.reviews.approval_blocks import ensure_nothing_open
 from app.reviews.decisions import STATE_AFTER, Decision, new_verdict
 from app.reviews.errors import (
     AlreadyAccepted,

@@ -14000,6 +14000,11 @@ export interface components {
              */
             is_dry_stem: boolean;
             /**
+             * List Name
+             * @description What the list calls a file of the likeliest cue; null where its name is right or nothing is likely.
+             */
+            list_name: string | null;
+            /**
              * Findings
              * @description Of its name alone.
              */
@@ -19764,6 +19769,11 @@ export interface components {
             worst_finding: components["schemas"]["FindingRead"] | null;
             /** Takes */
             takes: components["schemas"]["ReviewTake"][];
+            /**
+             * Blocked
+             * @description Those of the takes that cannot be approved yet.
+             */
+            blocked: components["schemas"]["BlockedTake"][];
         };
         /**
          * QueueKind
@@ -23135,6 +23145,91 @@ export interface components {
              * @default false
              */
             already_here: boolean;
+        };
+        /**
+         * TakeDetail
+         * @description One delivered file with the name that it had before it was renamed for its delivery.
+         */
+        TakeDetail: {
+            /**
+             * Id
+             * Format: uuid
+             */
+            id: string;
+            /**
+             * Project Id
+             * Format: uuid
+             */
+            project_id: string;
+            /**
+             * Delivery Id
+             * Format: uuid
+             */
+            delivery_id: string;
+            designer: components["schemas"]["PersonBrief"];
+            /** @description Null while it waits in the unmatched tray. */
+            cue: components["schemas"]["CueBrief"] | null;
+            /** Variation */
+            variation: number;
+            /**
+             * Number
+             * @description Shown as the version; null while unmatched.
+             */
+            number: number | null;
+            /** Alternate */
+            alternate: number | null;
+            state: components["schemas"]["TakeState"];
+            /**
+             * Late
+             * @description It came after its delivery was closed.
+             */
+            late: boolean;
+            /** File Name */
+            file_name: string;
+            /** Note */
+            note: string;
+            /**
+             * Fix Of Id
+             * @description The version that this one is a fix of.
+             */
+            fix_of_id: string | null;
+            /** Master Sha256 */
+            master_sha256: string;
+            /** Master Bytes */
+            master_bytes: number;
+            /**
+             * Received At
+             * Format: date-time
+             */
+            received_at: string;
+            /**
+             * State Since
+             * Format: date-time
+             */
+            state_since: string;
+            /**
+             * Already Here
+             * @description The same file was here before; this is its take.
+             * @default false
+             */
+            already_here: boolean;
+            /**
+             * Discarded At
+             * @description Out of the list and the tray since then; its master is kept.
+             */
+            discarded_at: string | null;
+            /** @description The one cue that an unmatched file is for by its name, if that is sure. */
+            sure: components["schemas"]["CueGuess"] | null;
+            /**
+             * Guesses
+             * @description Up to three cues that an unmatched file may be for otherwise.
+             */
+            guesses: components["schemas"]["CueGuess"][];
+            /**
+             * Received Name
+             * @description Null where it was not renamed, or came in a ZIP.
+             */
+            received_name: string | null;
         };
         /**
          * TakeFitRead
@@ -38727,6 +38822,8 @@ export interface operations {
                 /** @description Without it the name says which cue it is for. */
                 cue_id?: string | null;
                 variation?: number | null;
+                /** @description Its name before it was renamed. */
+                received_name?: string | null;
             };
             header?: {
                 /** @description The file's SHA-256 in hex. */
@@ -39487,7 +39584,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["TakeRead"];
+                    "application/json": components["schemas"]["TakeDetail"];
                 };
             };
             /** @description `take-not-found` */

@@ -110,6 +110,7 @@ export function anItem(cue: Partial<ReviewCue>, takes: ReviewTake[], item: Parti
     findings_count: findings.length,
     worst_finding: findings[0] ?? null,
     takes,
+    blocked: [],
     ...item,
   }
 }

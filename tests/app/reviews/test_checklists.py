@@ -99,6 +99,34 @@ def test_unchecked_items_block_approval_in_words_until_they_are_checked(stage: S
     stage.approve(take_id)
 
 
+def test_the_queue_says_beforehand_which_versions_cannot_be_approved_yet(stage: Stage) -> None:
+    shield, laser = stage.cue(category="weapon"), stage.cue(name="laser", category="ui")
+    first, later, other = stage.take(shield), stage.take(shield), stage.take(laser)
+    clicks = write(stage, "No clicks")["No clicks"]
+    fits = write(stage, "Fits the palette", category="weapon")["Fits the palette"]
+    comment(stage, later)
+
+    def blocked() -> dict[str, str]:
+        items = body_of(stage.world.approver.get(f"/v1/review-queue?project_id={stage.world.project_id}"))["items"]
+        for item in items:
+            assert item["blocked"] == stage.review(UUID(item["cue"]["id"]))["checklist"]["blocked"]
+        return {one["take_id"]: one["why"] for item in items for one in item["blocked"]}
+
+    assert blocked() == {}
+    block(stage, "both")
+    both = "“No clicks”, “Fits the palette” are not checked"
+    assert blocked() == {
+        str(first): both,
+        str(later): f"1 comment is not resolved; {both}",
+        str(other): "“No clicks” is not checked",
+    }
+    check(stage, other, clicks)
+    check(stage, later, fits)
+    assert blocked() == {str(first): both, str(later): "1 comment is not resolved; “No clicks” is not checked"}
+    block(stage, "notes")
+    assert blocked() == {str(later): "1 comment is not resolved"}
+
+
 def test_comments_that_are_not_resolved_block_and_replies_do_not(stage: Stage) -> None:
     take_id = stage.take(stage.cue())
     write(stage, "No clicks")

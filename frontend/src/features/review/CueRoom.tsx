@@ -5,6 +5,7 @@ import { keepDraft, keptDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { type Player, type PlayerState, spotOf } from '@/audio'
 import type { CueReview, ReviewTake } from '@/judging/api'
+import { blockedWords, whyBlocked } from '@/judging/blocked'
 import { isWholeSet, pickedOfSet } from '@/judging/choice'
 import { inOrder, matchGains, soundOf, sourceOf, targetsOf } from '@/judging/hearing'
 import { matchedWords } from '@/judging/levels'
@@ -16,7 +17,6 @@ import { useLazy } from '@/ui/useLazy'
 
 import { useComment } from './api'
 import { Asked } from './Asked'
-import { blockedWords, whyBlocked } from './blocked'
 import { carriedMarks, carriedTo } from './carried'
 import { type Writing } from './Composer'
 import { CueHead } from './CueHead'
@@ -111,7 +111,7 @@ export function CueRoom(props: CueRoomProps) {
 
   const meant = picked.size > 0 ? heard.filter(({ id }) => picked.has(id)) : hand ? [hand] : []
   const realName = (take: ReviewTake) => takeName(take, cue, waiting)
-  const why = whyBlocked(review)
+  const why = whyBlocked(review.checklist.blocked)
   const free = meant.filter(({ id }) => !why.has(id))
   const toApprove = free.length > 0 ? free : meant
   const meantName = toApprove.length > 1 ? `${toApprove.length} variations` : toApprove.map(realName).join('')

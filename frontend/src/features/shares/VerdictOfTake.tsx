@@ -6,6 +6,7 @@ import { invalidate, queryKeys } from '@/api/queryKeys'
 import { HotkeyButton } from '@/app/keys'
 import type { Player } from '@/audio'
 import { reviewQuery } from '@/judging/api'
+import { blockedWords, whyBlocked } from '@/judging/blocked'
 import { ChangeForm } from '@/judging/ChangeForm'
 import { useJudge } from '@/judging/useJudge'
 import { takeName } from '@/judging/words'
@@ -44,6 +45,8 @@ export function VerdictOfTake({ projectId, playlistId, take, player, onJudged }:
   const canApprove = judged?.state === 'conforming' || judged?.state === 'set_aside'
   const canChange = judged?.state === 'conforming' || judged?.state === 'approved'
   const name = review && judged ? takeName(judged, review.cue, review.takes) : ''
+  const blocked =
+    mayApprove && canApprove && review ? blockedWords([judged], whyBlocked(review.checklist.blocked), () => name) : ''
   const done = () => {
     void invalidate(client, queryKeys.playlist(playlistId))
     onJudged()
@@ -76,6 +79,7 @@ export function VerdictOfTake({ projectId, playlistId, take, player, onJudged }:
           }
         />
       )}
+      {blocked && <p className="small">{blocked}</p>}
       <div className={classes.acts}>
         <State kind={STATES[judged?.state ?? take.state]} />
         {mayApprove && canChange && (
@@ -96,6 +100,7 @@ export function VerdictOfTake({ projectId, playlistId, take, player, onJudged }:
             keyLabel="Approve"
             keyGroup="Playlist"
             icon="tick"
+            disabled={blocked !== ''}
             onPress={() => {
               void judge.approve(review.cue, [judged], name).then(done)
             }}

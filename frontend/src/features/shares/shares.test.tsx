@@ -5,6 +5,7 @@ import { beforeEach, expect, test } from 'vitest'
 
 import { openApp } from '@/test/openApp'
 import { inProject, people } from '@/test/project'
+import { anItem, aReview, aTake } from '@/test/review'
 import { answer, type Asked, refusal, serve, wrote } from '@/test/server'
 
 import { chosenCues, NO_FILTER } from './choice'
@@ -201,6 +202,28 @@ test('a refused order stands as it was, with the reason', async () => {
     const [first] = within(screen.getByRole('list', { name: '3 sounds in order' })).getAllByRole('listitem')
     expect(first).toHaveTextContent('laser')
   })
+})
+
+test('a playlist says beforehand that a version cannot be approved yet', async () => {
+  const door = aTake('t2')
+  const item = anItem({ id: 'c-t2', name: 'door' }, [door])
+  const asked = open('/projects/p1/playlists/l1', {
+    'GET /v1/playlists/l1': { ...PLAYLIST, takes: [take('t2', 'door', { may_approve: true })] },
+    'GET /v1/cues/c-t2/review': aReview(item, {
+      checklist: {
+        blockers: 'notes',
+        items: [],
+        checks: [],
+        blocked: [{ take_id: 't2', why: '1 comment is not resolved' }],
+      },
+    }),
+    'POST /v1/takes/t2/verdict': {},
+  })
+  expect(await screen.findByText('Not to be approved yet: 1 comment is not resolved.')).toBeVisible()
+  expect(screen.getByRole('button', { name: /^Approve/ })).toBeDisabled()
+  expect(screen.getByRole('button', { name: /^Request a change/ })).toBeEnabled()
+  await userEvent.keyboard('a')
+  expect(wrote(asked, 'POST /v1/takes/t2/verdict')).toHaveLength(0)
 })
 
 test('in a session the keys are taken and handed over', async () => {

@@ -6,6 +6,7 @@ import { flushSync } from 'react-dom'
 import { HotkeyButton, useHotkeys } from '@/app/keys'
 import { type Player, type PlayerState, TakeCard, Waveform } from '@/audio'
 import { type QueueItem, type ReviewTake } from '@/judging/api'
+import { blockedWords, whyBlocked } from '@/judging/blocked'
 import { ChangeForm } from '@/judging/ChangeForm'
 import { isWholeSet, pickedOfSet } from '@/judging/choice'
 import { type Gains, MASTER, matchGains, soundOf, sourceOf } from '@/judging/hearing'
@@ -58,12 +59,15 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
   const isSet = cue.variations > 1
   const whole = isWholeSet(cue, takes, item.approved_variations)
   const chosen = new Map([[hand.variation, hand.id]])
+  const why = whyBlocked(item.blocked)
+  const meant = whole ? pickedOfSet(takes, chosen) : [hand]
+  const blocked = mayApprove ? blockedWords(meant, why, (take) => takeName(take, cue, takes)) : ''
   const next = takes[(takes.indexOf(hand) + 1) % takes.length]
   const isPlaying = playing.status === 'playing'
 
   const approve = () => {
     player.pause()
-    if (whole) void judge.acceptSet(cue, takes, pickedOfSet(takes, chosen))
+    if (whole) void judge.acceptSet(cue, takes, meant)
     else void judge.approve(cue, [hand], name)
   }
   const openReview = () =>
@@ -139,6 +143,14 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
       {(source === null || playing.error) && (
         <p className="small mid">{playing.error ?? 'The preview is not ready yet.'}</p>
       )}
+      {blocked && (
+        <p className="small">
+          {blocked}{' '}
+          <Link className="link" to="/projects/$projectId/review/$cueId" params={{ projectId, cueId: cue.id }}>
+            Close it in Review
+          </Link>
+        </p>
+      )}
       <div className={classes.acts}>
         <HotkeyButton
           keys="Space"
@@ -163,7 +175,15 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
         )}
         {mayApprove ? (
           <>
-            <HotkeyButton keys="a" keyLabel="Approve" keyGroup="Review" variant="primary" icon="tick" onPress={approve}>
+            <HotkeyButton
+              keys="a"
+              keyLabel="Approve"
+              keyGroup="Review"
+              variant="primary"
+              icon="tick"
+              disabled={blocked !== ''}
+              onPress={approve}
+            >
               {whole ? `Accept the set of ${cue.variations}` : `Approve ${name}`}
             </HotkeyButton>
             <HotkeyButton

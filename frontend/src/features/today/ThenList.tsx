@@ -8,6 +8,7 @@ import { showToast } from '@/app/toast'
 import { WaveThumb } from '@/audio'
 import { isNoted } from '@/judging/afterVerdict'
 import type { QueueItem } from '@/judging/api'
+import { whyBlocked } from '@/judging/blocked'
 import type { Queue } from '@/judging/useQueue'
 import { heardTakes, whatWaits } from '@/judging/words'
 import { Button } from '@/ui/Button'
@@ -25,13 +26,15 @@ interface ThenListProps {
   items: readonly QueueItem[]
   questions: readonly AskedQuestion[]
   projectId: string
+  /** Whether the current person decides on these cues, and so reads what blocks that. */
+  mayApprove: boolean
   title: string
   /** The queue, where more of it waits than is here. */
   beyond?: Queue
 }
 
 /** What waits after the first thing: cues to review and questions, urgent cues first, then the oldest. */
-export function ThenList({ items, questions, projectId, title, beyond }: ThenListProps) {
+export function ThenList({ items, questions, projectId, mayApprove, title, beyond }: ThenListProps) {
   const headId = useId()
   const lines = [
     ...items.map((item) => ({ at: item.waiting_since, isUrgent: item.is_urgent, item, question: undefined })),
@@ -48,7 +51,7 @@ export function ThenList({ items, questions, projectId, title, beyond }: ThenLis
       <ul>
         {lines.map(({ item, question }) =>
           item ? (
-            <CueLine key={item.cue.id} item={item} projectId={projectId} />
+            <CueLine key={item.cue.id} item={item} projectId={projectId} mayApprove={mayApprove} />
           ) : (
             question && <QuestionLine key={question.id} question={question} projectId={projectId} />
           ),
@@ -65,9 +68,10 @@ export function ThenList({ items, questions, projectId, title, beyond }: ThenLis
   )
 }
 
-function CueLine({ item, projectId }: { item: QueueItem; projectId: string }) {
+function CueLine({ item, projectId, mayApprove }: { item: QueueItem; projectId: string; mayApprove: boolean }) {
   const { cue } = item
   const waits = whatWaits(item)
+  const blocked = mayApprove ? blockedOf(item) : ''
   return (
     <li>
       <Link
@@ -79,6 +83,7 @@ function CueLine({ item, projectId }: { item: QueueItem; projectId: string }) {
         <span className={`mono dim ${classes.number}`}>{cue.label}</span>{' '}
         <span className="strong cut-text">{cue.name}</span>{' '}
         <span className={`mid cut-text ${classes.why}`}>
+          {blocked && <span className="tone-warn toned">{blocked}. </span>}
           {waits.before}
           {waits.odd && <span className="tone-warn toned">{waits.odd}</span>}
           {waits.after}
@@ -98,6 +103,15 @@ function CueLine({ item, projectId }: { item: QueueItem; projectId: string }) {
       </Link>
     </li>
   )
+}
+
+/** "Not to be approved yet: 1 comment is not resolved", or how many of several versions. */
+function blockedOf(item: QueueItem): string {
+  const why = whyBlocked(item.blocked)
+  const open = heardTakes(item).flatMap(({ id }) => why.get(id) ?? [])
+  if (open.length === 0) return ''
+  const which = item.takes.length === 1 ? 'Not' : `${open.length} of ${item.takes.length} not`
+  return `${which} to be approved yet: ${open[0] ?? ''}`
 }
 
 function QuestionLine({ question, projectId }: { question: AskedQuestion; projectId: string }) {

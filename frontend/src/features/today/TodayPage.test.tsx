@@ -93,6 +93,41 @@ describe('what waits', () => {
     expect(within(group).getByRole('button', { name: /^B/ })).toHaveTextContent('0.80 s, −2.1 dB')
   })
 
+  test('what blocks an approval is said before the key is pressed, of the first and of the rest', async () => {
+    const why = '1 comment is not resolved'
+    queue = [
+      { ...alternates, blocked: [{ take_id: 'a', why }] },
+      { ...single, blocked: [{ take_id: 's', why: '“No clicks” is not checked' }] },
+    ]
+    server.on('POST /v1/takes/b/verdict', {})
+    await opened()
+    const first = screen.getByRole('region', { name: /shield_hit/ })
+    expect(first).toHaveTextContent(`Not to be approved yet: ${why}.`)
+    expect(within(first).getByRole('link', { name: 'Close it in Review' })).toHaveAttribute(
+      'href',
+      `/projects/${PROJECT}/review/shield`,
+    )
+    expect(within(first).getByRole('button', { name: /^Approve A/ })).toBeDisabled()
+    expect(screen.getByRole('region', { name: 'Next up' })).toHaveTextContent(
+      'Not to be approved yet: “No clicks” is not checked.',
+    )
+    await userEvent.keyboard('a')
+    await userEvent.keyboard('2') // the other alternate is free
+    expect(within(first).getByRole('button', { name: /^Approve B/ })).toBeEnabled()
+    expect(first).not.toHaveTextContent(why)
+    await userEvent.keyboard('a')
+    await waitFor(() => expect(server.of('POST /v1/takes/b/verdict')).toHaveLength(1))
+    expect(server.of('POST /v1/takes/a/verdict')).toEqual([])
+  })
+
+  test('who does not decide is not held up by what blocks', async () => {
+    queue = [{ ...single, blocked: [{ take_id: 's', why: '1 comment is not resolved' }] }]
+    server.on('GET /v1/me', aMe({ is_approver: false, approves_all: false }))
+    open()
+    expect(await screen.findByRole('button', { name: 'Open to comment' })).toBeEnabled()
+    expect(screen.queryByText(/Not to be approved yet/)).toBeNull()
+  })
+
   test('a page that comes short is read on', async () => {
     server.on('GET /v1/review-queue', ({ query }: Asked) =>
       query.get('cursor') === 'second' ? { items: [single], next: null } : { items: [alternates], next: 'second' },

@@ -161,13 +161,20 @@ export function TodayPage(): ReactNode {
               </EmptyState>
             )}
             {isRunning && questions.length > 0 && (
-              <ThenList items={[]} questions={questions} projectId={projectId} title="Questions for you" />
+              <ThenList
+                items={[]}
+                questions={questions}
+                projectId={projectId}
+                mayApprove={false}
+                title="Questions for you"
+              />
             )}
             {(rest.length > 0 || (!isRunning && questions.length > 0)) && (
               <ThenList
                 items={rest}
                 questions={isRunning ? [] : questions}
                 projectId={projectId}
+                mayApprove={mayApprove}
                 title={isRunning ? 'With the approver' : first ? 'Next up' : 'For you'}
                 beyond={queue.hasMore ? queue : undefined}
               />

@@ -1,12 +1,12 @@
-import type { CueReview, ReviewTake } from '@/judging/api'
+import type { BlockedTake, CueReview, ReviewTake } from './api'
 
 /** Whether notes that are open block approval. */
 export const notesBlock = (blockers: CueReview['checklist']['blockers']): boolean =>
   blockers === 'notes' || blockers === 'both'
 
 /** What is open of versions that cannot be approved yet, by version. */
-export const whyBlocked = ({ checklist }: CueReview): ReadonlyMap<string, string> =>
-  new Map(checklist.blocked.map(({ take_id, why }) => [take_id, why]))
+export const whyBlocked = (blocked: readonly BlockedTake[]): ReadonlyMap<string, string> =>
+  new Map(blocked.map(({ take_id, why }) => [take_id, why]))
 
 /** "Left out: B, 1 comment is not resolved." of those of some versions that cannot be approved yet; else nothing. */
 export function blockedWords(
