@@ -46,7 +46,7 @@ export function DeskTokensCard() {
           </Row>
         ))}
       </Rows>
-      <div className={classes.inside}>
+      <div className={`${classes.inside} ${classes.note}`}>
         {made ? (
           <Secret token={made} onDone={() => setMade(null)} />
         ) : (
