@@ -19,11 +19,12 @@ from app.conformance.schemas import (
     SpecView,
 )
 from app.conformance.service import spec_for
-from app.deliveries.rules import base_name, dry_stem_for, named_for, stored_name
+from app.deliveries.rules import base_name, dry_stem_for, list_name_for, named_for, stored_name
 from app.deliveries.schemas import CueBrief
 from app.deliveries.slots import Slot, slot_given, slot_named, stems_of_slots
 from app.projects.queries import current_spec
 from app.projects.service import ProjectAccess, project_access
+from app.sound_lists.matching import list_names
 from app.sound_lists.rules import label
 from app.sound_lists.service import cue_facts
 
@@ -35,24 +36,30 @@ def preview_checks(session: Session, actor: Actor, project_id: UUID, body: Check
     whole = parsed_spec(current_spec(session, project_id).toml)
     slots = [_slot(session, access, named) for named in body.files]
     stems = iter(stems_of_slots(session, [slot for slot in slots if slot]))
+    likely_stems = _likely_stems(session, access, body.files, slots)
     views: dict[str | None, int] = {}
     specs: list[SpecView] = []
     files: list[FilePreview] = []
-    for named, slot in zip(body.files, slots, strict=True):
+    for named, slot, likely_stem in zip(body.files, slots, likely_stems, strict=True):
         name = stored_name(named.file_name)
         view = spec_for(whole, slot.cue if slot else None, name)
         if view.category not in views:
             views[view.category] = len(specs)
             specs.append(_view_read(view))
         stem = next(stems) if slot else None
+        checked_name = name if stem is None else named_for(name, stem)
+        findings = _of_name(checked_name, view)
+        is_dry_stem = slot is None and dry_stem_for(name) is not None
+        proposed = None if is_dry_stem else _proposed(name, (stem if findings else None) or likely_stem, view)
         files.append(
             FilePreview(
                 cue=_cue(access, slot) if slot else None,
                 length=_length(slot) if slot else None,
                 variation=slot.variation if slot else None,
                 spec=views[view.category],
-                is_dry_stem=slot is None and dry_stem_for(name) is not None,
-                findings=_of_name(name if stem is None else named_for(name, stem), view),
+                is_dry_stem=is_dry_stem,
+                list_name=proposed if proposed not in (base_name(name), base_name(checked_name)) else None,
+                findings=findings,
             )
         )
     known = audio_checks.all_checks()
@@ -65,6 +72,29 @@ def _slot(session: Session, access: ProjectAccess, named: FileNamed) -> Slot | N
     if named.cue_id is not None:
         return slot_given(session, access, named.cue_id, None, name)
     return slot_named(session, access.project.id, name, session.get_one(Person, access.actor.person).name)
+
+
+def _likely_stems(
+    session: Session, access: ProjectAccess, files: list[FileNamed], slots: list[Slot | None]
+) -> list[str | None]:
+    """Return the list's stem of the likeliest cue for each file whose name does not say surely which."""
+    if all(slots):
+        return [None] * len(files)
+    names = list_names(session, access.project.id)
+    people = [session.get_one(Person, access.actor.person).name]
+    paths = [stored_name(named.file_name) for named in files]
+    prefixes = names.index.shared_prefixes(paths)
+    likely: list[str | None] = []
+    for path, slot in zip(paths, slots, strict=True):
+        sure = None if slot else names.sure(path, people, prefixes)
+        guesses = [] if slot or sure else names.guesses(path, people, prefixes)
+        best = sure or next(iter(guesses), None)
+        likely.append(best.stem if best and best.variation is not None else None)
+    return likely
+
+
+def _proposed(name: str, stem: str | None, view: audio_checks.DeliverySpec) -> str | None:
+    return None if stem is None else list_name_for(name, stem, view.naming.extension)
 
 
 def _cue(access: ProjectAccess, slot: Slot) -> CueBrief:

@@ -204,6 +204,9 @@ class FilePreview(Schema):
     length: CueLength | None
     spec: int = Field(description="Its place in `specs`.")
     is_dry_stem: bool = Field(description="It would be the dry stem of a version, which is not checked.")
+    list_name: str | None = Field(
+        description="The list's name for a file of the likeliest cue; null where its name is right or none is likely."
+    )
     findings: list[FindingRead] = Field(description="Of its name alone.")
 
 

@@ -34,6 +34,7 @@ from app.deliveries.schemas import (
     DryStemUpload,
     TakeAdd,
     TakeAdded,
+    TakeDetail,
     TakeMatch,
     TakeRead,
 )
@@ -232,11 +233,11 @@ def list_takes(
     )
 
 
-@router.get("/takes/{take_id}", response_model=TakeRead, responses=problems(TakeNotFound))
-def see_take(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> TakeRead:
+@router.get("/takes/{take_id}", response_model=TakeDetail, responses=problems(TakeNotFound))
+def see_take(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> TakeDetail:
     """Show one take."""
     take, access = service.take_for(session, actor, take_id)
-    return service.read_take(session, access.project, take)
+    return service.detailed_take(session, access.project, take)
 
 
 @router.put(

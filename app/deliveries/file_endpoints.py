@@ -67,6 +67,7 @@ async def add_file(
     file_name: Annotated[GivenName, Query()],
     cue_id: Annotated[UUID | None, Query(description="Without it the name says which cue it is for.")] = None,
     variation: Annotated[Whole | None, Query()] = None,
+    received_name: Annotated[GivenName | None, Query(description="Its name before it was renamed.")] = None,
     x_content_sha256: Annotated[str | None, Header(description="The file's SHA-256 in hex.")] = None,
 ) -> Response:
     """Deliver a file of at most 8 MiB in one request; the same bytes again are the same take."""
@@ -97,7 +98,7 @@ async def add_file(
             )
         with transaction(request) as session:
             delivery, _ = service.own_delivery(session, actor, delivery_id)
-            upload = _finished(actor, delivery, file_name, sha256, length)
+            upload = _finished(actor, delivery, received_name or file_name, sha256, length)
             session.add(upload)
             session.flush()
             body = TakeAdd(upload_id=upload.id, file_name=file_name, cue_id=cue_id, variation=variation)

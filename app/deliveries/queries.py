@@ -132,6 +132,11 @@ def take_by_id(session: Session, take_id: UUID, *, locked: bool = False) -> Take
     return session.scalar(_by_id(locked=locked), {"take_id": take_id})
 
 
+def uploaded_name(session: Session, take: Take) -> str | None:
+    """Return the name that a take's file was uploaded by; None for one from a ZIP or made here."""
+    return session.scalar(select(Upload.file_name).where(Upload.id == take.upload_id)) if take.upload_id else None
+
+
 def take_with_cue(session: Session, take_id: UUID) -> Take | None:
     """Return a take with its cue, for a job."""
     return session.scalar(_with_cue(), {"take_id": take_id})

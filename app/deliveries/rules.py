@@ -114,6 +114,14 @@ def named_for(file_name: str, stem: str) -> str:
     return f"{stem}{dot}{ending}" if dot else stem
 
 
+def list_name_for(file_name: str, stem: str, ending: str | None) -> str:
+    """Return what the list calls a file: its alternate is kept, its extension is spelt as the spec has it."""
+    name = audio_checks.parse_file_name(file_name)
+    alternate = "" if name.alternate is None else f"__alt{name.alternate}"
+    is_spelt_otherwise = ending is not None and ending.lower() == name.extension.lower()
+    return f"{stem}{alternate}{ending if is_spelt_otherwise else name.extension}"
+
+
 def base_name(kept: str) -> str:
     """Return a file name without the folders before it."""
     return re.split(r"[/\\]", kept)[-1]

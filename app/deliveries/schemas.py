@@ -148,6 +148,12 @@ class TakeRead(TakeAdded):
     guesses: list[CueGuess] = Field(description="Up to three cues that an unmatched file may be for otherwise.")
 
 
+class TakeDetail(TakeRead):
+    """One delivered file with the name that it had before it was renamed for its delivery."""
+
+    received_name: ShownName | None = Field(description="Null where it was not renamed, or came in a ZIP.")
+
+
 class DryStemUpload(Schema):
     """A finished upload into a take's delivery that is the take's sound without its reverb."""
 

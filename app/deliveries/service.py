@@ -21,11 +21,12 @@ from app.deliveries.models import Archive, Delivery, Take
 from app.deliveries.rules import (
     CHECKABLE,
     alternate_of,
+    base_name,
     ensure_kept,
     named_for,
     stored_name,
 )
-from app.deliveries.schemas import CueBrief, TakeAdded, TakeRead
+from app.deliveries.schemas import CueBrief, TakeAdded, TakeDetail, TakeRead
 from app.deliveries.slots import Matching, Slot, guess_of, matching_for, slot_given, slot_named
 from app.deliveries.take_states import note_delivered, place_take
 from app.kit import clock
@@ -323,6 +324,13 @@ def _read(project: Project, take: Take, matching: Matching | None) -> TakeRead:
 def read_take(session: Session, project: Project, take: Take) -> TakeRead:
     """Return a take as it is shown; an unmatched one with its guesses."""
     return read_takes(session, project, [take])[0]
+
+
+def detailed_take(session: Session, project: Project, take: Take) -> TakeDetail:
+    """Return a take as it is shown alone, with its name before it was renamed."""
+    first = queries.uploaded_name(session, take)
+    is_renamed = first is not None and base_name(first) != base_name(take.file_name)
+    return TakeDetail(**dict(read_take(session, project, take)), received_name=first if is_renamed else None)
 
 
 def added_take(project: Project, take: Take, *, already_here: bool) -> TakeAdded:

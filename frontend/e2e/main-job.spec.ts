@@ -192,11 +192,12 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
 
     const held = card(designer, 'Check before the upload')
     await expect(held).toContainText('1 file would come back')
-    await expect(held.getByRole('listitem')).toContainText(
-      /laser_fire\.wav.*Sample peak −?0\.0+ dBFS\. Limit −0\.1 dBFS\./,
-    )
+    const loud = held.getByRole('listitem').filter({ hasText: 'Sample peak' })
+    await expect(loud).toContainText(/laser_fire\.wav.*Sample peak −?0\.0+ dBFS\. Limit −0\.1 dBFS\./)
     await expectAccessible(designer, 'the desk with a file that would come back')
     await held.getByRole('button', { name: 'Upload anyway: laser_fire.wav' }).click()
+    await expect(held.getByLabel('New name of final_FINAL_sting2.wav')).toHaveValue('victory_sting.wav')
+    await held.getByRole('button', { name: 'Upload anyway: final_FINAL_sting2.wav' }).click()
     await expect(held).toBeHidden()
 
     const back = card(designer, /Needs your fix/)

@@ -83,6 +83,34 @@ def test_a_name_is_found_wrong_in_the_words_of_the_check(world: World) -> None:
     assert [(one["message"], one["fix"]) for one in named] == [(one["message"], one["fix"]) for one in file["findings"]]
 
 
+def test_a_name_that_is_not_the_lists_has_the_lists_name_proposed(world: World) -> None:
+    save_spec(world, 'format = 1\n[naming]\npattern = "[a-z0-9_]+"\nextension = ".wav"\n')
+    add_cues(world, {"name": "Laser fire"}, {"name": "Steps", "variations": 4}, {"name": "UI-Click"})
+    proposed = {
+        "laser_fire.wav": None,
+        "Laser Fire FINAL.wav": None,  # sure: it is named for its cue anyway
+        "big_laser_fire.wav": "laser_fire.wav",
+        "old/big_laser_fire_altB.WAV": "laser_fire__alt2.wav",
+        "big_laser_fire.flac": "laser_fire.flac",  # another kind of file is not made by its name
+        "big_steps_3.wav": "steps_03.wav",
+        "laser_fire.WAV": "laser_fire.wav",
+        "big_laser_fire__dry.wav": None,
+        "nothing like it.wav": None,
+    }
+    found = preview(world, *({"file_name": name} for name in proposed))
+    assert {name: file["list_name"] for name, file in zip(proposed, found["files"], strict=True)} == proposed
+    names = [{"file_name": name} for name in proposed.values() if name and name.endswith(".wav")]
+    assert all(file["cue"] and file["findings"] == [] for file in preview(world, *names)["files"])
+
+
+def test_a_prefix_that_files_share_is_not_of_their_names(world: World) -> None:
+    cues = ["Laser fire", "Shield hit", "Door open", "Airlock", "Victory sting"]
+    add_cues(world, *({"name": name} for name in cues))
+    files = [{"file_name": f"nordlicht_{name.lower().replace(' ', '_')}.wav"} for name in cues]
+    found = [file["list_name"] for file in preview(world, *files)["files"]]
+    assert found == ["laser_fire.wav", "shield_hit.wav", "door_open.wav", "airlock.wav", "victory_sting.wav"]
+
+
 def test_whom_the_project_does_not_know_it_does_not_answer(world: World) -> None:
     asked = {"files": [{"file_name": "laser_fire.wav"}]}
     path = f"/v1/projects/{world.project_id}/check-preview"

@@ -9,7 +9,7 @@ from sqlalchemy import select
 
 from app.deliveries.file_endpoints import MAX_SMALL_FILE_BYTES
 from app.kit.uploads import Upload
-from tests.support.deliver import add_cues, open_delivery
+from tests.support.deliver import add_cues, open_delivery, upload
 from tests.support.server import World
 
 CONTENT = b"RIFF" + bytes(range(256)) * 100
@@ -85,3 +85,19 @@ def test_a_closed_delivery_takes_none(world: World) -> None:
 
 def test_a_delivery_of_somebody_else_is_not_there(world: World) -> None:
     assert send(world.stranger, open_delivery(world)).status_code == 404
+
+
+def test_a_renamed_file_keeps_the_name_that_it_had(world: World) -> None:
+    delivery_id = open_delivery(world)
+    small = send(world.designer, delivery_id, received_name="old/bounce 7.wav").json()
+    other = upload(world, delivery_id, "bounce 8.wav", CONTENT + b"8")
+    large = world.designer.post(
+        f"/v1/deliveries/{delivery_id}/takes", json={"upload_id": other, "file_name": "laser_hit.wav"}
+    ).json()
+    same = send(world.designer, delivery_id, CONTENT + b"9", file_name="old/laser_end.wav").json()
+    shown = [world.producer.get(f"/v1/takes/{take['id']}").json() for take in (small, large, same)]
+    assert [(one["file_name"], one["received_name"]) for one in shown] == [
+        ("laser_fire.wav", "old/bounce 7.wav"),
+        ("laser_hit.wav", "bounce 8.wav"),
+        ("old/laser_end.wav", None),
+    ]

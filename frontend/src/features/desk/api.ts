@@ -99,7 +99,7 @@ export const addTake = (deliveryId: string, body: Schemas['TakeAdd']) =>
 export const addFile = (
   deliveryId: string,
   file: File,
-  query: { file_name: string; cue_id: string | null },
+  query: { file_name: string; cue_id: string | null; received_name?: string },
   signal: AbortSignal,
 ) =>
   answered(

@@ -100,7 +100,10 @@ export class DeliveryUploads {
 
   async #sendSmall(upload: Upload, signal: AbortSignal): Promise<string> {
     const deliveryId = this.#deliveryOf.get(upload.file) ?? ''
-    this.#keep(upload, await addFile(deliveryId, upload.file, { file_name: upload.path, cue_id: upload.cueId }, signal))
+    const { file, path, cueId } = upload
+    const isRenamed = path.split('/').at(-1) !== file.name
+    const named = { file_name: path, cue_id: cueId, ...(isRenamed ? { received_name: file.name } : {}) }
+    this.#keep(upload, await addFile(deliveryId, file, named, signal))
     this.#made.add(upload.id)
     return upload.id
   }

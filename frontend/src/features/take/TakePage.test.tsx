@@ -461,6 +461,12 @@ test('the page is without fault for those who listen to it', async () => {
   expect(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)])).toEqual([])
 })
 
+test('a version that was renamed before its upload says what it was called', async () => {
+  server.on('GET /v1/takes/t1', { ...aVersion(), received_name: 'bounce 7.wav' })
+  await opened()
+  expect(screen.getByText(/Renamed before the upload from/)).toHaveTextContent('bounce 7.wav')
+})
+
 describe('the master', () => {
   const copy = {
     id: 'x1',

@@ -265,6 +265,11 @@ function Head({ take, check, isTeam, fix }: HeadProps) {
           </Link>
           {take.late && ', after it was closed'}.
         </p>
+        {take.received_name && (
+          <p className="mid">
+            Renamed before the upload from <span className="mono">{take.received_name}</span>.
+          </p>
+        )}
         {origin && (
           <p className="mid">
             A fix of{' '}

@@ -6,7 +6,7 @@ import type { components } from '@/api/schema.gen'
 import { useMade } from '@/api/useMade'
 
 type Schemas = components['schemas']
-export type Take = Schemas['TakeRead']
+export type Take = Schemas['TakeDetail']
 export type Check = Schemas['CheckRead']
 export type Finding = Schemas['FindingRead']
 export type Sounds = Schemas['TakeSoundsRead']

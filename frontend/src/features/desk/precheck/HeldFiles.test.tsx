@@ -24,7 +24,7 @@ const LOUD = pick('laser.wav', 'peak at 0.0 dBFS')
 const GOOD = pick('shield.wav', 'conforms')
 const ODD = pick('odd.wav', 'bytes after the end')
 const CUE = { id: 'c1', label: 'SW-001', name: 'laser' }
-const NO_CUE = { cue: null, variation: null, length: null, spec: 0, is_dry_stem: false, findings: [] }
+const NO_CUE = { cue: null, variation: null, length: null, spec: 0, is_dry_stem: false, list_name: null, findings: [] }
 
 function precheck(files: object[], failing = false) {
   const sent: string[] = []
@@ -44,7 +44,7 @@ function precheck(files: object[], failing = false) {
   return { made, sent, asked }
 }
 
-const held = () => within(screen.getByRole('list', { name: 'Files that would come back' }))
+const held = () => within(screen.getByRole('list', { name: 'Files that wait for your decision' }))
 
 test('what passes is sent at once; what would come back waits, with what is wrong and the fix', async () => {
   const { made, sent, asked } = precheck([{ ...NO_CUE, cue: CUE }, NO_CUE, NO_CUE])
@@ -69,7 +69,7 @@ test('one that waits is sent all the same, by keys', async () => {
   anyway.focus()
   await userEvent.keyboard('{Enter}')
   await waitFor(() => expect(sent).toEqual(['laser.wav']))
-  expect(screen.queryByRole('list', { name: 'Files that would come back' })).toBeNull()
+  expect(screen.queryByRole('list', { name: 'Files that wait for your decision' })).toBeNull()
 })
 
 test('what is left out is back with undo', async () => {
@@ -83,7 +83,7 @@ test('what is left out is back with undo', async () => {
   await made.add([LOUD, pick('boom.wav', 'peak at -0.9 dBFS')], null)
   await userEvent.click(await screen.findByRole('button', { name: 'Leave out all 2' }))
   expect(await screen.findByText('2 files left out. Nothing was uploaded.')).toBeVisible()
-  await waitFor(() => expect(screen.queryByRole('list', { name: 'Files that would come back' })).toBeNull())
+  await waitFor(() => expect(screen.queryByRole('list', { name: 'Files that wait for your decision' })).toBeNull())
   await userEvent.click(screen.getByRole('button', { name: /Undo/ }))
   await waitFor(() => expect(held().getAllByRole('listitem')).toHaveLength(2))
   expect(sent).toEqual([])

@@ -1,27 +1,39 @@
-import { useEffect, useRef, useState, useSyncExternalStore } from 'react'
+import { useEffect, useMemo, useRef, useState, useSyncExternalStore } from 'react'
 
 import { showToast } from '@/app/toast'
-import { wordsOf } from '@/judging/findings'
 import { Refusal } from '@/judging/Refusal'
 import { Button } from '@/ui/Button'
 import { plural } from '@/ui/format'
 import { State } from '@/ui/State'
 
-import type { Finding } from './checks'
 import classes from './HeldFiles.module.css'
+import { HeldRow } from './HeldRow'
 import type { HeldFile, Precheck } from './precheck'
+import { isChanged, isRenamable, nameProblems, renamesHere, standingOf } from './renames'
 
 const SHOWN = 40
 
-/** Files that would come back, before they are sent: what is wrong, how to fix it, and what to do with them. */
+/** Files that wait for a decision before they are sent: what is wrong, how to fix it, and what to do with them. */
 export function HeldFiles({ precheck }: { precheck: Precheck }) {
-  const { held, judged, dropped, passed, labels } = useSyncExternalStore(precheck.subscribe, precheck.get)
+  const state = useSyncExternalStore(precheck.subscribe, precheck.get)
+  const { held, isRenaming, judged, dropped, passed, labels } = state
   const [shown, setShown] = useState(SHOWN)
   const [problem, setProblem] = useState<unknown>(null)
   const isChecking = judged < dropped
   useUnloadWarning(isChecking || held.length > 0)
   const isDecisionDue = !isChecking && held.length > 0
+  const problems = useMemo(() => nameProblems(held), [held])
+  const wrong = held.filter((file) => standingOf(file) === 'wrong').length
+  const unnamed = held.filter((file) => standingOf(file) === 'unnamed').length
+  const ready = held.filter((file) => standingOf(file) === 'ready')
+  const toRename = held.filter((file) => isRenamable(file) && isChanged(file))
+  const renames = renamesHere(state).length
   const region = useRef<HTMLElement>(null)
+  const undoButton = useRef<HTMLButtonElement>(null)
+  useEffect(() => {
+    // The button that renamed all is gone.
+    if (renames > 0 && document.activeElement === document.body) undoButton.current?.focus()
+  }, [renames])
   useEffect(() => {
     // The card of the delivery may be far below what came back.
     if (isDecisionDue) region.current?.scrollIntoView({ block: 'nearest' })
@@ -36,6 +48,12 @@ export function HeldFiles({ precheck }: { precheck: Precheck }) {
       setProblem(refusal)
     }
   }
+  const rename = (files: readonly HeldFile[]) => void send(() => precheck.rename(files))
+  const counts = [
+    wrong > 0 ? `${plural(wrong, 'file')} would come back` : '',
+    unnamed > 0 ? `${plural(unnamed, 'file')} without a cue` : '',
+    ready.length > 0 ? `${plural(ready.length, 'renamed file')} ready` : '',
+  ].filter(Boolean)
   const leaveOut = (files: readonly HeldFile[]) => {
     precheck.leaveOut(files)
     showToast(`${plural(files.length, 'file')} left out. Nothing was uploaded.`, () => {
@@ -46,16 +64,35 @@ export function HeldFiles({ precheck }: { precheck: Precheck }) {
   return (
     <section ref={region} className={classes.held} aria-label="Check before the upload">
       <div className={classes.bar}>
-        {held.length > 0 && <State kind="returned">{plural(held.length, 'file')} would come back</State>}
+        {wrong > 0 && <State kind="returned">{plural(wrong, 'file')} would come back</State>}
+        {unnamed > 0 && <State kind="unmatched">{plural(unnamed, 'file')} without a cue</State>}
+        {ready.length > 0 && <State kind="passed">{plural(ready.length, 'renamed file')} ready</State>}
         {isChecking && (
           <State kind="checking">
             {judged} of {plural(dropped, 'file')} checked before the upload
           </State>
         )}
         <span className="grow" />
-        <Button onClick={() => void send(() => precheck.sendAll())}>
-          {held.length > 0 ? 'Upload all anyway' : 'Upload without this check'}
-        </Button>
+        {toRename.length > 0 && (
+          <Button aria-busy={isRenaming} onClick={() => rename(toRename)}>
+            Rename all to the list’s names
+          </Button>
+        )}
+        {renames > 0 && (
+          <Button ref={undoButton} variant="quiet" onClick={() => precheck.undoRename()}>
+            Undo renaming
+          </Button>
+        )}
+        {ready.length > 0 && (
+          <Button variant="primary" onClick={() => void send(() => precheck.send(ready))}>
+            Upload {plural(ready.length, 'renamed file')}
+          </Button>
+        )}
+        {(isChecking || ready.length < held.length) && (
+          <Button onClick={() => void send(() => precheck.sendAll())}>
+            {held.length > 0 ? 'Upload all anyway' : 'Upload without this check'}
+          </Button>
+        )}
         {held.length > 1 && (
           <Button variant="quiet" onClick={() => leaveOut(held)}>
             Leave out all {held.length}
@@ -63,24 +100,27 @@ export function HeldFiles({ precheck }: { precheck: Precheck }) {
         )}
       </div>
       <span className="visually-hidden" role="status">
-        {isDecisionDue &&
-          `${plural(held.length, 'file')} would come back. Nothing of ${held.length === 1 ? 'it' : 'them'} was uploaded.`}
+        {isDecisionDue && `${counts.join(', ')}. Nothing of ${held.length === 1 ? 'it' : 'them'} was uploaded.`}
       </span>
       {problem !== null && <Refusal error={problem} />}
       {held.length > 0 && (
         <p className="small mid">
           {held.length === 1 ? 'It was' : 'They were'} not uploaded.{' '}
+          {problems.size > 0 && `${plural(problems.size, 'name')} cannot be used yet; the fields say why. `}
           {passed > 0 && `${plural(passed, 'other file')} passed and ${passed === 1 ? 'is' : 'are'} on the way. `}
           Checked in this browser: {labels.map((label) => label.toLowerCase()).join(', ')}. The other checks are made
           after the upload.
         </p>
       )}
       {held.length > 0 && (
-        <ul aria-label="Files that would come back" className={classes.files}>
+        <ul aria-label="Files that wait for your decision" className={classes.files}>
           {held.slice(0, shown).map((file) => (
             <HeldRow
               key={file.id}
               file={file}
+              problem={problems.get(file.id)}
+              onWant={(name) => precheck.want(file.id, name)}
+              onRename={() => rename([file])}
               onSend={() => void send(() => precheck.send([file]))}
               onLeaveOut={() => leaveOut([file])}
             />
@@ -107,50 +147,4 @@ function useUnloadWarning(isWaiting: boolean): void {
     window.addEventListener('beforeunload', warn)
     return () => window.removeEventListener('beforeunload', warn)
   }, [isWaiting])
-}
-
-interface HeldRowProps {
-  file: HeldFile
-  onSend: () => void
-  onLeaveOut: () => void
-}
-
-function HeldRow({ file: { picked, cue, findings }, onSend, onLeaveOut }: HeldRowProps) {
-  const name = picked.path
-  return (
-    <li className={classes.file}>
-      <div className={classes.said}>
-        <span className={classes.name}>
-          <span className="mono strong">{name}</span> <span className="mono dim">{cue}</span>
-        </span>
-        {findings.map((finding) => (
-          <FindingLine key={finding.code} finding={finding} />
-        ))}
-      </div>
-      <span className={classes.does}>
-        <Button aria-label={`Upload anyway: ${name}`} onClick={onSend}>
-          Upload anyway
-        </Button>
-        <Button variant="quiet" aria-label={`Leave out ${name}`} onClick={onLeaveOut}>
-          Leave out
-        </Button>
-      </span>
-    </li>
-  )
-}
-
-function FindingLine({ finding }: { finding: Finding }) {
-  const { head, rest, where } = wordsOf({ ...finding, check: '', waived: false })
-  return (
-    <p className={`${classes.finding} tone-${finding.severity === 'error' ? 'bad' : 'warn'}`}>
-      <span className="strong toned">
-        <span className="visually-hidden">{finding.severity === 'error' ? 'Error: ' : 'Warning: '}</span>
-        {head}.
-      </span>{' '}
-      <span className="mid">
-        {rest}
-        {where !== '' && ` At ${where}.`}
-      </span>
-    </p>
-  )
 }

@@ -4,23 +4,40 @@ import type { Picked, UploadQueue } from '@/uploads'
 
 import type { Finding } from './checks'
 import { type Judge, judgeInWorker } from './judgeInWorker'
+import { baseName, isChanged, nameProblems, renamesHere, wantedName } from './renames'
 
 type Schemas = components['schemas']
 type Previewed = Schemas['CheckPreviewed']
 
-/** A file that would come back. */
-export interface HeldFile {
-  id: number
+/** What is known of a file by its name and its bytes. */
+interface Look {
+  /** The number and name of the cue that it is for, once its name says so. */
+  cue: string
+  /** What the list calls it; null where its name is right, or no cue is likely. */
+  listName: string | null
+  findings: Finding[]
+}
+
+interface Candidate {
   picked: Picked
   /** The cue that it was dropped on. */
   cueId: string | null
-  /** The number and name of the cue that it is for, once its name says so. */
-  cue: string
-  findings: Finding[]
+}
+
+/** A file that waits for a decision: it would come back, or its name does not say which cue it is for. */
+export interface HeldFile extends Candidate, Look {
+  id: number
+  /** The name in the field; it counts once the file is renamed. */
+  wanted: string
+  /** What it was called when it was dropped; null while it has that name. */
+  firstName: string | null
 }
 
 export interface PrecheckState {
   held: readonly HeldFile[]
+  /** The files of each renaming as they were before it, the last one last. */
+  renames: readonly (readonly HeldFile[])[]
+  isRenaming: boolean
   /** Files that were judged, of those that were dropped since all were. */
   judged: number
   dropped: number
@@ -41,7 +58,15 @@ interface PrecheckOptions {
 /** Files whose names are asked about in one request, and that are sent on together. */
 const AT_ONCE = 50
 const NOTIFY_EVERY_MS = 100
-const NOTHING: PrecheckState = { held: [], judged: 0, dropped: 0, passed: 0, labels: [] }
+const NOTHING: PrecheckState = {
+  held: [],
+  renames: [],
+  isRenaming: false,
+  judged: 0,
+  dropped: 0,
+  passed: 0,
+  labels: [],
+}
 
 /** What the files of a delivery go through before they are sent. */
 export const precheckOf = (projectId: string, queue: UploadQueue, send: PrecheckOptions['send']): Precheck =>
@@ -54,11 +79,11 @@ export const precheckOf = (projectId: string, queue: UploadQueue, send: Precheck
     send,
   })
 
-const named = (projectId: string, picked: readonly Picked[], cueId: string | null): Promise<Previewed> =>
+const named = (projectId: string, files: readonly Candidate[]): Promise<Previewed> =>
   answered(
     api.POST('/v1/projects/{project_id}/check-preview', {
       params: { path: { project_id: projectId } },
-      body: { files: picked.map(({ path }) => ({ file_name: path, cue_id: cueId })) },
+      body: { files: files.map(({ picked: { path }, cueId }) => ({ file_name: path, cue_id: cueId })) },
     }),
   )
 
@@ -119,6 +144,47 @@ export class Precheck {
   leaveOut(files: readonly HeldFile[]): void {
     const gone = new Set(files.map(({ id }) => id))
     this.#set({ held: this.#state.held.filter(({ id }) => !gone.has(id)) })
+    this.#notify()
+  }
+
+  /** Take what is typed into the field of a file's name. */
+  want(id: number, wanted: string): void {
+    this.#set({ held: this.#state.held.map((file) => (file.id === id ? { ...file, wanted } : file)) })
+    this.#notify()
+  }
+
+  /** Give files the names in their fields and check them again; one with an unfit name keeps what it has. */
+  async rename(files: readonly HeldFile[]): Promise<void> {
+    const problems = nameProblems(this.#state.held)
+    const before = files.filter((file) => isChanged(file) && !problems.has(file.id))
+    if (before.length === 0 || this.#state.isRenaming) return
+    this.#set({ isRenaming: true })
+    this.#notify()
+    try {
+      const renamed = new Map<number, HeldFile>()
+      for (let start = 0; start < before.length; start += AT_ONCE) {
+        for (const file of await this.#renamed(before.slice(start, start + AT_ONCE))) renamed.set(file.id, file)
+      }
+      const typed = new Map(before.map(({ id, wanted }) => [id, wanted]))
+      this.#replace((now) => {
+        const file = renamed.get(now.id)
+        // What was typed meanwhile stays in its field.
+        return file && (now.wanted === typed.get(now.id) ? file : { ...file, wanted: now.wanted })
+      })
+      this.#set({ renames: [...this.#state.renames, before] })
+    } finally {
+      this.#set({ isRenaming: false })
+      this.#notify()
+    }
+  }
+
+  /** Put back the names of the last renaming, of the files that were not sent. */
+  undoRename(): void {
+    const steps = renamesHere(this.#state)
+    const before = new Map(steps.at(-1)?.map((file) => [file.id, file]))
+    this.#replace((now) => before.get(now.id))
+    this.#set({ renames: steps.slice(0, -1) })
+    this.#notify()
   }
 
   putBack(files: readonly HeldFile[]): void {
@@ -144,7 +210,7 @@ export class Precheck {
   async #addSome(picked: readonly Picked[], cueId: string | null): Promise<void> {
     const areSounds = await Promise.all(picked.map(({ file }) => this.#options.isSound(file)))
     const sounds = picked.filter((_, index) => areSounds[index])
-    const held = this.#isSkipped || sounds.length === 0 ? [] : await this.#wouldComeBack(sounds, cueId)
+    const held = this.#isSkipped || sounds.length === 0 ? [] : await this.#toHold(sounds, cueId)
     const waiting = new Set(held.map(({ picked: { file } }) => file))
     const passed = picked.filter(({ file }) => !waiting.has(file))
     if (passed.length > 0) await this.#options.send(passed, cueId)
@@ -156,25 +222,60 @@ export class Precheck {
     })
   }
 
-  /** The files that the server would return; none where it cannot be asked by what it judges. */
-  async #wouldComeBack(picked: readonly Picked[], cueId: string | null): Promise<HeldFile[]> {
-    const previewed = await named(this.#options.projectId, picked, cueId).catch(() => null)
-    if (previewed === null) return []
+  /** The files under the names in their fields, checked again. */
+  async #renamed(files: readonly HeldFile[]): Promise<HeldFile[]> {
+    const candidates = files.map((file) => ({
+      picked: { ...file.picked, path: wantedName(file) },
+      cueId: file.cueId,
+    }))
+    const looks = await this.#look(candidates)
+    return files.map((file, index) => {
+      const { picked } = candidates[index]!
+      const look = looks[index] ?? { cue: '', listName: null, findings: [] }
+      const firstName = file.firstName ?? file.picked.path
+      return {
+        ...file,
+        ...look,
+        picked,
+        wanted: look.listName ?? picked.path,
+        firstName: picked.path === firstName ? null : firstName,
+      }
+    })
+  }
+
+  #replace(otherOf: (file: HeldFile) => HeldFile | undefined): void {
+    this.#set({ held: this.#state.held.map((file) => otherOf(file) ?? file) })
+  }
+
+  /** The files that wait for a decision; none where the server cannot be asked by what it judges. */
+  async #toHold(picked: readonly Picked[], cueId: string | null): Promise<HeldFile[]> {
+    const candidates = picked.map((one) => ({ picked: one, cueId }))
+    const looks = await this.#look(candidates).catch(() => [])
+    if (this.#isSkipped) return []
+    return candidates.flatMap((candidate, index) => {
+      const look = looks[index]
+      const isWrong = look?.findings.some(({ severity }) => severity === 'error')
+      if (!look || (!isWrong && (look.cue !== '' || look.listName === null))) return []
+      const wanted = look.listName ?? baseName(candidate.picked.path)
+      return [{ ...candidate, ...look, id: ++this.#lastId, wanted, firstName: null }]
+    })
+  }
+
+  /** What is known of each file; null of one that no check is made of. */
+  async #look(files: readonly Candidate[]): Promise<(Look | null)[]> {
+    const previewed = await named(this.#options.projectId, files)
     this.#set({ labels: previewed.checks.map(({ label }) => label) })
-    const judged = await Promise.all(
-      picked.map(async (one, index) => {
+    return Promise.all(
+      files.map(async ({ picked: { file } }, index) => {
         const preview = previewed.files[index]
         const spec = preview && previewed.specs[preview.spec]
         if (preview === undefined || spec === undefined || preview.is_dry_stem) return null
-        const judgement = await this.#judge({ file: one.file, spec, length: preview.length })
-        if (judgement === null || this.#isSkipped) return null
-        const findings = judgement.isUnreadable ? judgement.findings : [...judgement.findings, ...preview.findings]
-        if (!findings.some(({ severity }) => severity === 'error')) return null
+        const judgement = await this.#judge({ file, spec, length: preview.length })
+        const ofName = judgement === null || judgement.isUnreadable ? [] : preview.findings
         const cue = preview.cue ? `${preview.cue.label} ${preview.cue.name}` : ''
-        return { id: ++this.#lastId, picked: one, cueId, cue, findings }
+        return { cue, listName: preview.list_name, findings: [...(judgement?.findings ?? []), ...ofName] }
       }),
     )
-    return judged.filter((one) => one !== null)
   }
 
   #set(change: Partial<PrecheckState>): void {

@@ -1,0 +1,100 @@
+import { TextInput } from '@mantine/core'
+import type { FormEvent } from 'react'
+
+import { wordsOf } from '@/judging/findings'
+import { Button } from '@/ui/Button'
+import { State } from '@/ui/State'
+
+import type { Finding } from './checks'
+import classes from './HeldFiles.module.css'
+import type { HeldFile } from './precheck'
+import { isRenamable, standingOf } from './renames'
+
+interface HeldRowProps {
+  file: HeldFile
+  problem: string | undefined
+  onWant: (name: string) => void
+  onRename: () => void
+  onSend: () => void
+  onLeaveOut: () => void
+}
+
+/** One file that waits for a decision. */
+export function HeldRow({ file, problem, onWant, onRename, onSend, onLeaveOut }: HeldRowProps) {
+  const { cue, findings, firstName, wanted } = file
+  const name = file.picked.path
+  const standing = standingOf(file)
+  const rename = (event: FormEvent) => {
+    event.preventDefault()
+    onRename()
+  }
+  return (
+    <li className={classes.file}>
+      <div className={classes.said}>
+        <span className={classes.name}>
+          <span className="mono strong">{name}</span> <span className="mono dim">{cue}</span>
+        </span>
+        {firstName !== null && (
+          <span className={`${classes.name} small mid`}>
+            Renamed from <span className="mono">{firstName}</span>
+          </span>
+        )}
+        {findings.map((finding) => (
+          <FindingLine key={finding.code} finding={finding} />
+        ))}
+        {standing === 'unnamed' && (
+          <p className={`${classes.finding} tone-warn`}>
+            <span className="strong toned">The name does not say which cue it is for.</span>{' '}
+            <span className="mid">Rename it, or upload it and choose its cue among the unmatched files.</span>
+          </p>
+        )}
+        {standing === 'ready' && <State kind="passed">Passes under this name</State>}
+        {isRenamable(file) && (
+          <form className={classes.rename} onSubmit={rename} noValidate>
+            <TextInput
+              aria-label={`New name of ${name}`}
+              value={wanted}
+              error={problem}
+              spellCheck={false}
+              autoComplete="off"
+              onChange={({ currentTarget }) => onWant(currentTarget.value)}
+            />
+            <Button type="submit" aria-label={`Rename ${name}`}>
+              Rename
+            </Button>
+          </form>
+        )}
+      </div>
+      <span className={classes.does}>
+        {standing === 'ready' ? (
+          <Button aria-label={`Upload ${name}`} onClick={onSend}>
+            Upload
+          </Button>
+        ) : (
+          <Button aria-label={`Upload anyway: ${name}`} onClick={onSend}>
+            Upload anyway
+          </Button>
+        )}
+        <Button variant="quiet" aria-label={`Leave out ${name}`} onClick={onLeaveOut}>
+          Leave out
+        </Button>
+      </span>
+    </li>
+  )
+}
+
+function FindingLine({ finding }: { finding: Finding }) {
+  const { head, rest, where } = wordsOf({ ...finding, check: '', waived: false })
+  return (
+    <p className={`${classes.finding} tone-${finding.severity === 'error' ? 'bad' : 'warn'}`}>
+      <span className="strong toned">
+        <span className="visually-hidden">{finding.severity === 'error' ? 'Error: ' : 'Warning: '}</span>
+        {head}.
+      </span>{' '}
+      <span className="mid">
+        {rest}
+        {where !== '' && ` At ${where}.`}
+      </span>
+    </p>
+  )
+}
