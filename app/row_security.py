@@ -42,14 +42,14 @@ TEAMS_OWN = frozenset(  # no designer reads them
     {
         *("hiring_scores", "hiring_roster_entries", "hiring_busy_ranges", "hiring_reel_sounds"),
         *("shares_guest_links", "shares_guest_sounds", "shares_guest_visits", "shares_guest_plays"),
-        *("shares_guest_copies", "shares_playlists", "shares_playlist_entries", "shares_playlist_positions"),
-        *("shares_live_sessions", "shares_live_listeners"),
+        *("shares_guest_copies", "shares_live_sessions", "shares_live_listeners"),
         *("webhooks_webhooks", "webhooks_calls", "webhooks_attempts"),
         "projects_budgets",
         *("reviews_checklist_items", "reviews_item_checks", "reviews_approval_rules"),
         "builds_master_fingerprints",
     }
 )
+DESIGNERS_READ = frozenset({"shares_playlists", "shares_playlist_entries"})  # which of them, a query decides
 READ_ONLY = frozenset({"accounts_operators", "accounts_quotas"})  # set on the command line only
 
 ME, THIS_PROJECT = "soundlist_person_id()", "soundlist_project_id()"
@@ -90,6 +90,10 @@ def condition(table: sa.Table) -> str | None:
         return f"studio_id = {STUDIOS} or person_id = {ME}"
     if table.name in TEAMS_OWN:
         return f"studio_id = {STUDIOS}"
+    if table.name in DESIGNERS_READ:
+        return f"studio_id = {STUDIOS} or project_id = {ENGAGEMENTS}"
+    if table.name == "shares_playlist_positions":  # where each designer stopped is their own
+        return f"studio_id = {STUDIOS} or (project_id = {ENGAGEMENTS} and person_id = {ME})"
     if table.name in ("hiring_bids", "hiring_samples"):  # rates and samples are for the two parties only
         return f"studio_id = {STUDIOS} or designer_id = {ME}"
     if table.name in ("builds_sound_libraries", "builds_library_sounds"):  # of the studio, and each person's own
@@ -104,9 +108,11 @@ def condition(table: sa.Table) -> str | None:
 
 
 def written(table: sa.Table) -> str | None:
-    """Return which rows a request may write where these are fewer than it sees: those of the person it runs for."""
+    """Return which rows a request may write where these are fewer than it sees."""
     if table.name == "accounts_people":
         return f"id = {ME}"
+    if table.name in DESIGNERS_READ:
+        return f"studio_id = {STUDIOS}"
     columns = set(table.columns.keys())
     if {"designer_id", "studio_id", "project_id"} <= columns:
         own = f"project_id = {ENGAGEMENTS} and designer_id = {ME}"

@@ -14,13 +14,13 @@ from app.shares import live_queries, queries
 from app.shares.errors import KeysHeld, ListenerNotFound, PlayheadMoved, PlaylistInvalid
 from app.shares.models import LiveListener, LiveSession, Playlist
 from app.shares.playlist_schemas import LiveKeys, LiveMove, LiveRead, LiveReport
-from app.shares.playlists import playlist_for
+from app.shares.playlists import playlist_of_team
 from app.shares.rules import holder_now, is_elsewhere, playhead_s, present_now
 
 
 def live_read(session: Session, actor: Actor, playlist_id: UUID, page_id: UUID | None) -> LiveRead:
     """Return what everyone in a session hears now, to one of the caller's pages."""
-    playlist_for(session, actor, playlist_id)
+    playlist_of_team(session, actor, playlist_id)
     return _read(session, actor, playlist_id, page_id, clock.now())
 
 
@@ -29,7 +29,7 @@ def report(session: Session, actor: Actor, playlist_id: UUID, body: LiveReport) 
 
     Of several pages of one person the first one plays, until it is gone or another takes over.
     """
-    access, playlist = playlist_for(session, actor, playlist_id)
+    access, playlist = playlist_of_team(session, actor, playlist_id)
     now = clock.now()
     if live_queries.live_session(session, playlist_id) is None:
         _begin_session(session, access, playlist)
@@ -50,7 +50,7 @@ def report(session: Session, actor: Actor, playlist_id: UUID, body: LiveReport) 
 
 def move(session: Session, actor: Actor, playlist_id: UUID, body: LiveMove) -> LiveRead:
     """Play, pause, seek or go to another take, for everyone; only who holds the keys does."""
-    playlist_for(session, actor, playlist_id)
+    playlist_of_team(session, actor, playlist_id)
     now = clock.now()
     live = _locked(session, playlist_id)
     if _holder(session, live, now) != actor.person:
@@ -69,7 +69,7 @@ def move(session: Session, actor: Actor, playlist_id: UUID, body: LiveMove) -> L
 
 def pass_keys(session: Session, actor: Actor, playlist_id: UUID, body: LiveKeys) -> LiveRead:
     """Take the keys while they are free or on another page of one's own, hand them to another, or put them down."""
-    playlist_for(session, actor, playlist_id)
+    playlist_of_team(session, actor, playlist_id)
     now = clock.now()
     live = _locked(session, playlist_id)
     holder_id = _holder(session, live, now)

@@ -30,11 +30,12 @@ from app.shares.playlist_schemas import (
 
 router = Router(prefix="/v1", tags=["playlists"], route_class=Route)
 TEAM: Actor = allows(Audience.TEAM)
+PROJECT: Actor = allows(Audience.PROJECT)
 
 
-@router.get("/projects/{project_id}/playlists", responses=problems(ProjectNotFound, TeamNeeded))
-def list_playlists(project_id: UUID, session: DbSession, actor: Actor = TEAM) -> list[PlaylistBrief]:
-    """Return the playlists of a project, newest first."""
+@router.get("/projects/{project_id}/playlists", responses=problems(ProjectNotFound))
+def list_playlists(project_id: UUID, session: DbSession, actor: Actor = PROJECT) -> list[PlaylistBrief]:
+    """Return the playlists of a project, newest first; to designers those that hold sounds of theirs."""
     return playlists.playlists_of(session, actor, project_id)
 
 
@@ -48,9 +49,9 @@ def add_playlist(project_id: UUID, body: PlaylistAdd, session: DbSession, actor:
     return playlists.make_playlist(session, actor, project_id, body)
 
 
-@router.get("/playlists/{playlist_id}", responses=problems(PlaylistNotFound, TeamNeeded))
-def get_playlist(playlist_id: UUID, session: DbSession, actor: Actor = TEAM) -> PlaylistRead:
-    """Return a playlist with its versions in order, and where the caller stopped."""
+@router.get("/playlists/{playlist_id}", responses=problems(PlaylistNotFound))
+def get_playlist(playlist_id: UUID, session: DbSession, actor: Actor = PROJECT) -> PlaylistRead:
+    """Return a playlist with the versions in order that the caller hears, and where the caller stopped."""
     return playlists.playlist_read(session, actor, playlist_id)
 
 
@@ -71,9 +72,9 @@ def remove_playlist(playlist_id: UUID, session: DbSession, actor: Actor = TEAM) 
 @router.put(
     "/playlists/{playlist_id}/position",
     status_code=204,
-    responses=problems(PlaylistNotFound, TeamNeeded, PlaylistInvalid),
+    responses=problems(PlaylistNotFound, PlaylistInvalid),
 )
-def save_playlist_position(playlist_id: UUID, body: PositionSet, session: DbSession, actor: Actor = TEAM) -> None:
+def save_playlist_position(playlist_id: UUID, body: PositionSet, session: DbSession, actor: Actor = PROJECT) -> None:
     """Keep where the caller stopped."""
     playlists.save_position(session, actor, playlist_id, body)
 

@@ -69,7 +69,7 @@ class PositionSet(Schema):
 
 
 class PlaylistRead(Schema):
-    """A playlist with its takes in order, and where the caller stopped."""
+    """A playlist with the takes in order that the caller hears, and where the caller stopped."""
 
     id: UUID
     project_id: UUID
@@ -79,6 +79,7 @@ class PlaylistRead(Schema):
     takes: list[PlaylistTake]
     position: PositionSet | None
     may_share: bool = Field(description="Whether the caller may change it, and make guest links.")
+    may_join: bool = Field(description="Whether the caller may join its session, as all of the team may.")
 
 
 PageId = Annotated[

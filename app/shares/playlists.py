@@ -30,8 +30,13 @@ from app.sound_lists.rules import label
 
 
 def playlists_of(session: Session, actor: Actor, project_id: UUID) -> list[PlaylistBrief]:
-    """Return the playlists of a project, newest first."""
-    project_access(session, actor, project_id).ensure_team()
+    """Return the playlists of a project, newest first; designers see those that hold sounds of theirs."""
+    access = project_access(session, actor, project_id)
+    if access.only_designer_id is None:
+        found = queries.playlists_in(session, project_id)
+    else:
+        own, heard = queries.has_sound_of(access.only_designer_id), queries.heard_by(actor)
+        found = queries.playlists_in(session, project_id, own, heard=heard)
     return [
         PlaylistBrief(
             id=playlist.id,
@@ -40,7 +45,7 @@ def playlists_of(session: Session, actor: Actor, project_id: UUID) -> list[Playl
             made_by=PersonBrief.model_validate(playlist.maker),
             created_at=playlist.created_at,
         )
-        for playlist, takes in queries.playlists_in(session, project_id)
+        for playlist, takes in found
     ]
 
 
@@ -72,7 +77,7 @@ def playlist_read(session: Session, actor: Actor, playlist_id: UUID) -> Playlist
 
 def change_playlist(session: Session, actor: Actor, playlist_id: UUID, body: PlaylistChange) -> PlaylistRead:
     """Rename a playlist, or put other takes in it, or the same in another order."""
-    access, playlist = playlist_for(session, actor, playlist_id, locked=True)
+    access, playlist = playlist_of_team(session, actor, playlist_id, locked=True)
     access.ensure_may_speak()
     if body.edition != playlist.edition:
         raise PlaylistChanged(
@@ -92,7 +97,7 @@ def change_playlist(session: Session, actor: Actor, playlist_id: UUID, body: Pla
 
 def remove_playlist(session: Session, actor: Actor, playlist_id: UUID) -> None:
     """Remove a playlist; guest links made of it stay."""
-    access, playlist = playlist_for(session, actor, playlist_id, locked=True)
+    access, playlist = playlist_of_team(session, actor, playlist_id, locked=True)
     access.ensure_may_speak()
     playlist.removed_at = clock.now()
     session.flush()
@@ -101,7 +106,7 @@ def remove_playlist(session: Session, actor: Actor, playlist_id: UUID) -> None:
 def save_position(session: Session, actor: Actor, playlist_id: UUID, body: PositionSet) -> None:
     """Keep where the caller stopped."""
     access, playlist = playlist_for(session, actor, playlist_id)
-    if body.take_id not in {entry.take_id for entry in queries.entries_of(session, playlist.id)}:
+    if body.take_id not in {one.take.id for one in _takes_heard(session, access, playlist)}:
         raise _invalid("take_id", "this version is not in the playlist")
     position = queries.position_of(session, playlist.id, actor.person)
     if position is None:
@@ -116,18 +121,29 @@ def save_position(session: Session, actor: Actor, playlist_id: UUID, body: Posit
     session.flush()
 
 
-def playlist_for(
-    session: Session, actor: Actor, playlist_id: UUID, *, locked: bool = False
-) -> tuple[ProjectAccess, Playlist]:
+def playlist_for(session: Session, actor: Actor, playlist_id: UUID) -> tuple[ProjectAccess, Playlist]:
     """Return a playlist within the caller's sight, and what the caller is in its project."""
-    playlist = queries.playlist_by_id(session, playlist_id, locked=locked)
+    playlist = queries.playlist_by_id(session, playlist_id)
     if playlist is None:
         raise PlaylistNotFound(f"no playlist {playlist_id}")
     try:
         access = project_access(session, actor, playlist.project_id)
     except ProjectNotFound:
         raise PlaylistNotFound(f"no playlist {playlist_id}") from None
-    if not access.is_team:
+    own = access.only_designer_id
+    if own is not None and queries.playlist_by_id(session, playlist_id, queries.has_sound_of(own)) is None:
+        raise PlaylistNotFound(f"no playlist {playlist_id}")
+    return access, playlist
+
+
+def playlist_of_team(
+    session: Session, actor: Actor, playlist_id: UUID, *, locked: bool = False
+) -> tuple[ProjectAccess, Playlist]:
+    """Return a playlist and what the caller is in its project; raise TeamNeeded for designers who only hear it."""
+    access, _ = playlist_for(session, actor, playlist_id)
+    access.ensure_team()
+    playlist = queries.playlist_by_id(session, playlist_id, locked=locked)
+    if playlist is None:
         raise PlaylistNotFound(f"no playlist {playlist_id}")
     return access, playlist
 
@@ -142,10 +158,11 @@ def playlist_in(session: Session, access: ProjectAccess, playlist_id: UUID) -> P
 
 def read_playlist(session: Session, access: ProjectAccess, playlist: Playlist) -> PlaylistRead:
     """Return a playlist as it is shown."""
-    takes = queries.playlist_takes(session, playlist.id)
+    takes = _takes_heard(session, access, playlist)
     drawn = thumbs(session, [one.picture.id for one in takes if one.picture])
     scope = approval_scope(session, access)
     position = queries.position_of(session, playlist.id, access.actor.person)
+    is_heard = position is not None and position.take_id in {one.take.id for one in takes}
     return PlaylistRead(
         id=playlist.id,
         project_id=playlist.project_id,
@@ -167,9 +184,16 @@ def read_playlist(session: Session, access: ProjectAccess, playlist: Playlist) -
             )
             for one in takes
         ],
-        position=PositionSet(take_id=position.take_id, at_s=position.at_s) if position else None,
+        position=PositionSet(take_id=position.take_id, at_s=position.at_s) if position and is_heard else None,
         may_share=access.is_producer or access.is_liaison or access.is_approver,
+        may_join=access.is_team,
     )
+
+
+def _takes_heard(session: Session, access: ProjectAccess, playlist: Playlist) -> list[queries.SharedTake]:
+    """Return the takes of a playlist that the caller hears, in order."""
+    heard = [] if access.only_designer_id is None else [queries.heard_by(access.actor)]
+    return queries.playlist_takes(session, playlist.id, *heard)
 
 
 def _put_entries(session: Session, playlist: Playlist, take_ids: Sequence[UUID]) -> None:

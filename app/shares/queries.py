@@ -4,14 +4,16 @@ from collections.abc import Collection, Sequence
 from typing import NamedTuple
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, Row, Select, and_, func, or_, select
+from sqlalchemy import ColumnElement, Row, Select, and_, func, or_, select, true
 from sqlalchemy.orm import Session, contains_eager, joinedload
 
 from app.accounts.models import Person
+from app.accounts.rules import Actor
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit.in_array import in_array
 from app.renders.models import Picture
+from app.renders.other_sound_queries import opened_takes
 from app.shares.models import (
     GuestCopy,
     GuestLink,
@@ -111,10 +113,11 @@ def shared_takes(session: Session, link_id: UUID, *, place: int | None = None) -
     return [SharedTake(*row) for row in session.execute(query)]
 
 
-def playlist_takes(session: Session, playlist_id: UUID) -> list[SharedTake]:
+def playlist_takes(session: Session, playlist_id: UUID, *where: ColumnElement[bool]) -> list[SharedTake]:
     """Return the takes of a playlist in order."""
     query = _with_picture(select(PlaylistEntry.place, Take, Cue, Picture).join(Take, Take.id == PlaylistEntry.take_id))
-    rows = session.execute(query.where(PlaylistEntry.playlist_id == playlist_id).order_by(PlaylistEntry.place))
+    query = query.where(PlaylistEntry.playlist_id == playlist_id, *where)
+    rows = session.execute(query.order_by(PlaylistEntry.place))
     return [SharedTake(*row) for row in rows]
 
 
@@ -163,20 +166,39 @@ def copies_of(session: Session, studio_ids: Collection[UUID], keys: Collection[s
     return {copy.key: copy for copy in session.scalars(query)}
 
 
-def playlists_in(session: Session, project_id: UUID) -> Sequence[Row[Playlist, int]]:
-    """Return the playlists of a project with how many takes each has, newest first."""
-    entries = select(func.count()).where(PlaylistEntry.playlist_id == Playlist.id).scalar_subquery()
+def heard_by(actor: Actor) -> ColumnElement[bool]:
+    """Admit the takes that a designer hears: their own, and those that the project opens to its designers."""
+    return or_(Take.designer_id == actor.person_id, opened_takes(actor))
+
+
+def has_sound_of(designer_id: UUID) -> ColumnElement[bool]:
+    """Admit playlists that hold a take of a designer."""
+    entry = select(PlaylistEntry.place).join(Take, Take.id == PlaylistEntry.take_id)
+    return entry.where(PlaylistEntry.playlist_id == Playlist.id, Take.designer_id == designer_id).exists()
+
+
+def playlists_in(
+    session: Session,
+    project_id: UUID,
+    *where: ColumnElement[bool],
+    heard: ColumnElement[bool] = true(),  # noqa: B008  an immutable expression
+) -> Sequence[Row[Playlist, int]]:
+    """Return the playlists of a project with how many takes each has, newest first; counted are those `heard`."""
+    entries = select(func.count(PlaylistEntry.place)).join(Take, Take.id == PlaylistEntry.take_id)
+    counted = entries.where(PlaylistEntry.playlist_id == Playlist.id, heard).correlate(Playlist).scalar_subquery()
     return session.execute(
-        select(Playlist, entries)
-        .where(Playlist.project_id == project_id, Playlist.removed_at.is_(None))
+        select(Playlist, counted)
+        .where(Playlist.project_id == project_id, Playlist.removed_at.is_(None), *where)
         .options(joinedload(Playlist.maker))
         .order_by(Playlist.id.desc())
     ).all()
 
 
-def playlist_by_id(session: Session, playlist_id: UUID, *, locked: bool = False) -> Playlist | None:
+def playlist_by_id(
+    session: Session, playlist_id: UUID, *where: ColumnElement[bool], locked: bool = False
+) -> Playlist | None:
     """Return a playlist that was not removed."""
-    query = select(Playlist).where(Playlist.id == playlist_id, Playlist.removed_at.is_(None))
+    query = select(Playlist).where(Playlist.id == playlist_id, Playlist.removed_at.is_(None), *where)
     if locked:
         query = query.with_for_update().execution_options(populate_existing=True)
     return session.scalar(query)

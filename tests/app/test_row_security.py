@@ -25,6 +25,7 @@ from app.projects import queries
 from app.projects.models import Project
 from app.row_security import (
     ADD_ONLY,
+    DESIGNERS_READ,
     NEVER_ALTERED,
     PERSONAL,
     READ_ONLY,
@@ -49,6 +50,7 @@ CONFIDENTIAL = {
     "hiring_samples",
     "references_openings",
     "shares_saved_views",
+    "shares_playlist_positions",
     *("builds_sound_libraries", "builds_library_sounds"),
     *TEAMS_OWN,
 }  # an engagement alone does not show them
@@ -149,7 +151,9 @@ def test_nobody_sees_another_studio(database: Database, name: str):
         assert seen(session, name) == {THERE}
 
 
-@pytest.mark.parametrize("name", sorted({*TENANT} - {"accounts_studios", "accounts_memberships"} - CONFIDENTIAL))
+@pytest.mark.parametrize(
+    "name", sorted({*TENANT} - {"accounts_studios", "accounts_memberships"} - CONFIDENTIAL - DESIGNERS_READ)
+)
 def test_designers_and_builds_see_their_project_alone(database: Database, name: str):
     table = Base.metadata.tables[name]
     one, other = PROJECTS[HERE]
@@ -162,6 +166,39 @@ def test_designers_and_builds_see_their_project_alone(database: Database, name: 
                 assert projects_seen(session, name) == {one}
             else:
                 assert seen(session, name) == {HERE}
+
+
+@pytest.mark.parametrize("name", sorted(DESIGNERS_READ))
+def test_designers_read_playlists_of_their_project_and_the_team_alone_writes_them(database: Database, name: str):
+    table = Base.metadata.tables[name]
+    one = PROJECTS[HERE][0]
+    with database.reading(Reach(person_id=DESIGNER)) as session:
+        assert projects_seen(session, name) == {one}
+    with database.reading(Reach(project_id=one)) as session:
+        assert projects_seen(session, name) == set(), "no build reads them"
+    for person, rows in ((DESIGNER, 0), (MEMBER, 2)):
+        with database.writing(Reach(person_id=person)) as session:
+            assert session.execute(sa.update(table).values(studio_id=HERE)).rowcount == rows
+    with (
+        pytest.raises(sa.exc.ProgrammingError, match="row-level security"),
+        database.writing(Reach(person_id=DESIGNER)) as session,
+    ):
+        session.execute(sa.insert(table).values(row_of(table, HERE, one)))
+
+
+def test_where_a_designer_stopped_in_a_playlist_is_their_own(database: Database):
+    table = Base.metadata.tables["shares_playlist_positions"]
+    one, other = PROJECTS[HERE]
+    with database.writing(Reach(person_id=DESIGNER)) as session:
+        session.execute(sa.insert(table).values(row_of(table, HERE, one) | {"person_id": DESIGNER}))
+        assert set(session.scalars(sa.select(table.c.person_id))) == {DESIGNER}
+        session.rollback()
+    for wrong in ({"person_id": new_id()}, {"person_id": DESIGNER, "project_id": other}):
+        with (
+            pytest.raises(sa.exc.ProgrammingError, match="row-level security"),
+            database.writing(Reach(person_id=DESIGNER)) as session,
+        ):
+            session.execute(sa.insert(table).values(row_of(table, HERE, one) | wrong))
 
 
 def test_the_team_shares_views_of_the_review_queue_alone(database: Database):

@@ -22,6 +22,7 @@ CONTRACTS = {"contract_id", "milestone_id", "extra_round_id", "invoice_id", "pay
 ONE_DESIGNERS = {
     *("delivery_id", "take_id", "upload_id", "picture_id", "render_id", "comment_id", "change_request_id", "reel_id"),
     "note_id",
+    "playlist_id",  # one that holds sounds of theirs alone
     "master_export_id",
     "tray_action_id",
     "library_id",
@@ -40,7 +41,7 @@ STUDIOS = {
     "roster_entry_id",
     "reel_sound_id",
     "credit_line_id",
-    *("guest_link_id", "playlist_id"),
+    "guest_link_id",
     *WEBHOOKS,
 }
 IN_BODY = {"create_project": {"studio_id"}}

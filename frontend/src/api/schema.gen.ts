@@ -5958,7 +5958,7 @@ export interface paths {
         };
         /**
          * List Playlists
-         * @description Return the playlists of a project, newest first.
+         * @description Return the playlists of a project, newest first; to designers those that hold sounds of theirs.
          */
         get: operations["list_playlists"];
         put?: never;
@@ -5982,7 +5982,7 @@ export interface paths {
         };
         /**
          * Get Playlist
-         * @description Return a playlist with its versions in order, and where the caller stopped.
+         * @description Return a playlist with the versions in order that the caller hears, and where the caller stopped.
          */
         get: operations["get_playlist"];
         put?: never;
@@ -14001,7 +14001,7 @@ export interface components {
             is_dry_stem: boolean;
             /**
              * List Name
-             * @description What the list calls a file of the likeliest cue; null where its name is right or nothing is likely.
+             * @description The list's name for a file of the likeliest cue; null where its name is right or none is likely.
              */
             list_name: string | null;
             /**
@@ -18762,7 +18762,7 @@ export interface components {
         };
         /**
          * PlaylistRead
-         * @description A playlist with its takes in order, and where the caller stopped.
+         * @description A playlist with the takes in order that the caller hears, and where the caller stopped.
          */
         PlaylistRead: {
             /**
@@ -18788,6 +18788,11 @@ export interface components {
              * @description Whether the caller may change it, and make guest links.
              */
             may_share: boolean;
+            /**
+             * May Join
+             * @description Whether the caller may join its session, as all of the team may.
+             */
+            may_join: boolean;
         };
         /**
          * PlaylistTake
@@ -43129,15 +43134,6 @@ export interface operations {
                     "application/json": components["schemas"]["PlaylistBrief"][];
                 };
             };
-            /** @description `team-needed` */
-            403: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Problem"];
-                };
-            };
             /** @description `project-not-found` */
             404: {
                 headers: {
@@ -43238,15 +43234,6 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["PlaylistRead"];
-                };
-            };
-            /** @description `team-needed` */
-            403: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Problem"];
                 };
             };
             /** @description `playlist-not-found` */
@@ -43399,15 +43386,6 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content?: never;
-            };
-            /** @description `team-needed` */
-            403: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Problem"];
-                };
             };
             /** @description `playlist-not-found` */
             404: {

@@ -139,9 +139,9 @@ def test_a_move_is_announced_to_open_pages_and_a_report_is_not(world: World, liv
 
 
 def test_designers_and_strangers_are_not_in_it(world: World, live: Live) -> None:
-    for client in (world.designer, world.stranger):
-        assert live.put(client, "presence").status_code == 404
-        assert client.get(f"/v1/playlists/{live.playlist_id}/live").status_code == 404
+    for client, status in ((world.designer, 403), (world.stranger, 404)):  # the designer's sound is in it
+        assert live.put(client, "presence").status_code == status
+        assert client.get(f"/v1/playlists/{live.playlist_id}/live").status_code == status
     assert clock.now().timestamp() * 1000 - live.read(world.producer)["server_ms"] < 5_000
 
 

@@ -1,10 +1,14 @@
 """Playlists: made of a filter or by hand, put in order, left where one stopped, shared with guests."""
 
 from typing import Any
+from uuid import UUID
 
 from fastapi.testclient import TestClient
 
-from tests.app.shares.making import made, opened, sound
+from app.deliveries.models import Take
+from app.projects.models import Engagement
+from app.projects.rules import EngagementKind
+from tests.app.shares.making import approve, made, opened, sound
 from tests.support.server import World
 
 
@@ -77,20 +81,92 @@ def test_each_person_goes_on_where_they_stopped(world: World) -> None:
     assert refused.json()["code"] == "playlist-invalid"
 
 
-def test_only_who_speaks_for_the_team_changes_one_and_only_the_team_sees_it(world: World) -> None:
+def test_only_who_speaks_for_the_team_changes_one_and_no_stranger_sees_it(world: World) -> None:
     _, take_id = sound(world)
     url = f"/v1/playlists/{playlist(world, take_id)['id']}"
     assert world.reviewer.get(url).status_code == 200
     for client, of_project, status in (
-        (world.reviewer, 403, 403), (world.designer, 403, 404), (world.stranger, 404, 404),
+        (world.reviewer, 403, 403), (world.designer, 403, 403), (world.stranger, 404, 404),
     ):  # fmt: skip
         assert add(world, client, take_ids=[take_id]).status_code == of_project
         assert client.patch(url, json={"edition": 1, "name": "x"}).status_code == status
         assert client.delete(url).status_code == status
-    assert world.designer.get(url).status_code == 404
+    assert world.stranger.get(url).status_code == 404
     assert world.producer.delete(url).status_code == 204
     assert world.producer.get(url).status_code == 404
     assert world.producer.get(f"/v1/projects/{world.project_id}/playlists").json() == []
+
+
+def of_another(world: World, name: str) -> str:
+    """Put a cue on the list with a take of a second designer, who is engaged too; return the take's id."""
+    take_id = UUID(sound(world, name)[1])
+
+    def write(session: Any) -> None:
+        of = {"studio_id": world.studio_id, "project_id": world.project_id}
+        session.add(Engagement(**of, designer_id=world.other_designer_id, kind=EngagementKind.CONTRACT))
+        session.get_one(Take, take_id).designer_id = world.other_designer_id
+
+    world.server.in_database(write)
+    return str(take_id)
+
+
+def hear(world: World, choice: str) -> None:
+    answer = world.producer.patch(f"/v1/projects/{world.project_id}", json={"designers_hear": choice})
+    assert answer.status_code == 200, answer.text
+
+
+def test_a_designer_hears_of_a_playlist_with_a_sound_of_theirs_what_they_may_hear(world: World) -> None:
+    (_, laser), (_, door) = sound(world), sound(world, "door")
+    steps = of_another(world, "steps")
+    found = playlist(world, laser, steps, door)
+    url, listed = f"/v1/playlists/{found['id']}", f"/v1/projects/{world.project_id}/playlists"
+    for choice, heard in (("own", [laser, door]), ("approved", [laser, door]), ("waiting", [laser, steps, door])):
+        hear(world, choice)
+        shown = world.designer.get(url).json()
+        assert order(shown) == heard, choice
+        assert [one["takes"] for one in world.designer.get(listed).json()] == [len(heard)]
+        assert [world.designer.get(one["preview_url"]).status_code for one in shown["takes"]] == [200] * len(heard)
+    assert (shown["may_share"], shown["may_join"], shown["takes"][0]["may_approve"]) == (False, False, False)
+    approve(world, steps)
+    hear(world, "approved")
+    assert order(world.designer.get(url).json()) == [laser, steps, door]
+    hear(world, "own")
+    assert order(world.other_designer.get(url).json()) == [steps]
+    assert world.reviewer.get(url).json()["may_join"] is True
+
+
+def test_a_designer_without_a_sound_in_a_playlist_does_not_see_it(world: World) -> None:
+    _, laser = sound(world)
+    of_another(world, "steps")
+    hear(world, "waiting")  # they would hear the sound itself
+    url = f"/v1/playlists/{playlist(world, laser)['id']}"
+    assert world.designer.get(url).status_code == 200
+    for path in (url, f"{url}/live"):
+        assert world.other_designer.get(path).json()["code"] == "playlist-not-found"
+    assert world.other_designer.put(f"{url}/position", json={"take_id": laser, "at_s": 0}).status_code == 404
+    assert world.other_designer.get(f"/v1/projects/{world.project_id}/playlists").json() == []
+
+
+def test_a_designer_only_hears_and_goes_on_where_they_stopped(world: World) -> None:
+    _, laser = sound(world)
+    steps = of_another(world, "steps")
+    hear(world, "own")
+    found = playlist(world, laser, steps)
+    url = f"/v1/playlists/{found['id']}"
+    assert world.designer.put(f"{url}/position", json={"take_id": laser, "at_s": 0.3}).status_code == 204
+    assert world.designer.get(url).json()["position"] == {"take_id": laser, "at_s": 0.3}
+    assert world.producer.get(url).json()["position"] is None
+    unheard = world.designer.put(f"{url}/position", json={"take_id": steps, "at_s": 0})
+    assert (unheard.status_code, unheard.json()["code"]) == (422, "playlist-invalid")
+    for answer in (
+        world.designer.patch(url, json={"edition": 1, "take_ids": [laser]}),
+        world.designer.delete(url),
+        world.designer.get(f"{url}/live"),
+        world.designer.put(f"{url}/live/presence", json={}),
+        world.designer.put(f"{url}/live/keys", json={"act": "take"}),
+    ):
+        assert (answer.status_code, answer.json()["code"]) == (403, "team-needed")
+    assert order(world.producer.get(url).json()) == [laser, steps]
 
 
 def test_versions_of_another_project_are_refused(world: World) -> None:

@@ -6,7 +6,7 @@ import { beforeEach, describe, expect, test, vi } from 'vitest'
 import { HandContext } from '@/test/audioContext'
 import { build, REPORT } from '@/test/builds'
 import { openApp } from '@/test/openApp'
-import { anOverview, aProject, inProject } from '@/test/project'
+import { anOverview, aProject, inProject, people } from '@/test/project'
 import { answer, refusal, serve } from '@/test/server'
 
 beforeEach(() => vi.stubGlobal('AudioContext', HandContext))
@@ -76,6 +76,15 @@ describe('the project page', () => {
     expect(screen.getByRole('link', { name: 'Invite a designer' })).toHaveAttribute('href', '/projects/p1/people')
     expect(screen.getByText('No builds yet')).toBeVisible()
     expect(await screen.findByText('Nothing is accepted yet.')).toBeVisible()
+  })
+
+  test('leads a designer to the playlists that hold their sounds', async () => {
+    const combat = { id: 'l1', name: 'Combat', takes: 3, made_by: people.producer, created_at: '2026-11-20T10:00:00Z' }
+    serve(inProject('designer', { 'GET /v1/projects/p1/playlists': [combat] }))
+    openApp('/projects/p1')
+    const card = await screen.findByRole('region', { name: /^Playlists with your sounds/ })
+    expect(within(card).getByRole('link', { name: 'Combat' })).toHaveAttribute('href', '/projects/p1/playlists/l1')
+    expect(card).toHaveTextContent('3 sounds, by Producer')
   })
 
   test('a list that nobody works on asks for a designer', async () => {

@@ -18,6 +18,7 @@ import { PackCard } from './PackCard'
 import { PaletteCard } from './PaletteCard'
 import classes from './Project.module.css'
 import { PlaceholdersCard } from './PlaceholdersCard'
+import { PlaylistsCard } from './PlaylistsCard'
 import { ProjectHead } from './ProjectHead'
 import { Refusal } from './Refusal'
 import { SpecCard } from './spec/SpecCard'
@@ -122,6 +123,7 @@ export function ProjectPage() {
           <aside className="stack" aria-label="Builds, pack and what happened">
             {isTeam && <BuildsCard project={project} builds={overview.builds} />}
             {isTeam && <PackCard projectId={projectId} />}
+            {!isTeam && <PlaylistsCard projectId={projectId} />}
             <CalendarCard projectId={projectId} />
             <LatelyCard projectId={projectId} happened={overview.lately} />
           </aside>

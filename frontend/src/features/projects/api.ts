@@ -47,6 +47,14 @@ export const useProjects = (archived: boolean) =>
     getNextPageParam: ({ next }) => next ?? undefined,
   })
 
+/** The playlists of a project that the current person hears. */
+export const playlistsQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: queryKeys.playlists(projectId),
+    queryFn: () =>
+      answered(api.GET('/v1/projects/{project_id}/playlists', { params: { path: { project_id: projectId } } })),
+  })
+
 export const overviewQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.overview(projectId),

@@ -44,7 +44,7 @@ export function PlaylistPage(): ReactNode {
 }
 
 function Room({ playlist }: { playlist: Playlist }) {
-  const { id, project_id: projectId, takes, position, may_share: mayChange } = playlist
+  const { id, project_id: projectId, takes, position, may_share: mayChange, may_join: mayJoin } = playlist
   const navigate = useNavigate()
   const { data: me } = useQuery(meQuery)
   const [player, playing] = usePlayer()
@@ -56,7 +56,7 @@ function Room({ playlist }: { playlist: Playlist }) {
     hand.lead(takeId, player.isPlaying(), player.positionS()),
   )
   const { current, step } = playthrough
-  const hand = useLive(id, player, playthrough)
+  const hand = useLive(id, mayJoin, player, playthrough)
   const follows = hand.isIn && hand.live?.is_holder === false
   const isPlaying = playing.status === 'playing'
 
@@ -198,6 +198,7 @@ function Room({ playlist }: { playlist: Playlist }) {
             playlistId={id}
             take={current}
             player={player}
+            mayReview={mayJoin}
             onJudged={() => goBy(1)}
           />
         </section>
@@ -268,7 +269,7 @@ function Room({ playlist }: { playlist: Playlist }) {
             ))}
           </Rows>
         </section>
-        <LivePanel hand={hand} meId={me?.person.id} />
+        {mayJoin && <LivePanel hand={hand} meId={me?.person.id} />}
       </div>
     </div>
   )

@@ -21,6 +21,8 @@ interface VerdictOfTakeProps {
   playlistId: string
   take: PlaylistTake
   player: Player
+  /** Whether the current person may open Review: the team does. */
+  mayReview: boolean
   onJudged: () => void
 }
 
@@ -35,7 +37,7 @@ const STATES: Record<PlaylistTake['state'], StateKind> = {
 }
 
 /** The verdict on the sound that plays, by the keys of the review room, for who may give it. */
-export function VerdictOfTake({ projectId, playlistId, take, player, onJudged }: VerdictOfTakeProps) {
+export function VerdictOfTake({ projectId, playlistId, take, player, mayReview, onJudged }: VerdictOfTakeProps) {
   const client = useQueryClient()
   const { data: review } = useQuery({ ...reviewQuery(take.cue_id), enabled: take.may_approve })
   const judge = useJudge(projectId)
@@ -108,14 +110,16 @@ export function VerdictOfTake({ projectId, playlistId, take, player, onJudged }:
             Approve
           </HotkeyButton>
         )}
-        <Link
-          className="link"
-          to="/projects/$projectId/review/$cueId"
-          params={{ projectId, cueId: take.cue_id }}
-          search={{ take: take.take_id }}
-        >
-          Open in Review
-        </Link>
+        {mayReview && (
+          <Link
+            className="link"
+            to="/projects/$projectId/review/$cueId"
+            params={{ projectId, cueId: take.cue_id }}
+            search={{ take: take.take_id }}
+          >
+            Open in Review
+          </Link>
+        )}
       </div>
     </div>
   )

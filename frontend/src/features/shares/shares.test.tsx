@@ -67,6 +67,7 @@ const PLAYLIST = {
   takes: [take('t1', 'laser'), take('t2', 'door'), take('t3', 'steps')],
   position: { take_id: 't2', at_s: 0.4 },
   may_share: true,
+  may_join: true,
 }
 const LIVE = {
   sequence: 1,
@@ -80,7 +81,7 @@ const LIVE = {
   present: [],
 }
 
-function open(path: string, more: object = {}, part: 'producer' | 'reviewer' = 'producer') {
+function open(path: string, more: object = {}, part: 'producer' | 'reviewer' | 'designer' = 'producer') {
   const { asked } = serve(
     inProject(part, {
       'GET /v1/projects/p1/sound-list': { revision: 1, next: null, cues: CUES },
@@ -224,6 +225,23 @@ test('a playlist says beforehand that a version cannot be approved yet', async (
   expect(screen.getByRole('button', { name: /^Request a change/ })).toBeEnabled()
   await userEvent.keyboard('a')
   expect(wrote(asked, 'POST /v1/takes/t2/verdict')).toHaveLength(0)
+})
+
+test('a designer hears a playlist with a sound of theirs, and changes, decides and leads nothing', async () => {
+  const heard = { ...PLAYLIST, may_share: false, may_join: false }
+  const asked = open('/projects/p1/playlists/l1', { 'GET /v1/playlists/l1': heard }, 'designer')
+  expect(await screen.findByRole('button', { name: 'Play' })).toBeEnabled()
+  await userEvent.keyboard('j')
+  await waitFor(() => expect(screen.getByRole('region', { name: 'Now' })).toHaveTextContent('steps'))
+  screen.getByRole('button', { name: /^steps/ }).focus()
+  await userEvent.keyboard('{Alt>}{ArrowUp}{/Alt}')
+  await userEvent.keyboard('ar')
+  expect(screen.queryByRole('region', { name: 'Session' })).toBeNull()
+  expect(screen.queryByRole('button', { name: /^(Approve|Request|Move|Take|Remove)/ })).toBeNull()
+  expect(screen.queryByRole('link', { name: /Review|guests/ })).toBeNull()
+  expect(asked.filter(({ path }) => path.includes('/live'))).toEqual([])
+  expect(wrote(asked, 'PATCH /v1/playlists/l1')).toEqual([])
+  await noViolations()
 })
 
 test('in a session the keys are taken and handed over', async () => {

@@ -39,7 +39,7 @@ export interface LiveHand {
 }
 
 /** The session of a playlist: who is in it, who holds the keys, and a page that follows the playhead of all. */
-export function useLive(playlistId: string, player: Player, playthrough: Playthrough): LiveHand {
+export function useLive(playlistId: string, mayJoin: boolean, player: Player, playthrough: Playthrough): LiveHand {
   const client = useQueryClient()
   const queryKey = queryKeys.playlist(playlistId, 'live')
   const [isIn, setIsIn] = useState(false)
@@ -59,6 +59,7 @@ export function useLive(playlistId: string, player: Player, playthrough: Playthr
   const { data: live } = useQuery({
     queryKey,
     queryFn: () => exchange(() => readLive(playlistId, pageId)),
+    enabled: mayJoin,
     structuralSharing: false, // each answer has its own instant
   })
   const send = async (act: () => Promise<Live>) => {
