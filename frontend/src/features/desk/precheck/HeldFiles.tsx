@@ -9,7 +9,7 @@ import { State } from '@/ui/State'
 import classes from './HeldFiles.module.css'
 import { HeldRow } from './HeldRow'
 import type { HeldFile, Precheck } from './precheck'
-import { isChanged, isRenamable, nameProblems, renamesHere, standingOf } from './renames'
+import { isChanged, isRenamable, nameProblems, renamesHere, heldStateOf } from './renames'
 
 const SHOWN = 40
 
@@ -23,9 +23,9 @@ export function HeldFiles({ precheck }: { precheck: Precheck }) {
   useUnloadWarning(isChecking || held.length > 0)
   const isDecisionDue = !isChecking && held.length > 0
   const problems = useMemo(() => nameProblems(held), [held])
-  const wrong = held.filter((file) => standingOf(file) === 'wrong').length
-  const unnamed = held.filter((file) => standingOf(file) === 'unnamed').length
-  const ready = held.filter((file) => standingOf(file) === 'ready')
+  const wrong = held.filter((file) => heldStateOf(file) === 'wrong').length
+  const unnamed = held.filter((file) => heldStateOf(file) === 'unnamed').length
+  const ready = held.filter((file) => heldStateOf(file) === 'ready')
   const toRename = held.filter((file) => isRenamable(file) && isChanged(file))
   const renames = renamesHere(state).length
   const region = useRef<HTMLElement>(null)

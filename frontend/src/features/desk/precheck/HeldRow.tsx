@@ -8,7 +8,7 @@ import { State } from '@/ui/State'
 import type { Finding } from './checks'
 import classes from './HeldFiles.module.css'
 import type { HeldFile } from './precheck'
-import { isRenamable, standingOf } from './renames'
+import { isRenamable, heldStateOf } from './renames'
 
 interface HeldRowProps {
   file: HeldFile
@@ -23,7 +23,7 @@ interface HeldRowProps {
 export function HeldRow({ file, problem, onWant, onRename, onSend, onLeaveOut }: HeldRowProps) {
   const { cue, findings, firstName, wanted } = file
   const name = file.picked.path
-  const standing = standingOf(file)
+  const standing = heldStateOf(file)
   const rename = (event: FormEvent) => {
     event.preventDefault()
     onRename()

@@ -3,11 +3,11 @@ import type { HeldFile, PrecheckState } from './precheck'
 const MOST_CHARS = 255
 
 /** wrong: it would come back; unnamed: its name says no cue; ready: it was renamed, and nothing else holds it. */
-export type Standing = 'wrong' | 'unnamed' | 'ready'
+export type HeldState = 'wrong' | 'unnamed' | 'ready'
 
 export const baseName = (path: string): string => path.slice(path.lastIndexOf('/') + 1)
 
-export function standingOf({ findings, cue, listName }: HeldFile): Standing {
+export function heldStateOf({ findings, cue, listName }: HeldFile): HeldState {
   if (findings.some(({ severity }) => severity === 'error')) return 'wrong'
   return cue === '' && listName !== null ? 'unnamed' : 'ready'
 }
