@@ -113,6 +113,19 @@ test('references of the cue stand beside its notes, where there are any', async 
   expect(asked?.query.get('cue_id')).toBe('shield')
 })
 
+test('the waves of the next cue are fetched once those of the cue in hand are here', async () => {
+  let answer: (peaks: unknown) => void = () => undefined
+  server.on('GET /v1/sounds/a/peaks.json', () => new Promise((resolve) => (answer = resolve)))
+  await opened()
+  await waitFor(() => expect(server.of('GET /v1/sounds/a/peaks.json')).toHaveLength(1))
+  expect(server.of('GET /v1/sounds/w1/peaks.json')).toHaveLength(0)
+  answer(somePeaks)
+  await waitFor(() => expect(server.of('GET /v1/sounds/w1/peaks.json')).toHaveLength(1))
+  await userEvent.keyboard('j')
+  expect(await screen.findByRole('heading', { name: walk.cue.name })).toBeTruthy()
+  expect(server.of('GET /v1/sounds/w1/peaks.json')).toHaveLength(1)
+})
+
 describe('a version that answers a change', () => {
   const before = aTake('old', { number: 1, state: 'change_requested' })
   const after = aTake('a', { number: 2 })
@@ -289,7 +302,7 @@ describe('notes on earlier versions', () => {
     }
     queue = [item]
     await opened()
-    const carried = screen.getByRole('region', { name: 'Carried over from earlier versions' })
+    const carried = await screen.findByRole('region', { name: 'Carried over from earlier versions' })
     expect(carried).toHaveTextContent('0 of 2 done')
     expect(screen.getByRole('link', { name: /shield_hit/ })).toHaveTextContent('2 notes still open')
     await userEvent.keyboard('{Enter}')

@@ -10,6 +10,7 @@ import { usePlayer } from '@/audio'
 import { nextAfter } from '@/judging/afterVerdict'
 import { reviewQuery } from '@/judging/api'
 import { MASTER } from '@/judging/hearing'
+import { usePeaksAhead } from '@/judging/peaks'
 import { filterOf } from '@/judging/queueFilter'
 import { useReady } from '@/judging/useHearing'
 import { useJudge } from '@/judging/useJudge'
@@ -57,7 +58,9 @@ export function ReviewPage(): ReactNode {
 
   const at = waiting.findIndex(({ cue }) => cue.id === cueId)
   const ahead = at < 0 ? waiting : [...waiting.slice(at + 1), ...waiting.slice(0, at)]
-  useReady(player, waiting[at]?.takes ?? NONE, ahead[0], ahead.slice(1, 3))
+  const takes = waiting[at]?.takes ?? NONE
+  useReady(player, takes, ahead[0], ahead.slice(1, 3))
+  usePeaksAhead(takes[0]?.peaks_url, ahead[0]?.takes ?? NONE)
   const aheadIds = ahead
     .slice(0, AHEAD)
     .map(({ cue }) => cue.id)

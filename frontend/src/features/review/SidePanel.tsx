@@ -23,13 +23,11 @@ import { useLazy } from '@/ui/useLazy'
 
 import { type Comment, useComment, useMarkComment } from './api'
 import type { Carried } from './carried'
-import { CarriedNotes } from './CarriedNotes'
 import { Composer, type Writing } from './Composer'
 import { Figures } from './Figures'
 import { PalettePlot } from './PalettePlot'
 import classes from './Review.module.css'
 import type { Said } from './said'
-import { Waiver } from './Waiver'
 
 interface SidePanelProps {
   review: CueReview
@@ -49,6 +47,8 @@ interface SidePanelProps {
   blind: boolean
 }
 
+const loadCarriedNotes = () => import('./CarriedNotes').then(({ CarriedNotes }) => CarriedNotes)
+const loadWaiver = () => import('./Waiver').then(({ Waiver }) => Waiver)
 const loadGameFiles = () => import('./GameFiles').then(({ GameFiles }) => GameFiles)
 
 type Tab = 'comments' | 'findings' | 'files' | 'history'
@@ -58,6 +58,8 @@ export function SidePanel(props: SidePanelProps) {
   const { hand, said, blind, writing } = props
   const [chosen, setTab] = useState<Tab>('comments')
   const tab = writing ? 'comments' : chosen
+  const mayWaive = tab === 'findings' && hand?.state === 'returned' && props.review.may_approve
+  const Waiver = useLazy(loadWaiver, mayWaive)
   const GameFiles = useLazy(loadGameFiles, tab === 'files', () => setTab('comments'))
   const tabs: { id: Tab; label: string }[] = [
     { id: 'comments', label: `Comments ${blind ? '' : said.length}`.trim() },
@@ -104,7 +106,7 @@ export function SidePanel(props: SidePanelProps) {
           <>
             {tab === 'comments' && <Comments {...props} />}
             {tab === 'findings' && hand && <Findings take={hand} onSpot={props.onSpot} />}
-            {tab === 'findings' && hand?.state === 'returned' && props.review.may_approve && (
+            {mayWaive && Waiver && (
               <Waiver key={hand.id} take={hand} cueId={props.review.cue.id} projectId={props.projectId} />
             )}
             {tab === 'files' && hand && GameFiles && <GameFiles key={hand.id} take={hand} />}
@@ -122,13 +124,14 @@ function Comments({ review, projectId, hand, heard, nameOf, said, carried, openS
   const { data: me } = useQuery(meQuery)
   const replying = useComment(review.cue.id)
   const roleOf = useRoles(projectId)
+  const CarriedNotes = useLazy(loadCarriedNotes, carried.length > 0)
   const reply = async ({ id, takeId, kind }: Said, text: string) => {
     const answers = kind === 'change' ? { change_request_id: id } : { reply_to_id: id }
     await replying.mutateAsync({ takeId, text, answers })
   }
   return (
     <>
-      {hand && carried.length > 0 && (
+      {hand && CarriedNotes && carried.length > 0 && (
         <CarriedNotes
           carried={carried}
           hand={hand}
