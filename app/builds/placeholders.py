@@ -23,7 +23,7 @@ from app.projects.queries import current_spec
 from app.projects.service import project_access
 from app.renders.queries import parsed_spec
 from app.sound_lists.models import Cue
-from app.sound_lists.queries import cues_of, spoken_sha256s
+from app.sound_lists.queries import cues_of, spoken_placeholder, spoken_sha256s
 from app.sound_lists.rules import CueState, label
 from app.sound_lists.service import cue_facts
 from app.voice_lines.queries import languages_by_cue
@@ -188,7 +188,10 @@ def keep(
     is_spoken: bool,
     refusal: str,
 ) -> None:
-    """Put a placeholder file on record, or why there is none."""
+    """Put a placeholder file on record, or why there is none; not where something else has been said meanwhile."""
+    said = spoken_placeholder(session, slot.cue.id)
+    if (said.sha256 if said else None) != slot.said_sha256:
+        return  # the job of what is said now makes the file
     row = queries.placeholder_file(session, slot.cue.id, slot.variation, target)
     if row is None:
         row = PlaceholderFile(

@@ -9,7 +9,10 @@ import pytest
 from fastapi.testclient import TestClient
 from httpx import Response
 
+from app.builds.packs import pack_of
+from app.builds.placeholders import Slot, keep, open_slots
 from app.kit import response_headers
+from app.projects.models import Project
 from audio_checks.placeholders.recorded import read_recording
 from tests.support.deliver import add_cues
 from tests.support.server import World
@@ -75,6 +78,24 @@ def test_it_is_replaced_and_removed_and_the_files_follow(world: World, cue_id: s
     assert world.producer.delete(f"/v1/cues/{cue_id}/spoken-placeholder").json()["code"] == "nothing-said"
     [remade] = placeholders(world)
     assert remade["state"] == "made"
+
+
+def test_a_file_of_what_was_said_before_does_not_replace_that_of_what_is_said_now(world: World, cue_id: str) -> None:
+    def slot_now() -> tuple[Project, Slot]:
+        with world.server.runtime.database.reading() as session:
+            project = session.get_one(Project, world.project_id)
+            (slot,) = (
+                one for one in open_slots(session, pack_of(session, project, "game")) if str(one.cue.id) == cue_id
+            )
+            return project, slot
+
+    say(world, cue_id)
+    project, before = slot_now()
+    say(world, cue_id, wav_bytes(sine(hz=900, seconds=0.3), rate=44_100, bits=24))
+    assert [one["state"] for one in placeholders(world)] == ["made"]
+    with world.server.runtime.database.writing() as session:
+        keep(session, project, "game", before, None, is_spoken=True, refusal="too late")
+    assert [one["state"] for one in placeholders(world)] == ["made"]
 
 
 @pytest.mark.parametrize(

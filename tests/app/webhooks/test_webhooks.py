@@ -10,7 +10,7 @@ from typing import Any
 from uuid import UUID
 
 import pytest
-from sqlalchemy import select
+from sqlalchemy import Select, select
 
 from app.kit import clock
 from app.webhooks import jobs, queries, sending
@@ -173,6 +173,10 @@ def test_what_fails_is_tried_again_with_pauses_then_given_up(world: World, targe
     assert len({(request.headers["webhook-id"], request.body) for request in target.received}) == 1
 
 
+def attempts_at(call_id: str) -> Select[WebhookAttempt]:
+    return select(WebhookAttempt).where(WebhookAttempt.call_id == UUID(call_id))
+
+
 def test_each_attempt_at_a_message_is_in_its_log(world: World, target: Receiver, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(sending, "pause_after", lambda _tries: timedelta(hours=1))  # no attempt but those made here
     webhook = add(world, target.url)
@@ -196,7 +200,7 @@ def test_each_attempt_at_a_message_is_in_its_log(world: World, target: Receiver,
     assert sorted(one["tried_at"] for one in log) == [one["tried_at"] for one in log]
     assert world.producer.delete(f"/v1/webhooks/{webhook['id']}").status_code == 204
     with world.server.runtime.database.reading() as session:
-        assert session.scalars(select(WebhookAttempt)).all() == []
+        assert session.scalars(attempts_at(call["id"])).all() == []
 
 
 def test_an_attempt_that_is_not_due_any_more_sends_nothing(world: World, target: Receiver):
@@ -329,6 +333,7 @@ def test_calls_leave_the_log_after_thirty_days(world: World, target: Receiver, m
     webhook = add(world, target.url)
     world.producer.post(f"/v1/webhooks/{webhook['id']}/test").raise_for_status()
     world.server.wait_for_jobs()
+    (call,) = calls(world, webhook)
     now = clock.now()
     for days, left in ((29, 1), (31, 0)):
         with monkeypatch.context() as patched:
@@ -336,5 +341,5 @@ def test_calls_leave_the_log_after_thirty_days(world: World, target: Receiver, m
             jobs.delete_old_calls(world.server.runtime, {})
         with world.server.runtime.database.reading() as session:
             found = queries.calls_of(session, UUID(webhook["id"]), before=None, limit=5)
-            attempts = session.scalars(select(WebhookAttempt)).all()
+            attempts = session.scalars(attempts_at(call["id"])).all()
         assert (len(found), len(attempts)) == (left, left)
