@@ -42,7 +42,7 @@ export function WithOthersCard({ waiting, awaited, projectId }: WithOthersProps)
           <Row key={`${one.file_name} ${one.since}`}>
             <span className="grow">
               <span className={`cut-text ${classes.block}`}>{one.cue?.name ?? one.file_name}</span>
-              <span className={`row small ${classes.block}`}>
+              <span className="row small">
                 <Person name={one.who} picture={one.picture} role={roleOf(one.person_id)} />
                 <span className="dim nowrap">{age(one.since)}</span>
               </span>
