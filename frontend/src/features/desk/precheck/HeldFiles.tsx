@@ -6,9 +6,10 @@ import { Button } from '@/ui/Button'
 import { plural } from '@/ui/format'
 import { State } from '@/ui/State'
 
+import type { HeldFile } from './held'
 import classes from './HeldFiles.module.css'
 import { HeldRow } from './HeldRow'
-import type { HeldFile, Precheck } from './precheck'
+import type { Precheck } from './precheck'
 import { isChanged, isRenamable, nameProblems, renamesHere, heldStateOf } from './renames'
 
 const SHOWN = 40

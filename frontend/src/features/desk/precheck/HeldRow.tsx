@@ -7,7 +7,7 @@ import { State } from '@/ui/State'
 
 import type { Finding } from './checks'
 import classes from './HeldFiles.module.css'
-import type { HeldFile } from './precheck'
+import type { HeldFile } from './held'
 import { isRenamable, heldStateOf } from './renames'
 
 interface HeldRowProps {

@@ -2,50 +2,12 @@ import { answered, api } from '@/api'
 import type { components } from '@/api/schema.gen'
 import type { Picked, UploadQueue } from '@/uploads'
 
-import type { Finding } from './checks'
+import type { Candidate, HeldFile, Look, PrecheckState } from './held'
 import { type Judge, judgeInWorker } from './judgeInWorker'
 import { baseName, isChanged, nameProblems, renamesHere, wantedName } from './renames'
 
 type Schemas = components['schemas']
 type Previewed = Schemas['CheckPreviewed']
-
-/** What is known of a file by its name and its bytes. */
-interface Look {
-  /** The number and name of the cue that it is for, once its name says so. */
-  cue: string
-  /** What the list calls it; null where its name is right, or no cue is likely. */
-  listName: string | null
-  findings: Finding[]
-}
-
-interface Candidate {
-  picked: Picked
-  /** The cue that it was dropped on. */
-  cueId: string | null
-}
-
-/** A file that waits for a decision: it would come back, or its name does not say which cue it is for. */
-export interface HeldFile extends Candidate, Look {
-  id: number
-  /** The name in the field; it counts once the file is renamed. */
-  wanted: string
-  /** What it was called when it was dropped; null while it has that name. */
-  firstName: string | null
-}
-
-export interface PrecheckState {
-  held: readonly HeldFile[]
-  /** The files of each renaming as they were before it, the last one last. */
-  renames: readonly (readonly HeldFile[])[]
-  isRenaming: boolean
-  /** Files that were judged, of those that were dropped since all were. */
-  judged: number
-  dropped: number
-  /** Files that passed and were sent since then. */
-  passed: number
-  /** What is checked before the upload, in words of the server. */
-  labels: readonly string[]
-}
 
 interface PrecheckOptions {
   projectId: string

@@ -1,4 +1,4 @@
-import type { HeldFile, PrecheckState } from './precheck'
+import type { HeldFile, PrecheckState } from './held'
 
 const MOST_CHARS = 255
 
