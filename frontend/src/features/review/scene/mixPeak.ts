@@ -1,5 +1,5 @@
 /** No mix rises over this: a decibel below full scale, as levels are matched to. */
-export const PEAK_LIMIT_DBTP = -1
+const PEAK_LIMIT_DBTP = -1
 
 const OVERSAMPLING = 4
 /** Samples on either side that shape the curve between two of them. */
