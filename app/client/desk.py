@@ -9,7 +9,7 @@ import sys
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
-from datetime import date
+from datetime import date, datetime
 from typing import Any
 from urllib.parse import urlsplit
 
@@ -188,7 +188,7 @@ def _report(answers: Sequence[Answer], *, as_json: bool) -> None:
 
 
 def _row(cue: dict[str, Any]) -> list[str]:
-    is_late = cue["due_on"] is not None and cue["due_on"] < date.today().isoformat()  # noqa: DTZ011 - the person's day
+    is_late = cue["due_on"] is not None and cue["due_on"] < datetime.now().astimezone().date().isoformat()
     due = f"{cue['due_on']} late" if is_late else cue["due_on"] or "no day"
     said = " ".join((cue["said_last"] or "").split())
     if cue["said_by"]:

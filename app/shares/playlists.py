@@ -36,7 +36,7 @@ def playlists_of(session: Session, actor: Actor, project_id: UUID) -> list[Playl
         found = queries.playlists_in(session, project_id)
     else:
         own, heard = queries.has_sound_of(access.only_designer_id), queries.heard_by(actor)
-        found = queries.playlists_in(session, project_id, own, heard=heard)
+        found = queries.playlists_in(session, project_id, own, heard=[heard])
     return [
         PlaylistBrief(
             id=playlist.id,

@@ -4,7 +4,7 @@ from collections.abc import Collection, Sequence
 from typing import NamedTuple
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, Row, Select, and_, func, or_, select, true
+from sqlalchemy import ColumnElement, Row, Select, and_, func, or_, select
 from sqlalchemy.orm import Session, contains_eager, joinedload
 
 from app.accounts.models import Person
@@ -181,11 +181,11 @@ def playlists_in(
     session: Session,
     project_id: UUID,
     *where: ColumnElement[bool],
-    heard: ColumnElement[bool] = true(),  # noqa: B008  an immutable expression
+    heard: Sequence[ColumnElement[bool]] = (),
 ) -> Sequence[Row[Playlist, int]]:
-    """Return the playlists of a project with how many takes each has, newest first; counted are those `heard`."""
+    """Return the playlists of a project with how many takes each has, newest first; those `heard` count."""
     entries = select(func.count(PlaylistEntry.place)).join(Take, Take.id == PlaylistEntry.take_id)
-    counted = entries.where(PlaylistEntry.playlist_id == Playlist.id, heard).correlate(Playlist).scalar_subquery()
+    counted = entries.where(PlaylistEntry.playlist_id == Playlist.id, *heard).correlate(Playlist).scalar_subquery()
     return session.execute(
         select(Playlist, counted)
         .where(Playlist.project_id == project_id, Playlist.removed_at.is_(None), *where)

@@ -3,12 +3,11 @@ import { once } from 'node:events'
 import { readFile, writeFile } from 'node:fs/promises'
 import { createServer, type Server as Listener } from 'node:http'
 import type { AddressInfo } from 'node:net'
-import { fileURLToPath } from 'node:url'
 
 import { expect, type Page, test } from '@playwright/test'
-import { build, type Rolldown } from 'vite'
 
 import type * as Heard from './heard'
+import { heardScript } from './heardScript'
 import { PYTHON, ROOT } from './server'
 
 const RATE_HZ = 48_000
@@ -59,16 +58,7 @@ const files = new Map<string, { type: string; bytes: Buffer }>()
 
 test.beforeAll(async () => {
   const testInfo = test.info()
-  const made = (await build({
-    configFile: false,
-    logLevel: 'silent',
-    build: {
-      write: false,
-      minify: false,
-      lib: { entry: fileURLToPath(new URL('heard.ts', import.meta.url)), name: 'heard', formats: ['iife'] },
-    },
-  })) as Rolldown.RolldownOutput[]
-  script = made[0]?.output[0].code ?? ''
+  script = await heardScript()
   files.set('/', { type: 'text/html', bytes: Buffer.from('<!doctype html><title>Heard</title>') })
   for (const [name, topHz] of [
     ['/a', 2_000],

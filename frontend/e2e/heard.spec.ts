@@ -1,10 +1,8 @@
-import { fileURLToPath } from 'node:url'
-
 import { expect, type Page, test } from '@playwright/test'
-import { build, type Rolldown } from 'vite'
 
 import type { Condition } from '../src/audio/conditions'
 import type * as Heard from './heard'
+import { heardScript } from './heardScript'
 
 const RATE_HZ = 48_000
 /** At the edge of a Butterworth filter the power is half. */
@@ -24,16 +22,7 @@ interface Measure {
 let script: string
 
 test.beforeAll(async () => {
-  const made = (await build({
-    configFile: false,
-    logLevel: 'silent',
-    build: {
-      write: false,
-      minify: false,
-      lib: { entry: fileURLToPath(new URL('heard.ts', import.meta.url)), name: 'heard', formats: ['iife'] },
-    },
-  })) as Rolldown.RolldownOutput[]
-  script = made[0]?.output[0].code ?? ''
+  script = await heardScript()
 })
 
 test.beforeEach(async ({ page }) => {

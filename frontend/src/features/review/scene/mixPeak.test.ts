@@ -27,7 +27,7 @@ test('a crest on a sample reads as that sample, and silence and nothing as 0', (
   expect(truePeak(new Float32Array(0))).toBe(0)
 })
 
-test('the peak is found wherever it stands, also across the edge of a block', () => {
+test('the peak is found wherever it is, even across the edge of a block', () => {
   for (const at of [0, 255, 256, 257, 900, 999]) {
     const samples = tone(440, 0.1, { frames: 1_000 })
     samples[at] = 0.9
