@@ -180,7 +180,7 @@ def test_what_waits_is_dropped_once_it_is_turned_off(world: World, mails: MailSe
         (waiting,) = [mail for mail in queries.pending_for(session, address) if mail.news == News.TALK]
     save(world, cadences=NEVER)
     mail_jobs.send_mail(world.server.runtime, {"mail_id": str(waiting.id)})
-    assert mails.received == []
+    assert answers(mails, address) == []
     with world.server.runtime.database.reading() as session:
         assert session.get(Mail, waiting.id) is None
 
