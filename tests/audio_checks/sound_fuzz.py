@@ -73,7 +73,8 @@ sample_rate_hz = 22050
 bit_depth = 16
 encoding = "flac"
 """)
-TOLD_EVERY = 100
+TOGETHER = 100  # in one child, which decodes and encodes in itself as the server's do; a crash costs these alone
+TOGETHER_S, MEMORY_BYTES = 3_600.0, 4 << 30
 TWICE_EVERY = 4  # are also judged by what the checks read alone, as the command line does
 
 
@@ -87,17 +88,36 @@ def main() -> int:
     parser.add_argument("--first", type=int, default=0, help="the first seed")
     parser.add_argument("--count", type=int, default=200_000, help="how many sounds")
     arguments = parser.parse_args()
+    from tests.audio_checks.sound_fuzz import failures_of  # by the name by which the child imports it
+
     failed, begun = 0, time.monotonic()
-    for done, seed in enumerate(range(arguments.first, arguments.first + arguments.count), 1):
+    end = arguments.first + arguments.count
+    loaded = ("numpy", "soundfile", "audio_checks", "tests.audio_checks.sound_fuzz")
+    box = audio_checks.Sandbox(timeout_s=TOGETHER_S, memory_bytes=MEMORY_BYTES, preload=loaded)
+    for first in range(arguments.first, end, TOGETHER):
+        last = min(first + TOGETHER, end) - 1
+        try:
+            failures = box.call(failures_of, first, last)
+        except audio_checks.SandboxFailed as error:
+            failures = [f"a seed from {first} to {last}: {error}"]
+        for failure in failures:
+            say(failure)
+        failed += len(failures)
+        done, seconds = last - arguments.first + 1, time.monotonic() - begun
+        say(f"{done} sounds, the last of seed {last}, in {seconds:.0f} s: {failed} failed")
+    box.close()
+    return 1 if failed else 0
+
+
+def failures_of(first: int, last: int) -> list[str]:
+    """Return what was raised by the sounds of some seeds, with the seed and what the sound is."""
+    failures = []
+    for seed in range(first, last + 1):
         try:
             survive(seed)
         except Exception:
-            failed += 1
-            say(f"seed {seed}: {any_sound(seed).words}\n{traceback.format_exc()}")
-        if done % TOLD_EVERY == 0 or done == arguments.count:
-            seconds = time.monotonic() - begun
-            say(f"{done} sounds, the last of seed {seed}, in {seconds:.0f} s: {failed} failed")
-    return 1 if failed else 0
+            failures.append(f"seed {seed}: {any_sound(seed).words}\n{traceback.format_exc()}")
+    return failures
 
 
 def say(line: str) -> None:
