@@ -1,8 +1,9 @@
 import { beforeEach, describe, expect, test, vi } from 'vitest'
 
-import { HandContext } from '@/test/audioContext'
+import type { HandContext } from '@/test/audioContext'
+import { Hand } from '@/test/handPlayer'
 
-import { Player } from './player'
+import type { Player } from './player'
 import type { Source } from './playerState'
 
 const SOUNDS: Record<string, { durationS: number; samples?: number[] }> = {
@@ -14,41 +15,16 @@ const A: Source = { id: 'a', url: '/a' }
 const B: Source = { id: 'b', url: '/b', matchGainDb: -6.0206 }
 const C: Source = { id: 'c', url: '/c' }
 
+let hand: Hand
 let context: HandContext
-let fetched: string[]
-let frames: (() => void)[]
-let clockMs: number
 
 beforeEach(() => {
-  context = new HandContext()
-  fetched = []
-  frames = []
-  clockMs = 0
-  vi.stubGlobal('fetch', (url: string) => {
-    fetched.push(url)
-    const sound = SOUNDS[url]
-    return Promise.resolve(new Response(sound ? JSON.stringify(sound) : null, { status: sound ? 200 : 404 }))
-  })
+  hand = new Hand(SOUNDS)
+  context = hand.context
 })
 
-function player(parts: { random?: () => number; reducedMotion?: boolean; held?: boolean } = {}): Player {
-  return new Player({
-    createContext: () => context as unknown as AudioContext,
-    random: parts.random ?? (() => 0),
-    reducedMotion: () => parts.reducedMotion ?? false,
-    now: () => clockMs,
-    held: parts.held,
-    onFrame: (callback) => {
-      frames.push(callback)
-      return () => {
-        frames = frames.filter((other) => other !== callback)
-      }
-    },
-  })
-}
-
-async function playing(source: Source = A, parts: Parameters<typeof player>[0] = {}): Promise<Player> {
-  const made = player(parts)
+async function playing(source: Source = A, parts: Parameters<Hand['player']>[0] = {}): Promise<Player> {
+  const made = hand.player(parts)
   await made.select(source)
   await made.play()
   return made
@@ -58,7 +34,7 @@ const last = () => context.started.at(-1)
 
 describe('playing', () => {
   test('nothing sounds until asked, and taking a sound in the hand is no asking', async () => {
-    const made = player()
+    const made = hand.player()
     await made.select(A)
     made.seek(0.4)
     expect(context.started).toEqual([])
@@ -67,7 +43,7 @@ describe('playing', () => {
   })
 
   test('it starts where it stands, and stands where it was paused', async () => {
-    const made = player()
+    const made = hand.player()
     await made.select(A)
     made.seek(0.25)
     await made.play()
@@ -100,7 +76,7 @@ describe('playing', () => {
   })
 
   test('paused while it is still on its way, it stays silent', async () => {
-    const made = player()
+    const made = hand.player()
     void made.select(A)
     const starting = made.play()
     made.pause()
@@ -109,7 +85,7 @@ describe('playing', () => {
   })
 
   test('what cannot be read is said, and asked for again at the next press', async () => {
-    const made = player()
+    const made = hand.player()
     const gone = { id: 'x', url: '/gone' }
     await made.select(gone)
     await made.play()
@@ -148,7 +124,7 @@ describe('repeating', () => {
   })
 
   test('without a range the whole sound repeats, and switched off it plays on to its end', async () => {
-    const made = player()
+    const made = hand.player()
     made.setLooping(true)
     await made.select(A)
     await made.play()
@@ -222,7 +198,7 @@ describe('switching', () => {
 })
 
 test('a mix that comes down is faded as a whole, and the sound keeps its own gain', async () => {
-  const made = player()
+  const made = hand.player()
   const gains: ReturnType<HandContext['createGain']>[] = []
   const createGain = context.createGain.bind(context)
   context.createGain = () => {
@@ -264,7 +240,7 @@ describe('backwards', () => {
   })
 
   test('from the beginning it starts at the end, and ends at the beginning', async () => {
-    const made = player()
+    const made = hand.player()
     made.setReversed(true)
     await made.select(A)
     await made.play()
@@ -275,7 +251,7 @@ describe('backwards', () => {
   })
 
   test('a range repeats where it lies in the turned sound', async () => {
-    const made = player()
+    const made = hand.player()
     made.setReversed(true)
     made.setLooping(true)
     made.setRange({ startS: 0.1, endS: 0.3 })
@@ -288,12 +264,12 @@ describe('backwards', () => {
 
 describe('as the game does', () => {
   const nextFrame = () => {
-    const [next] = frames
+    const [next] = hand.frames
     next?.()
   }
 
   test('variations follow one another until let go, each from its start when the one before is over', async () => {
-    const made = player()
+    const made = hand.player()
     await made.playAsGame([A, B, C])
     expect(made.getState()).toMatchObject({ status: 'playing', asGame: true, sourceId: 'a' })
     // 1 s of the first, then 0.5 s of the second: what begins within 1.5 s is handed to the context at once.
@@ -311,7 +287,7 @@ describe('as the game does', () => {
   })
 
   test('at 600 a minute one starts every 0.1 s by the context, at its own pitch and level', async () => {
-    const made = player({ random: () => 0.999999999 })
+    const made = hand.player({ random: () => 0.999999999 })
     await made.playAsGame([A, { ...B, matchGainDb: 0 }], { intervalS: 0.1, pitchSemitones: 12, levelDb: 3 })
     expect(context.started).toHaveLength(15)
     context.started.forEach(({ atS, speed, gain }, index) => {
@@ -325,7 +301,7 @@ describe('as the game does', () => {
   })
 
   test('let go before they are decoded, none sounds', async () => {
-    const made = player()
+    const made = hand.player()
     const starting = made.playAsGame([A, B])
     made.pause()
     await starting
@@ -334,74 +310,10 @@ describe('as the game does', () => {
   })
 })
 
-describe('previews', () => {
-  test('each is fetched once, however often it is asked for', async () => {
-    const made = player()
-    made.previews.keepReady(['/a', '/b'])
-    await Promise.all([made.previews.get('/a'), made.previews.get('/a')])
-    await made.select(A)
-    await made.play()
-    expect(fetched.filter((url) => url === '/a')).toHaveLength(1)
-  })
-
-  test('are fetched one after another, those in the hand first', async () => {
-    const made = player()
-    made.previews.keepReady(['/b', '/a', '/c'])
-    await made.previews.released
-    expect(fetched).toEqual(['/b'])
-    await vi.waitFor(() => expect(fetched).toEqual(['/b', '/a', '/c']))
-  })
-
-  test('held, they wait until one is played', async () => {
-    const made = player({ held: true })
-    made.previews.keepReady(['/a', '/b'])
-    void made.select(A)
-    await new Promise((resolve) => setTimeout(resolve))
-    expect(fetched).toEqual([])
-    await made.play()
-    expect(last()?.buffer.duration).toBe(1)
-    await vi.waitFor(() => expect(fetched).toEqual(['/a', '/b']))
-  })
-
-  test('held until the page is shown, the selected one is fetched first and alone', async () => {
-    const made = player({ held: true })
-    made.previews.keepReady(['/b', '/c'])
-    void made.select(A)
-    await new Promise((resolve) => setTimeout(resolve))
-    expect(fetched).toEqual([])
-    made.previews.release()
-    await made.previews.released
-    expect(fetched).toEqual(['/a'])
-    await vi.waitFor(() => expect(fetched).toEqual(['/a', '/b', '/c']))
-  })
-
-  test('of a newer list are fetched in place of what was left of the older one', async () => {
-    const made = player()
-    made.previews.keepReady(['/a', '/b'])
-    await made.previews.released
-    made.previews.keepReady(['/a', '/c'])
-    await vi.waitFor(() => expect(fetched).toEqual(['/a', '/c']))
-  })
-
-  test('those kept ready stay while others are forgotten', async () => {
-    const made = player()
-    made.previews.keepReady(['/a'])
-    await made.previews.get('/a')
-    for (let index = 0; index < 12; index += 1) {
-      SOUNDS[`/more${index}`] = { durationS: 1 }
-      await made.previews.get(`/more${index}`)
-      delete SOUNDS[`/more${index}`]
-    }
-    expect(made.previews.has('/a')).toBe(true)
-    expect(made.previews.has('/more0')).toBe(false)
-    expect(made.previews.has('/more11')).toBe(true)
-  })
-})
-
 describe('the playhead', () => {
   const step = (ms: number) => {
-    clockMs += ms
-    const [next] = frames
+    hand.clockMs += ms
+    const [next] = hand.frames
     next?.()
   }
 
@@ -426,7 +338,7 @@ describe('the playhead', () => {
   test('stands still when it is paused', async () => {
     const made = await playing()
     made.pause()
-    expect(frames).toEqual([])
+    expect(hand.frames).toEqual([])
   })
 })
 
@@ -436,87 +348,4 @@ test('left, it is silent and lets go of everything', async () => {
   expect(last()?.stoppedAtS).not.toBeNull()
   expect(context.closed).toBe(true)
   expect(made.previews.has('/a')).toBe(false)
-})
-
-describe('a light preview', () => {
-  const LIGHT = 'audio/ogg'
-  let arrivals: Map<string, () => void>
-  const serve = (lightType = LIGHT) => {
-    arrivals = new Map()
-    vi.stubGlobal('fetch', (url: string) => {
-      fetched.push(url)
-      const [path = ''] = url.split('?')
-      const type = url.endsWith('?light=true') ? lightType : 'audio/wav'
-      const answer = () => new Response(JSON.stringify(SOUNDS[path]), { headers: { 'content-type': type } })
-      return new Promise((resolve) => arrivals.set(url, () => resolve(answer())))
-    })
-  }
-  const light = () =>
-    new Player({
-      createContext: () => Object.assign(context, { baseLatency: 0.01 }) as unknown as AudioContext,
-      onFrame: () => () => undefined,
-      light: true,
-    })
-  const arrive = async (url: string) => {
-    await vi.waitFor(() => expect(arrivals.has(url)).toBe(true))
-    arrivals.get(url)?.()
-    await new Promise((resolve) => setTimeout(resolve))
-  }
-
-  test('plays at once, and the exact sound takes its place at the same sample, with a fade of 5 ms', async () => {
-    serve()
-    const made = light()
-    const selected = made.select(A)
-    await arrive('/a?light=true')
-    await selected
-    await made.play()
-    expect(made.getState()).toMatchObject({ status: 'playing', isLight: true })
-    expect(context.started).toHaveLength(1)
-    expect(last()).toMatchObject({ atS: 0.02, fromS: 0 })
-    context.currentTime = 0.42
-    await arrive('/a')
-    expect(made.getState()).toMatchObject({ status: 'playing', isLight: false })
-    // 0.42 − 0.02 s are over; the device begins 0.02 s from now, and both are at 0.42 s of the sound then.
-    expect(context.started.map(({ atS, fromS }) => [atS, fromS])).toEqual([
-      [0.02, 0],
-      [expect.closeTo(0.44, 9), expect.closeTo(0.42, 9)],
-    ])
-    expect(context.started[0]?.stoppedAtS).toBeCloseTo(0.445, 9)
-    expect(last()?.gain.calls).toEqual([
-      ['set', 0, expect.closeTo(0.44, 9)],
-      ['ramp', 1, expect.closeTo(0.445, 9)],
-    ])
-  })
-
-  test('goes round the loop to the same place where the exact one takes over near its end', async () => {
-    serve()
-    const made = light()
-    const selected = made.select(A)
-    await arrive('/a?light=true')
-    await selected
-    made.setLooping(true)
-    await made.play()
-    context.currentTime = 1.01
-    await arrive('/a')
-    expect(last()?.fromS).toBeCloseTo(0.01, 9)
-  })
-
-  test('that an older sound does not have is the exact one, and is not fetched again', async () => {
-    serve('audio/wav')
-    const made = light()
-    const selected = made.select(A)
-    await arrive('/a?light=true')
-    await selected
-    await made.play()
-    expect(made.getState()).toMatchObject({ status: 'playing', isLight: false })
-    expect(fetched).toEqual(['/a?light=true'])
-  })
-
-  test('of all that is next is fetched before the exact sounds, and of later ones alone', async () => {
-    serve()
-    const made = light()
-    made.previews.keepReady(['/a', '/b'], ['/c'])
-    for (const url of ['/a?light=true', '/b?light=true', '/c?light=true', '/a', '/b']) await arrive(url)
-    expect(fetched).toEqual(['/a?light=true', '/b?light=true', '/c?light=true', '/a', '/b'])
-  })
 })

@@ -1,47 +1,24 @@
+import { Accompaniment } from './accompaniment'
 import type { Clock } from './clock'
 import type { TimeRange } from './draw'
-import { direct, type MakeOutput, type Output } from './output'
+import { Mix } from './mix'
+import { direct, type MakeOutput } from './output'
+import { loopOf, startOf } from './playbackRange'
+import { PlayheadSteps, type StepParts } from './playheadSteps'
 import { type Company, type PlayerState, SILENT, type Source } from './playerState'
 import { Previews } from './previews'
+import { soonS } from './schedule'
 import { SetPlayback } from './setPlayback'
 import { ONE_AFTER_ANOTHER, type SetWay } from './setSchedule'
+import { FADE_S, Voice } from './voice'
 
-interface Sounding {
-  node: AudioBufferSourceNode
-  gain: GainNode
-  buffer: AudioBuffer
-  /** Where in the buffer it began, and when by the context's clock. */
-  fromS: number
-  atS: number
-  /** 2 where it is played an octave up. */
-  speed: number
-}
-
-export interface PlayerParts {
+export interface PlayerParts extends StepParts {
   createContext?: () => AudioContext
   random?: () => number
-  /** Calls back before the next frame, and answers how to take that back. */
-  onFrame?: (callback: () => void) => () => void
-  reducedMotion?: () => boolean
-  now?: () => number
   /** Fetch no sound before one is played, or before `previews.release`. */
   held?: boolean
   /** Begin with light previews, where the browser plays them. */
   light?: boolean
-}
-
-/** Long enough that a switch does not click, too short to hear as a fade. */
-const FADE_S = 0.005
-const LEAST_LEAD_S = 0.015
-const REDUCED_STEP_MS = 100
-/** One way of hearing fades into another: long enough that the filters of the new one have settled. */
-const CROSSFADE_S = 0.02
-/** What was faded out is taken away so much later; nobody hears when. */
-const REMOVE_AFTER_MS = 250
-
-const everyFrame = (callback: () => void): (() => void) => {
-  const frame = requestAnimationFrame(callback)
-  return () => cancelAnimationFrame(frame)
 }
 
 /** Plays one sound at a time from decoded previews, and only when asked to. Switching keeps the position to the sample. */
@@ -50,34 +27,23 @@ export class Player implements Clock {
   #context: AudioContext | null = null
   #state = SILENT
   #source: Source | null = null
-  #sounding: Sounding | null = null
+  #voice: Voice | null = null
   /** The position in the original sound, also while it plays backwards. */
   #positionS = 0
   #asked = 0
   #stateListeners = new Set<() => void>()
-  #clockListeners = new Set<() => void>()
-  #endFrame: (() => void) | null = null
-  #steppedAt = -Infinity
   #set: { sources: readonly Source[]; playback: SetPlayback } | null = null
-  #makeOutput: MakeOutput = direct
-  #output: Output | null = null
-  /** All that sounds passes here before the output; 1 but where a mix comes down. */
-  #mix: GainNode | null = null
-  #mixGain = 1
-  #company: { sounds: Company; bus: GainNode } | null = null
+  readonly #mix = new Mix()
+  readonly #company = new Accompaniment()
   #hushed = false
   readonly #createContext: () => AudioContext
   readonly #random: () => number
-  readonly #onFrame: (callback: () => void) => () => void
-  readonly #reducedMotion: () => boolean
-  readonly #now: () => number
+  readonly #playhead: PlayheadSteps
 
   constructor(parts: PlayerParts = {}) {
     this.#createContext = parts.createContext ?? (() => new AudioContext())
     this.#random = parts.random ?? Math.random
-    this.#onFrame = parts.onFrame ?? everyFrame
-    this.#reducedMotion = parts.reducedMotion ?? (() => matchMedia('(prefers-reduced-motion: reduce)').matches)
-    this.#now = parts.now ?? (() => performance.now())
+    this.#playhead = new PlayheadSteps(parts)
     this.previews = new Previews((data) => this.#contextNow().decodeAudioData(data), parts.light)
     this.previews.onExact = (url) => this.#exactIsHere(url)
     if (!parts.held) this.previews.release()
@@ -92,12 +58,9 @@ export class Player implements Clock {
     return () => this.#stateListeners.delete(listener)
   }
 
-  subscribe = (listener: () => void): (() => void) => {
-    this.#clockListeners.add(listener)
-    return () => this.#clockListeners.delete(listener)
-  }
+  subscribe = (listener: () => void): (() => void) => this.#playhead.subscribe(listener)
 
-  isPlaying = (): boolean => this.#sounding !== null
+  isPlaying = (): boolean => this.#voice !== null
 
   positionS = (): number => this.#positionAtS()
 
@@ -112,7 +75,7 @@ export class Player implements Clock {
     const known = this.#source
     if (known?.id === source.id && known.url === source.url && known.place === source.place) {
       this.#source = source
-      if (this.#sounding) this.#ramp(this.#sounding.gain, this.#gainOf(source))
+      this.#voice?.setGain(this.#gainOf(source))
       return
     }
     const wasPlaying = this.isPlaying()
@@ -139,7 +102,7 @@ export class Player implements Clock {
     const buffer = await this.#read(source, asked, 'soon')
     if (buffer === null) return
     this.#notify({ durationS: buffer.duration })
-    this.#sound(buffer, source, fromS ?? this.#startS(buffer.duration))
+    this.#sound(buffer, source, fromS ?? startOf(this.#state, this.#positionS, buffer.duration))
     void this.previews.get(source.url).catch(() => undefined) // the preview goes on
   }
 
@@ -160,9 +123,7 @@ export class Player implements Clock {
   seek(s: number): void {
     this.#leaveSet()
     const positionS = Math.max(0, this.#state.durationS > 0 ? Math.min(s, this.#state.durationS) : s)
-    const { buffer } = this.#sounding ?? {}
-    if (buffer && this.#source) this.#sound(this.previews.forwardsOf(buffer), this.#source, positionS)
-    else this.#moved(positionS)
+    this.#soundOrMove(this.#voice?.buffer, positionS)
   }
 
   setLooping(looping: boolean): void {
@@ -177,42 +138,35 @@ export class Player implements Clock {
     if (reversed === this.#state.reversed) return
     this.#leaveSet()
     const positionS = this.positionS()
-    const { buffer } = this.#sounding ?? {}
+    const { buffer } = this.#voice ?? {}
     this.#silence()
     this.#notify({ reversed })
-    if (buffer && this.#source) this.#sound(this.previews.forwardsOf(buffer), this.#source, positionS)
-    else this.#moved(positionS)
+    this.#soundOrMove(buffer, positionS)
   }
 
   /** Bring every source to the same level, or hear each as it was sent. */
   setMatched(matched: boolean): void {
     this.#notify({ matched })
-    const sounding = this.#sounding
-    if (sounding && this.#source) this.#ramp(sounding.gain, this.#gainOf(this.#source))
+    if (this.#source) this.#voice?.setGain(this.#gainOf(this.#source))
   }
 
   /** Hear others beside the source, on the same clock; null for the source alone. */
   setCompany(sounds: Company | null): void {
-    if (this.#company?.sounds === (sounds ?? undefined)) return
+    if (this.#company.has(sounds)) return
     this.#endCompany()
-    this.#company = sounds && { sounds, bus: this.#contextNow().createGain() }
-    const sounding = this.#sounding
-    if (this.#company === null || sounding === null || this.#set !== null) return
-    this.#company.bus.connect(this.#mixNow(this.#contextNow()))
-    this.#beginCompany(this.#bufferPositionS(sounding), this.#loopOf(sounding.buffer.duration))
+    this.#company.set(sounds, () => this.#contextNow().createGain())
+    if (this.#voice !== null && this.#set === null) this.#beginCompany(this.#voice)
   }
 
   /** Silence the source while the others go on, for as long as it is so. */
   setHushed(hushed: boolean): void {
     this.#hushed = hushed
-    const sounding = this.#sounding
-    if (sounding && this.#source) this.#ramp(sounding.gain, this.#gainOf(this.#source))
+    if (this.#source) this.#voice?.setGain(this.#gainOf(this.#source))
   }
 
   /** Bring down all that sounds together: the source and its company. */
   setMixGain(gainDb: number): void {
-    this.#mixGain = 10 ** (gainDb / 20)
-    if (this.#mix) this.#ramp(this.#mix, this.#mixGain)
+    this.#mix.setGain(this.#context, gainDb)
   }
 
   /** The context in which all of it sounds. */
@@ -226,28 +180,7 @@ export class Player implements Clock {
 
   /** Hear everything through other nodes, or directly. What sounds goes on without a gap, at the same position. */
   setOutput(makeOutput: MakeOutput = direct): void {
-    if (makeOutput === this.#makeOutput) return
-    this.#makeOutput = makeOutput
-    const before = this.#output
-    if (before === null || this.#context === null) return
-    const context = this.#context
-    const after = makeOutput(context)
-    this.#output = after
-    const mix = this.#mixNow(context)
-    mix.connect(after.input)
-    if (this.#set === null && this.#sounding === null) {
-      mix.disconnect(before.input)
-      before.remove()
-      return
-    }
-    after.gain.gain.setValueAtTime(0, context.currentTime)
-    after.gain.gain.linearRampToValueAtTime(1, context.currentTime + CROSSFADE_S)
-    this.#ramp(before.gain, 0, CROSSFADE_S)
-    after.onSounding?.('begins')
-    setTimeout(() => {
-      mix.disconnect(before.input)
-      before.remove()
-    }, REMOVE_AFTER_MS)
+    this.#mix.setOutput(this.#context, makeOutput, this.#set !== null || this.#voice !== null)
   }
 
   /** Play variations at random, never the same twice running, as often and as evenly as `way` says, until `pause`. */
@@ -263,7 +196,7 @@ export class Player implements Clock {
     const buffers = read.flatMap((buffer) => buffer ?? [])
     if (asked !== this.#asked || buffers.length < sources.length) return
     const { reversed } = this.#state
-    const to = this.#mixNow(context)
+    const to = this.#mix.input(context)
     const playback = new SetPlayback({
       context,
       to,
@@ -273,7 +206,7 @@ export class Player implements Clock {
       gainOf: (index) => (sources[index] ? this.#gainOf(sources[index]) : 1),
     })
     this.#set = { sources, playback }
-    this.#output?.onSounding?.('begins')
+    this.#mix.announce('begins')
     this.#notify({ asGame: true, status: 'playing' })
     this.#followSet()
     this.#tick()
@@ -283,8 +216,7 @@ export class Player implements Clock {
     this.pause()
     void this.#context?.close()
     this.#context = null
-    this.#output = null
-    this.#mix = null
+    this.#mix.clear()
     this.previews.clear()
   }
 
@@ -295,26 +227,15 @@ export class Player implements Clock {
     const set = this.#set
     const hit = set?.playback.current()
     const source = hit && set?.sources[hit.index]
-    if (!hit || !source || this.#sounding?.node === hit.node) return
+    if (!hit || !source || this.#voice?.node === hit.node) return
     this.#source = source
-    this.#sounding = { ...hit, fromS: 0, atS: hit.startsAtS }
+    this.#voice = new Voice(this.#contextNow(), { ...hit, fromS: 0, atS: hit.startsAtS })
     this.#notify({ sourceId: source.id, durationS: hit.buffer.duration })
   }
 
   #contextNow(): AudioContext {
     this.#context ??= this.#createContext()
     return this.#context
-  }
-
-  /** What all that sounds is connected to. */
-  #mixNow(context: AudioContext): GainNode {
-    if (this.#mix === null) {
-      this.#output = this.#makeOutput(context)
-      this.#mix = context.createGain()
-      this.#mix.gain.value = this.#mixGain
-      this.#mix.connect(this.#output.input)
-    }
-    return this.#mix
   }
 
   /** The sound itself; null where another was asked for meanwhile, or it could not be loaded. */
@@ -338,31 +259,30 @@ export class Player implements Clock {
     const source = this.#source
     if (source?.url !== url || !this.#state.isLight) return
     this.#notify({ isLight: false })
-    if (this.#sounding === null || this.#set !== null) return
-    const asked = this.#asked
-    void this.#read(source, asked, 'exact').then((buffer) => {
+    if (this.#voice === null || this.#set !== null) return
+    void this.#read(source, this.#asked, 'exact').then((buffer) => {
       if (buffer && this.isPlaying()) this.#takeOver(buffer, source)
     })
   }
 
-  /** The next time at which the device begins a sound to the sample: what should begin sooner begins late. */
-  #soonS(context: AudioContext): number {
-    const latencyS = context.baseLatency as number | undefined // rendered by itself, a context has none
-    return context.currentTime + (latencyS === undefined ? 0 : Math.max(LEAST_LEAD_S, 2 * latencyS))
+  /** Go on from there where something sounded; else stand there. */
+  #soundOrMove(buffer: AudioBuffer | undefined, positionS: number): void {
+    if (buffer && this.#source) this.#sound(this.previews.forwardsOf(buffer), this.#source, positionS)
+    else this.#moved(positionS)
   }
 
   /** Sound in the place of what sounds now, at the same moment of it, or so much later. */
   #takeOver(buffer: AudioBuffer, source: Source, laterS = 0): void {
-    const atS = this.#soonS(this.#contextNow())
+    const atS = soonS(this.#contextNow())
     this.#sound(buffer, source, Math.max(0, this.#positionAtS(atS) + laterS), atS)
   }
 
-  #sound(given: AudioBuffer, source: Source, positionS: number, atS = this.#soonS(this.#contextNow())): void {
+  #sound(given: AudioBuffer, source: Source, positionS: number, atS = soonS(this.#contextNow())): void {
     this.previews.release()
     const context = this.#contextNow()
     const { reversed } = this.#state
     const buffer = reversed ? this.previews.reversed(given, context) : given
-    const loop = this.#loopOf(buffer.duration)
+    const loop = loopOf(this.#state, buffer.duration)
     let fromS = Math.min(buffer.duration, Math.max(0, reversed ? buffer.duration - positionS : positionS))
     if (loop && (fromS < loop.startS || fromS >= loop.endS)) fromS = loop.startS
     this.#silence({ alone: true, atS })
@@ -371,71 +291,46 @@ export class Player implements Clock {
       return
     }
 
-    const node = context.createBufferSource()
-    const gain = context.createGain()
-    node.buffer = buffer
-    if (loop) {
-      node.loop = true
-      node.loopStart = loop.startS
-      node.loopEnd = loop.endS
-    }
-    node.connect(gain)
-    const mix = this.#mixNow(context)
-    gain.connect(mix)
-    this.#output?.onSounding?.('begins')
-    // A start at the very beginning keeps its attack; anywhere else a short ramp keeps it from clicking.
-    gain.gain.setValueAtTime(fromS === 0 ? this.#gainOf(source) : 0, atS)
-    gain.gain.linearRampToValueAtTime(this.#gainOf(source), atS + FADE_S)
-    node.start(atS, fromS)
-    const sounding: Sounding = { node, gain, buffer, fromS, atS, speed: 1 }
-    node.onended = () => {
-      if (this.#sounding === sounding) this.#ended()
-    }
-    this.#sounding = sounding
-    this.#company?.bus.connect(mix)
-    this.#beginCompany(fromS, loop, atS)
+    const to = this.#mix.input(context)
+    this.#mix.announce('begins')
+    const voice = Voice.start(context, { to, buffer, gain: this.#gainOf(source), loop, fromS, atS })
+    voice.onEnded(() => this.#voice === voice && this.#ended())
+    this.#voice = voice
+    this.#beginCompany(voice, atS)
     this.#notify({ status: 'playing' })
     this.#tick()
   }
 
-  #beginCompany(fromS: number, loop: TimeRange | null, atS = this.#contextNow().currentTime): void {
-    if (this.#company === null) return
+  /** Have the others sound from where the source is at a time of the context. */
+  #beginCompany(voice: Voice, atS = this.#contextNow().currentTime): void {
     const context = this.#contextNow()
-    this.#company.sounds.begin({ context, to: this.#company.bus, atS, fromS, loop })
+    const loop = loopOf(this.#state, voice.buffer.duration)
+    this.#company.begin(this.#mix.input(context), { context, atS, fromS: voice.positionS(atS), loop })
   }
 
   #endCompany(): void {
-    this.#company?.sounds.end((this.#context?.currentTime ?? 0) + FADE_S)
+    this.#company.end((this.#context?.currentTime ?? 0) + FADE_S)
   }
 
   #ended(): void {
     const { durationS, reversed } = this.#state
-    this.#sounding = null
+    this.#voice = null
     this.#endCompany()
-    this.#output?.onSounding?.('is over')
+    this.#mix.announce('is over')
     this.#notify({ status: 'paused' })
     this.#moved(reversed ? 0 : durationS)
   }
 
   /** Stop what sounds, with a fade that is too short to hear. */
   #silence({ alone = false, atS = this.#context?.currentTime ?? 0 } = {}): void {
-    const sounding = this.#sounding
-    if (sounding === null) return
+    const voice = this.#voice
+    if (voice === null) return
     if (!alone) this.#endCompany()
     this.#positionS = this.positionS()
-    this.#sounding = null
-    sounding.node.onended = null
-    this.#ramp(sounding.gain, 0, FADE_S, atS)
-    sounding.node.stop(atS + FADE_S)
-    this.#output?.onSounding?.('pauses')
-    this.#endFrame?.()
-    this.#endFrame = null
-  }
-
-  #ramp(gain: GainNode, to: number, fadeS = FADE_S, now = this.#contextNow().currentTime): void {
-    gain.gain.cancelScheduledValues(now)
-    gain.gain.setValueAtTime(gain.gain.value, now)
-    gain.gain.linearRampToValueAtTime(to, now + fadeS)
+    this.#voice = null
+    voice.stop(atS)
+    this.#mix.announce('pauses')
+    this.#playhead.stop()
   }
 
   #gainOf(source: Source): number {
@@ -443,61 +338,29 @@ export class Player implements Clock {
     return this.#state.matched ? 10 ** ((source.matchGainDb ?? 0) / 20) : 1
   }
 
-  /** What repeats, in the buffer as it is played. */
-  #loopOf(durationS: number): TimeRange | null {
-    const { looping, range, reversed } = this.#state
-    if (!looping) return null
-    const startS = Math.max(0, range?.startS ?? 0)
-    const endS = Math.min(durationS, range?.endS ?? durationS)
-    if (endS <= startS) return { startS: 0, endS: durationS }
-    return reversed ? { startS: durationS - endS, endS: durationS - startS } : { startS, endS }
-  }
-
   /** Where in the sound the player is at a time of the context: now, or soon. */
   #positionAtS(atS?: number): number {
-    const sounding = this.#sounding
-    if (sounding === null) return this.#positionS
-    const at = this.#bufferPositionS(sounding, atS)
-    return this.#state.reversed ? sounding.buffer.duration - at : at
-  }
-
-  #bufferPositionS({ node, buffer, fromS, atS, speed }: Sounding, now = this.#contextNow().currentTime): number {
-    const at = fromS + speed * Math.max(0, now - atS)
-    if (!node.loop) return Math.min(at, buffer.duration)
-    if (at < node.loopEnd) return at
-    return node.loopStart + ((at - node.loopStart) % (node.loopEnd - node.loopStart))
-  }
-
-  /** Where playing starts by default: at the current position, or from the start after the end. */
-  #startS(durationS: number): number {
-    const { reversed } = this.#state
-    if (reversed) return this.#positionS <= 0 ? durationS : Math.min(this.#positionS, durationS)
-    return this.#positionS >= durationS ? 0 : this.#positionS
+    if (this.#voice === null) return this.#positionS
+    const at = this.#voice.positionS(atS)
+    return this.#state.reversed ? this.#voice.buffer.duration - at : at
   }
 
   #change(change: Partial<PlayerState>): void {
-    const sounding = this.#sounding
-    if (sounding === null || this.#source === null || this.#set !== null) {
+    const voice = this.#voice
+    if (voice === null || this.#source === null || this.#set !== null) {
       this.#notify(change)
       return
     }
-    const at = this.#bufferPositionS(sounding)
+    const at = voice.positionS()
     const positionS = this.positionS()
     this.#notify(change)
-    const loop = this.#loopOf(sounding.buffer.duration)
+    const loop = loopOf(this.#state, voice.buffer.duration)
     if (loop && (at < loop.startS || at >= loop.endS)) {
-      this.#sound(this.previews.forwardsOf(sounding.buffer), this.#source, positionS)
+      this.#sound(this.previews.forwardsOf(voice.buffer), this.#source, positionS)
       return
     }
-    // The sound goes on without a gap; only the reference time is reset.
-    sounding.fromS = at
-    sounding.atS = this.#contextNow().currentTime
-    sounding.node.loop = loop !== null
-    if (loop) {
-      sounding.node.loopStart = loop.startS
-      sounding.node.loopEnd = loop.endS
-    }
-    this.#beginCompany(at, loop)
+    voice.setLoop(loop)
+    this.#beginCompany(voice)
   }
 
   #leaveSet(): void {
@@ -510,21 +373,14 @@ export class Player implements Clock {
 
   #moved(positionS: number): void {
     this.#positionS = positionS
-    for (const listener of this.#clockListeners) listener()
+    this.#playhead.step()
   }
 
   #tick(): void {
-    this.#endFrame?.()
-    this.#endFrame = this.#onFrame(() => {
-      this.#endFrame = null
-      if (this.#sounding === null) return
+    this.#playhead.start(() => {
+      if (this.#voice === null) return false
       this.#followSet()
-      const now = this.#now()
-      if (!this.#reducedMotion() || now - this.#steppedAt >= REDUCED_STEP_MS) {
-        this.#steppedAt = now
-        for (const listener of this.#clockListeners) listener()
-      }
-      this.#tick()
+      return true
     })
   }
 

@@ -1,0 +1,17 @@
+import type { TimeRange } from './draw'
+import type { PlayerState } from './playerState'
+
+/** What repeats, in the buffer as it is played; null without a loop. */
+export function loopOf({ looping, range, reversed }: PlayerState, durationS: number): TimeRange | null {
+  if (!looping) return null
+  const startS = Math.max(0, range?.startS ?? 0)
+  const endS = Math.min(durationS, range?.endS ?? durationS)
+  if (endS <= startS) return { startS: 0, endS: durationS }
+  return reversed ? { startS: durationS - endS, endS: durationS - startS } : { startS, endS }
+}
+
+/** Where playing starts by default: at the current position, or from the start after the end. */
+export function startOf({ reversed }: PlayerState, positionS: number, durationS: number): number {
+  if (reversed) return positionS <= 0 ? durationS : Math.min(positionS, durationS)
+  return positionS >= durationS ? 0 : positionS
+}
