@@ -221,7 +221,7 @@ class Milestone(Base):
 
 
 class ContractCue(Base):
-    """A cue that a contract covers: its price, fixed when agreed, and what became of it."""
+    """A cue that a contract covers: its price, fixed when agreed, and what happened to it."""
 
     __tablename__ = "contracts_cues"
     __table_args__ = (

@@ -59,7 +59,7 @@ class PlannedMilestone:
 def review_plan(
     session: Session, actor: Actor, contract_id: UUID, plan: Sequence[PlannedMilestone]
 ) -> tuple[list[FieldProblem], list[Advice]]:
-    """Return what is wrong with a plan and what is unwise about it, while it is written; nothing is saved."""
+    """Return the errors and warnings of a plan while it is written; nothing is saved."""
     contract = contract_for_producer(session, actor, contract_id)
     payments = [
         PlannedPayment(one.name, one.whole_minor, one.due_on, len(one.cues), is_deposit=one.is_deposit) for one in plan
@@ -162,7 +162,7 @@ def _faults(session: Session, contract: Contract, plan: Sequence[PlannedMileston
 
 
 def advice_on(session: Session, contract: Contract) -> list[Advice]:
-    """Return what is unwise about a contract's plan, and why."""
+    """Return the warnings about a contract's plan, with reasons."""
     covered = plan_queries.cues_of(session, contract.id)
     cues = Counter(cue.milestone_id for cue in covered)
     payments = [

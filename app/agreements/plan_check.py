@@ -1,4 +1,4 @@
-"""What is unwise about a payment plan, and why.
+"""Warnings about a payment plan, with reasons.
 
 Payments that rise keep both sides going, the largest for completing everything; but a last payment that is most of the
 money makes the designer carry the project. The deposit is looked at by itself.
@@ -28,7 +28,7 @@ class PlannedPayment:
 
 @dataclass(frozen=True)
 class Advice:
-    """One thing that is unwise about a plan; it may be agreed all the same."""
+    """One warning about a plan; the plan may be agreed all the same."""
 
     code: str
     message: str
@@ -36,7 +36,7 @@ class Advice:
 
 
 def check_plan(payments: Sequence[PlannedPayment], currency: str, holdback_bp: int = HOLDBACK_BP) -> list[Advice]:
-    """Return what is unwise about a plan, in the order of its milestones."""
+    """Return the warnings about a plan, in the order of its milestones."""
     milestones = [payment for payment in payments if not payment.is_deposit]
     return [
         *_deposit(payments, milestones),

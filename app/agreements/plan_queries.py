@@ -124,7 +124,7 @@ def agreed_terms(session: Session, contract: Contract) -> dict[str, object]:
 
 
 def terms_of(session: Session, contract: Contract) -> MoneyTerms:
-    """Return by which terms a contract's money is reckoned."""
+    """Return by which terms a contract's money is calculated."""
     return MoneyTerms.of(agreed_terms(session, contract))
 
 

@@ -28,7 +28,7 @@ def sealed_milestone(milestone: Milestone, cues: Sequence[ContractCue]) -> dict[
 
 
 def sealed_terms(contract: Contract, version: ContractVersion) -> str:
-    """Return the SHA-256 of what money is reckoned by: clauses, terms, currency and framework."""
+    """Return the SHA-256 of what money is calculated by: clauses, terms, currency and framework."""
     return sealed(
         {
             "clauses": version.clauses,

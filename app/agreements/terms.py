@@ -1,4 +1,4 @@
-"""The figures that a contract's clauses leave open, as money is reckoned by them."""
+"""The figures that a contract's clauses leave open, as money is calculated by them."""
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields
@@ -10,7 +10,7 @@ from app.agreements.rules import WorkState
 
 
 class DepositAtEnd(StrEnum):
-    """What becomes of the deposit where a contract ends early."""
+    """What happens to the deposit where a contract ends early."""
 
     STAYS = "stays"  # with the designer
     SET_OFF = "set_off"  # against what the cues are owed

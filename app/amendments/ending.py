@@ -75,7 +75,7 @@ def give_notice(session: Session, actor: Actor, contract_id: UUID, *, reason: st
 
 
 def withdraw_notice(session: Session, actor: Actor, contract_id: UUID) -> None:
-    """Take a notice back, as the party that gave it, before it takes hold."""
+    """Take a notice back, as the party that gave it, before it takes effect."""
     contract, party = locked_for_party(session, actor, contract_id)
     notice = _open_notice(session, contract)
     if notice.party is not party:
@@ -153,7 +153,7 @@ def _settle(
 
 
 def statement_pdf(session: Session, actor: Actor, contract_id: UUID) -> TextPdf:
-    """Return the statement as PDF, as it took hold or as it stands; raise NoNotice while there is none."""
+    """Return the statement as PDF, as it took effect or as it stands; raise NoNotice while there is none."""
     contract = visible_contract(session, actor, contract_id)
     notice = queries.standing_notice(session, contract.id)
     if notice is None:
@@ -185,7 +185,7 @@ def _open_notice(session: Session, contract: Contract) -> Notice:
         raise NoNotice("no notice stands", fix="give notice; the statement is made from it")
     if notice.settled_at is not None:
         raise AlreadyEnded(
-            "the notice took hold, and this contract is settled", fix="this is final: read the statement on its page"
+            "the notice took effect, and this contract is settled", fix="this is final: read the statement on its page"
         )
     return notice
 

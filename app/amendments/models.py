@@ -45,7 +45,7 @@ class Notice(Base):
     ends_on: Mapped[date | None]  # last day; None: only when both agree to the statement
     withdrawn_at: Mapped[datetime | None]
     settled_at: Mapped[datetime | None]
-    statement: Mapped[str | None]  # Markdown, as it took hold
+    statement: Mapped[str | None]  # Markdown, as it took effect
     statement_sha256: Mapped[str | None]
     giver: Mapped[Person] = relationship(lazy="raise")
 

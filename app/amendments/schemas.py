@@ -244,8 +244,8 @@ class DifferenceRead(Schema):
     price_after_minor: int
     milestones: list[ChangedMilestone]
     warnings: list[AdviceRead] = Field(description="What the change order itself makes harder.")
-    advice: list[AdviceRead] = Field(description="What is unwise about the plan as it will be.")
-    advice_gone: list[AdviceRead] = Field(description="What was unwise and will not be.")
+    advice: list[AdviceRead] = Field(description="Warnings about the changed plan.")
+    advice_gone: list[AdviceRead] = Field(description="Warnings that the change resolves.")
 
 
 class ChangeOrderMay(Schema):

@@ -220,7 +220,7 @@ def pack_read(pack: Pack) -> PackRead:
 
 
 def changes_read(since: int | None, before: Mapping[str, str], after: Mapping[str, str]) -> PackChanges:
-    """Return what became of the game files since a pack; everything is new where there was none."""
+    """Return what happened to the game files since a pack; everything is new where there was none."""
     found = changes_between(before, after)
     return PackChanges(
         since=since,

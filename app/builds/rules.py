@@ -46,7 +46,7 @@ class Changes:
 
 
 def changes_between(before: Mapping[str, str], after: Mapping[str, str]) -> Changes:
-    """Return what became of each path; a file is the same while its mark is."""
+    """Return what happened to each path; a file is the same while its mark is."""
     kept = [path for path in after if path in before]
     return Changes(
         new=[path for path in after if path not in before],

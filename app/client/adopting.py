@@ -1,4 +1,4 @@
-"""`soundlist adopt`: sends a folder of shipped sounds, and prints what becomes of each file."""
+"""`soundlist adopt`: sends a folder of shipped sounds, and prints what happens to each file."""
 
 import argparse
 import hashlib

@@ -100,12 +100,12 @@ def with_reverb_before(report: Report, before: Mapping[str, Any] | None) -> Repo
 
 def with_stem(report: Report, sha256: str, *, failed: bool = False) -> Report:
     """Return a report with the dry stem that it used; with the reason if our comparison failed."""
-    heeding = {**report, "stem_sha256": sha256}
+    with_hash = {**report, "stem_sha256": sha256}
     judgements = report["judgements"]
     if not failed or "reverb" not in judgements:
-        return heeding
+        return with_hash
     stem = {"verdict": COMPARISON_FAILED, "why": "our comparison of the two failed"}
-    return heeding | {"judgements": {**judgements, "reverb": {**judgements["reverb"], "stem": stem}}}
+    return with_hash | {"judgements": {**judgements, "reverb": {**judgements["reverb"], "stem": stem}}}
 
 
 def has_failed_comparison(report: Report) -> bool:

@@ -72,7 +72,7 @@ class CheckRead(Schema):
     measurements: dict[str, Any]
     judgements: dict[str, Any]
     dry_stem: ComparedStemRead | None
-    is_newest_stem: bool = Field(description="This check heeds the dry stem that there is now, or that there is none.")
+    is_newest_stem: bool = Field(description="This check used the current dry stem, or there is none.")
     findings: list[FindingRead]
     waiver: WaiverRead | None
 

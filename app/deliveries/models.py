@@ -238,7 +238,7 @@ class Adoption(Base):
 
 
 class Archive(Base):
-    """A delivered ZIP and what became of it."""
+    """A delivered ZIP and what happened to it."""
 
     __tablename__ = "deliveries_archives"
 

@@ -252,7 +252,7 @@ class ArchiveEntry(Schema):
 
 
 class ArchiveRead(Schema):
-    """A delivered ZIP and what became of it."""
+    """A delivered ZIP and what happened to it."""
 
     id: UUID
     delivery_id: UUID

@@ -9,7 +9,7 @@ from app.agreements.terms import BonusWhen
 
 
 class BonusState(StrEnum):
-    """What became of a bonus."""
+    """What happened to a bonus."""
 
     EARNED = "earned"
     POSSIBLE = "possible"
@@ -28,7 +28,7 @@ class BonusCue:
 
 @dataclass(frozen=True)
 class BonusStatus:
-    """What became of a bonus, and why, in words."""
+    """What happened to a bonus, and why, in words."""
 
     state: BonusState
     because: str
@@ -37,7 +37,7 @@ class BonusStatus:
 def bonus_status_of(
     when: BonusWhen, cues: Sequence[BonusCue], *, today: date, is_running: bool, shipped_on: date | None
 ) -> BonusStatus:
-    """Return whether a bonus that the software reckons is earned; `cues` are those that were not cut."""
+    """Return whether a bonus that the software calculates is earned; `cues` are those that were not cut."""
     if when is BonusWhen.SHIPPED:
         if shipped_on is not None:
             return BonusStatus(BonusState.EARNED, f"the game shipped on {_words(shipped_on)}, as the studio said")

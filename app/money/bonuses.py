@@ -1,4 +1,4 @@
-"""The bonus of a contract: what became of it, read from what is recorded."""
+"""The bonus of a contract: what happened to it, read from what is recorded."""
 
 from dataclasses import dataclass
 from datetime import date, datetime
@@ -38,7 +38,7 @@ def studio_days(session: Session, contract: Contract) -> StudioDays:
 
 
 def bonus_status(session: Session, contract: Contract, terms: MoneyTerms) -> BonusStatus | None:
-    """Return what became of a bonus that the software reckons; None where there is none."""
+    """Return what happened to a bonus that the software calculates; None where there is none."""
     if not terms.bonus_minor or terms.bonus_when is BonusWhen.OTHER:
         return None
     days = studio_days(session, contract)
@@ -64,7 +64,7 @@ def bonus_status(session: Session, contract: Contract, terms: MoneyTerms) -> Bon
 
 
 def bonus_of(session: Session, contract: Contract, book: LedgerBook) -> BonusRead | None:
-    """Return the bonus of a contract that was agreed, and what became of it; None where it has none."""
+    """Return the bonus of a contract that was agreed, and what happened to it; None where it has none."""
     terms = terms_of(session, contract)
     if contract.agreed_at is None or not terms.bonus_minor:
         return None

@@ -53,7 +53,7 @@ PDF_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {documents.PDF: 
 
 @router.get("/contracts/{contract_id}/milestones", responses=problems(ContractNotFound))
 def read_plan(contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> schemas.PlanRead:
-    """Return the milestones of a contract with what became of them, and what is unwise about the plan."""
+    """Return the milestones of a contract with what happened to them, and the warnings about the plan."""
     return overview.plan(session, actor, contract_id)
 
 
@@ -80,7 +80,7 @@ def propose_plan(
 def save_plan(
     contract_id: UUID, body: schemas.PlanSet, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.PlanRead:
-    """Put a plan in the place of a draft's; what is unwise about it is said, and does not stop it."""
+    """Replace the plan of a draft; warnings about it are returned and do not stop it."""
     return overview.plan_of(session, plan.save_plan(session, actor, contract_id, _planned(body)))
 
 
@@ -106,7 +106,7 @@ def _planned(body: schemas.PlanSet) -> list[PlannedMilestone]:
 def check_plan(
     contract_id: UUID, body: schemas.PlanSet, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.PlanChecked:
-    """Return what is wrong with a plan, and what is unwise about it and why; nothing is saved."""
+    """Return the errors and warnings of a plan, with reasons; nothing is saved."""
     faults, advice = plan.review_plan(session, actor, contract_id, _planned(body))
     return schemas.PlanChecked(
         faults=[schemas.PlanFault(**fault) for fault in faults],

@@ -36,7 +36,7 @@ def brief(cue: Cue, cue_prefix: str) -> schemas.ContractedCue:
 
 
 def plan(session: Session, actor: Actor, contract_id: UUID) -> schemas.PlanRead:
-    """Return the milestones of a contract with what became of them, and what is unwise about the plan."""
+    """Return the milestones of a contract with what happened to them, and the warnings about the plan."""
     contract = visible_contract(session, actor, contract_id)
     return plan_of(session, contract)
 

@@ -19,7 +19,7 @@ class LineKind(StrEnum):
     RETAINER = "retainer"  # of one month
     EXTRA_WORK = "extra_work"  # beside the cues, by a change order: rush, a voice session
     LATE_INTEREST = "late_interest"  # on an invoice that was not paid in time
-    BONUS = "bonus"  # its trigger, which Soundlist reckons, was met
+    BONUS = "bonus"  # its trigger, which Soundlist calculates, was met
     TAX = "tax"
     REVERSED = "reversed"  # takes back a line of any kind above
     PAID = "paid"

@@ -71,7 +71,7 @@ class PlanProposal(Schema):
 
 
 class MilestoneCueRead(Schema):
-    """A cue under contract: what was agreed for it and what became of it."""
+    """A cue under contract: what was agreed for it and what happened to it."""
 
     cue: ContractedCue
     price_minor: int | None
@@ -102,7 +102,7 @@ class MilestoneRead(Schema):
 
 
 class AdviceRead(Schema):
-    """One thing that is unwise about a plan."""
+    """One warning about a plan."""
 
     code: str
     message: str
@@ -117,14 +117,14 @@ class PlanFault(Schema):
 
 
 class PlanChecked(Schema):
-    """What is wrong with a plan that is not saved, and what is unwise about it."""
+    """The errors and warnings of a plan that is not saved."""
 
     faults: Sequence[PlanFault]
     advice: Sequence[AdviceRead]
 
 
 class PlanRead(Schema):
-    """The milestones of a contract, and what is unwise about them."""
+    """The milestones of a contract, and the warnings about them."""
 
     contract_id: UUID
     state: ContractState
@@ -165,7 +165,7 @@ class LedgerLineRead(Schema):
 
 
 class BonusRead(Schema):
-    """The bonus of a contract, and what became of it."""
+    """The bonus of a contract, and what happened to it."""
 
     amount_minor: int
     when: BonusWhen

@@ -274,7 +274,7 @@ def record_work(
     by: UUID | None,
     on_behalf_of: UUID | None = None,
 ) -> None:
-    """Write what became of a designer's work into the record of the contract that covers the cue, if one does.
+    """Write what happened to a designer's work into the record of the contract that covers the cue, if one does.
 
     `by` is the person or the build token that did it; None: the server.
     """

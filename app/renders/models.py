@@ -76,7 +76,7 @@ class Batch(Base):
 
 
 class BatchItem(Base):
-    """One game file of a batch: what it replaces in the game, and what became of it."""
+    """One game file of a batch: what it replaces in the game, and what happened to it."""
 
     __tablename__ = "renders_batch_items"
     __table_args__ = (

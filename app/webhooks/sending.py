@@ -22,7 +22,7 @@ AGENT = "Soundlist-Webhooks/1"
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of an attempt."""
+    """What happened to an attempt."""
 
     took_ms: int
     answer: Answer | None = None

@@ -159,7 +159,7 @@ def calls_of(
 
 
 def replay(session: Session, actor: Actor, call_id: UUID) -> WebhookCall:
-    """Send a call again at once, whatever became of it; its attempts are counted from the start."""
+    """Send a call again at once, whatever happened to it; its attempts are counted from the start."""
     call = queries.call_in(session, _studios_run_by(actor), call_id)
     if call is None:
         raise WebhookCallNotFound(f"no call {call_id}")

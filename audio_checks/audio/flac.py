@@ -46,7 +46,7 @@ EXPORT_AGAIN = "export it again from your audio editor as FLAC or WAV"
 
 @dataclass(frozen=True)
 class FlacLayout:
-    """What the header of a FLAC file says, once it was found to be lawful.
+    """What the header of a FLAC file says, once it was found to be valid.
 
     Attributes
     ----------
@@ -111,7 +111,7 @@ class _Header:
         while not last:
             kind, last, size = self.head()
             if (kind == STREAMINFO) != (not names) or kind == 127 or len(names) == MOST_BLOCKS:
-                raise _inconsistent("its metadata blocks are not in lawful order: STREAMINFO comes first, and once")
+                raise _inconsistent("its metadata blocks are not in valid order: STREAMINFO comes first, and once")
             names.append(BLOCK_NAMES[kind] if kind < len(BLOCK_NAMES) else f"RESERVED_{kind}")
             if kind == STREAMINFO:
                 info = self.payload(size, 64)

@@ -211,7 +211,7 @@ def _matches(approved: Sequence[FingerprintedFile], alike: Mapping[int, Likeness
 def _in_place(
     one: FingerprintedFile, own: FingerprintedFile, like: Likeness | None, matches: tuple[Match, ...]
 ) -> Entry:
-    """Say what became of the approved sound whose place a file has."""
+    """Say what happened to the approved sound whose place a file has."""
     if (entry := _unreadable(one)) is not None:
         return replace(entry, approved=own.path)
     entry = Entry(one.path, "changed", matches=matches, approved=own.path)

@@ -41,7 +41,7 @@ class Entry:
     plays : tuple of Play
         How the game plays it; empty without a project.
     played_status : str
-        What became of the level at which the game plays it, apart from the file: gain, converted, unused, depends or
+        What happened to the level at which the game plays it, apart from the file: gain, converted, unused, depends or
         same.
     played_message : str
         The same in words.

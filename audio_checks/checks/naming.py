@@ -136,7 +136,7 @@ def _portable(name: str) -> Iterator[Finding]:
         yield Finding(
             code="naming:reserved",
             message=f'name "{_short(name)}": Windows keeps it for a device, and no file can be called so there',
-            fix="rename it; with anything before or after the word it is lawful",
+            fix="rename it; with anything before or after the word it is allowed",
         )
     why = _not_portable(name)
     if why is not None:

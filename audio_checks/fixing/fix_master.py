@@ -45,7 +45,7 @@ def fix_master(
     Every finding that a fix can answer is answered: a level beyond its limit by one static gain of
     exactly the excess, a constant DC offset by taking its mean out of each channel,
     silence at the edges by trimming to the limit, never into the sound, the name
-    by the nearest lawful one, sizes in the header by those that are true, a depth that is too high
+    by the nearest valid one, sizes in the header by those that are true, a depth that is too high
     by rounding with TPDF dither seeded from the master. What stays of the samples stays exact: a
     trim alone changes no sample but those of a fade, which is made only where the cut would click,
     and only within the silence that stays. Chunks are carried, and what points into the sound is
@@ -58,7 +58,7 @@ def fix_master(
     spec : DeliverySpec
         What it is judged by.
     out : path
-        A folder that exists. The copy gets the master's name, or the lawful one; it is written whole or
+        A folder that exists. The copy gets the master's name, or the valid one; it is written whole or
         not at all, and replaces what has its name there.
     target, category, cue, name
         As for `check_file`.
@@ -292,7 +292,7 @@ class _Work:
             )
         if final in self._beside:
             raise FixRefused(
-                f"another file has the name {name} too, once both are lawful",
+                f"another file has the name {name} too, once both are valid",
                 code="fix:same-name",
                 fix="rename one of the two masters",
             )

@@ -138,7 +138,7 @@ class _Sizes:
                 self._pads.append(position)
                 head = self._read(position, 8)
                 name, size = head[:4], int.from_bytes(head[4:], "little")
-            if not _lawful(name):
+            if not _is_printable(name):
                 break
             if name == b"data" and not seen_data:
                 size, seen_data = self._data_size(position, size, declared), True
@@ -151,10 +151,10 @@ class _Sizes:
         return position
 
     def _is_head(self, position: int) -> bool:
-        """Return whether a chunk may begin here: its name is lawful, and it ends in the file or is the sound."""
+        """Return whether a chunk may begin here: its name is printable, and it ends in the file or is the sound."""
         head = self._read(position, 8)
         name, size = head[:4], int.from_bytes(head[4:], "little")
-        return len(head) == 8 and _lawful(name) and (name == b"data" or position + 8 + size <= self._size)
+        return len(head) == 8 and _is_printable(name) and (name == b"data" or position + 8 + size <= self._size)
 
     def _data_size(self, position: int, declared: int, riff_declared: int) -> int:
         """Return the bytes of sound: as declared, or all that follow where the size was left open."""
@@ -184,5 +184,5 @@ class _Sizes:
             self._patches.append(_Patch(4, struct.pack("<I", true), f"RIFF size set to {true} bytes"))
 
 
-def _lawful(name: bytes) -> bool:
+def _is_printable(name: bytes) -> bool:
     return name.isascii() and name.decode("ascii").isprintable()

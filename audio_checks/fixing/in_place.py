@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 from audio_checks.errors import AudioChecksError, Unreadable
 from audio_checks.fixing.header import with_right_sizes
-from audio_checks.fixing.names import lawful_name
+from audio_checks.fixing.names import valid_name
 from audio_checks.report.findings import FileReport
 from audio_checks.spec.sound_list import SoundList, parse_file_name, slug, stems_of
 
@@ -96,7 +96,7 @@ class Repairs:
         return Change(task.path, new_path, header)
 
     def _name(self, task: "Task") -> str | None:
-        """Return a better name for a file: the sound list's, or the one that is lawful and nearest."""
+        """Return a better name for a file: the sound list's, or the one that is valid and nearest."""
         name = os.path.basename(task.path)
         parts = parse_file_name(name)
         listed = self._stems.get(slug(parts.stem))
@@ -104,8 +104,8 @@ class Repairs:
         if listed:
             mark = f"__alt{parts.alternate}" if parts.alternate is not None else ""
             candidate = f"{listed}{mark}{parts.extension}"
-        lawful = lawful_name(candidate, task.spec) if task.spec else candidate
-        return lawful if lawful and lawful != name else None
+        valid = valid_name(candidate, task.spec) if task.spec else candidate
+        return valid if valid and valid != name else None
 
     def _ensure_free(self, path: str, new_path: str) -> None:
         for old, new in ((path, new_path), (path + COMPANION, new_path + COMPANION)):

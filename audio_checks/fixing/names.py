@@ -1,4 +1,4 @@
-"""A lawful name, made from the one that a file has."""
+"""A valid name, made from the one that a file has."""
 
 import re
 from collections.abc import Iterator
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 WAV_ENDINGS = frozenset({".wav", ".wave", ".bwf", ".rf64"})  # of one kind of file, under several names
 
 
-def lawful_name(name: str, spec: DeliverySpec) -> str | None:
+def valid_name(name: str, spec: DeliverySpec) -> str | None:
     """Return the name that the naming check of a spec passes and that is nearest to the one given.
 
     Parameters
@@ -29,13 +29,13 @@ def lawful_name(name: str, spec: DeliverySpec) -> str | None:
     Returns
     -------
     str or None
-        The name itself where it is lawful; None where none can be made of its letters and digits.
+        The name itself where it is valid; None where none can be made of its letters and digits.
         The mark of an alternate is kept, except in renders, whose names carry none; a typed version
         goes, for versions are counted by the server.
     """
-    if _is_lawful(name, spec):
+    if _is_valid(name, spec):
         return name
-    return next((one for one in _candidates(name, spec) if _is_lawful(one, spec)), None)
+    return next((one for one in _candidates(name, spec) if _is_valid(one, spec)), None)
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class _Named:
         return PurePath(self.name).stem
 
 
-def _is_lawful(name: str, spec: DeliverySpec) -> bool:
+def _is_valid(name: str, spec: DeliverySpec) -> bool:
     found = naming.check(cast("AudioFile", _Named(name)), spec)
     return next(iter(found), None) is None
 

@@ -13,7 +13,7 @@ from typing import Any, Literal
 
 from audio_checks.checks import all_checks
 from audio_checks.fixing.header import SIZES
-from audio_checks.fixing.names import lawful_name
+from audio_checks.fixing.names import valid_name
 from audio_checks.report.findings import FileReport, Finding
 from audio_checks.spec.delivery_spec import DeliverySpec
 
@@ -187,9 +187,9 @@ def _in_ms(finding: Finding, report: FileReport) -> float:
 
 def _renaming(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:
     now = base_name(report.path)
-    name = lawful_name(now, spec)
+    name = valid_name(now, spec)
     if name is None or name == now:
-        return Offer(None, "No lawful name can be made of this one: name the file after its cue.")
+        return Offer(None, "No valid name can be made of this one: name the file after its cue.")
     return Offer("name", f"names it {name}")
 
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from audio_checks.fixing import offers
-from audio_checks.fixing.names import lawful_name
+from audio_checks.fixing.names import valid_name
 from audio_checks.fixing.offers import RepairKind, fix_offer
 from audio_checks.report.findings import FileReport, Finding
 from audio_checks.spec.delivery_spec import DeliverySpec
@@ -51,7 +51,7 @@ class Plan:
             elif offer.repair == "offset":
                 plan = replace(plan, removes_offset=True)
             elif offer.repair == "name":
-                plan = replace(plan, name=lawful_name(plan.name, view) or plan.name)
+                plan = replace(plan, name=valid_name(plan.name, view) or plan.name)
             else:
                 plan = replace(plan, rewrites_header=True)
         lowest = min(gains)

@@ -1,4 +1,4 @@
-"""How alike the channels are, and what becomes of a stereo sound in mono."""
+"""How alike the channels are, and what happens to a stereo sound in mono."""
 
 from __future__ import annotations
 

@@ -90,7 +90,7 @@ class WindowPowers:
         return powers.reshape(count, len(signal), bins)
 
     def by_bin(self, signal: NDArray[np.float64], *, first: int, hop: int, powers: NDArray[np.float64]) -> None:
-        """Find the same as `of`, with what becomes of each bin in a row.
+        """Find the same as `of`, with what happens to each bin in a row.
 
         Parameters
         ----------

@@ -42,7 +42,7 @@ Points = tuple[int, int]
 
 @dataclass(frozen=True)
 class Move:
-    """What becomes of the sound.
+    """What happens to the sound.
 
     Attributes
     ----------
@@ -113,7 +113,7 @@ def carried(
     file, layout : binary file, WavLayout
         The master. The caller has seen that `bytes_outside_data` it are no more than `MOST_BYTES`.
     move : Move
-        What becomes of its sound.
+        What happens to its sound.
     keep : function of id and payload, optional
         Whether a chunk goes along; without it all do.
     """

@@ -221,8 +221,8 @@ class _Form:
             return cls(target.sample_rate_hz, target.bit_depth, samples, channels, mask, target.dither, coder)
         rates, depths = accept.sample_rates_hz or (PREFERRED_HZ,), accept.bit_depths or (PREFERRED_BITS,)
         is_pcm = accept.encodings is None or "pcm" in accept.encodings
-        lawful = [depth for depth in depths if depth in ((8, 16, 24) if is_pcm else (32, 64))]
-        depth = max(lawful, default=PREFERRED_BITS if is_pcm else 32)
+        valid = [depth for depth in depths if depth in ((8, 16, 24) if is_pcm else (32, 64))]
+        depth = max(valid, default=PREFERRED_BITS if is_pcm else 32)
         rate = PREFERRED_HZ if PREFERRED_HZ in rates else min(rates)
         return cls(rate, depth, "pcm" if is_pcm else "float", channels, mask, "tpdf")
 

@@ -112,7 +112,7 @@ class _Order:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of one render.
+    """What happened to one render.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""What became of a master on its way to a game file: the file's facts, and what was lost."""
+"""What happened to a master on its way to a game file: the file's facts, and what was lost."""
 
 import math
 from dataclasses import dataclass, is_dataclass

@@ -270,7 +270,7 @@ class Work:
         return [one for one, kind in zip(self._fitted, kinds, strict=False) if kind == "forward"]
 
     def _move(self, bit_depth: int, dither: Dither, lowered_db: float) -> Move:
-        """Return what becomes of the sound, for what points into it."""
+        """Return what happens to the sound, for what points into it."""
         recipe, layout = self._recipe, self._layout
         exact = recipe.samples == layout.encoding and bit_depth >= layout.bit_depth and dither == "none"
         fitted = self._frames * layout.sample_rate_hz / (layout.frames * recipe.sample_rate_hz)

@@ -359,7 +359,7 @@ def _reads_coded(spec: DeliverySpec) -> bool:
 
 
 def _refused(path: str, error: Unreadable, spec: DeliverySpec) -> FileReport:
-    if error.code == "container:flac" and path.lower().endswith(".flac"):  # lawful, but not accepted
+    if error.code == "container:flac" and path.lower().endswith(".flac"):  # valid, but not accepted
         wanted = spec.accept.containers or ()
         finding = Finding(
             code=error.code,

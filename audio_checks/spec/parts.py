@@ -247,10 +247,10 @@ def read_target(name: str, keys: Tables) -> Target:
     else:
         _ensure_no_quality(said, encoding, where)
         depth = keys["bit_depth"]
-        lawful = DEPTHS.get(encoding, (8, 16, 24))
-        if depth not in lawful:
+        valid = DEPTHS.get(encoding, (8, 16, 24))
+        if depth not in valid:
             raise SpecError(
-                f"{depth} bit is no depth for {encoding}; it can be {', '.join(map(str, lawful))}",
+                f"{depth} bit is no depth for {encoding}; it can be {', '.join(map(str, valid))}",
                 where=f"{where}.bit_depth",
             )
         said = {"dither": "none" if encoding == "float" or depth == 24 else "tpdf", **said}

@@ -57,7 +57,7 @@ def _show(identifier: bytes) -> str:
     return "".join(chr(byte) if 0x20 <= byte < 0x7F else "?" for byte in identifier)
 
 
-def _lawful(identifier: bytes) -> bool:
+def _is_printable(identifier: bytes) -> bool:
     return all(0x20 <= byte < 0x7F for byte in identifier)
 
 
@@ -289,7 +289,7 @@ class _Reading:
                 if self.sound(unpadded, position - 1, end, data64) and unpadded[0]:
                     self.warn("pad-byte", f'the pad byte after the chunk "{chunks[-1].id}" of odd length is missing')
                     position, head = position - 1, unpadded
-            if len(head) < 8 or not _lawful(head[:4]):
+            if len(head) < 8 or not _is_printable(head[:4]):
                 self.stray(position, end)
                 break
             size = self.declared_size(head, data64)
@@ -313,7 +313,7 @@ class _Reading:
         """Whether these bytes can be the head of a chunk inside the file."""
         return (
             len(head) == 8
-            and _lawful(head[:4])
+            and _is_printable(head[:4])
             and not (head[:4] != b"data" and head[4:] == b"\xff\xff\xff\xff")
             and position + 8 + self.declared_size(head, data64) <= end
         )

@@ -1,4 +1,4 @@
-"""What each function that runs in a throw-away child declares, and what becomes of an answer that lies."""
+"""What each function that runs in a throw-away child declares, and what happens to an answer that lies."""
 
 import typing
 from collections.abc import Callable, Iterator

@@ -58,7 +58,7 @@ def run(options: argparse.Namespace) -> int:
 def _exported(
     one: Found, folder: Path, sound_list: SoundList | None, fields: dict[str, str], options: argparse.Namespace
 ) -> dict[str, Any]:
-    """Copy one master, and return what became of it."""
+    """Copy one master, and return what happened to it."""
     from audio_checks.render.provenance import Provenance, export_master
     from audio_checks.run import runner
 

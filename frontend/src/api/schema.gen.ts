@@ -2830,12 +2830,12 @@ export interface paths {
         };
         /**
          * Read Plan
-         * @description Return the milestones of a contract with what became of them, and what is unwise about the plan.
+         * @description Return the milestones of a contract with what happened to them, and the warnings about the plan.
          */
         get: operations["read_plan"];
         /**
          * Save Plan
-         * @description Put a plan in the place of a draft's; what is unwise about it is said, and does not stop it.
+         * @description Replace the plan of a draft; warnings about it are returned and do not stop it.
          */
         put: operations["save_plan"];
         post?: never;
@@ -2876,7 +2876,7 @@ export interface paths {
         put?: never;
         /**
          * Check Plan
-         * @description Return what is wrong with a plan, and what is unwise about it and why; nothing is saved.
+         * @description Return the errors and warnings of a plan, with reasons; nothing is saved.
          */
         post: operations["check_plan"];
         delete?: never;
@@ -9252,7 +9252,7 @@ export interface components {
         };
         /**
          * AdviceRead
-         * @description One thing that is unwise about a plan.
+         * @description One warning about a plan.
          */
         AdviceRead: {
             /** Code */
@@ -9387,7 +9387,7 @@ export interface components {
         };
         /**
          * ArchiveRead
-         * @description A delivered ZIP and what became of it.
+         * @description A delivered ZIP and what happened to it.
          */
         ArchiveRead: {
             /**
@@ -10127,7 +10127,7 @@ export interface components {
         };
         /**
          * BonusRead
-         * @description The bonus of a contract, and what became of it.
+         * @description The bonus of a contract, and what happened to it.
          */
         BonusRead: {
             /** Amount Minor */
@@ -10143,7 +10143,7 @@ export interface components {
         };
         /**
          * BonusState
-         * @description What became of a bonus.
+         * @description What happened to a bonus.
          * @enum {string}
          */
         BonusState: "earned" | "possible" | "missed";
@@ -11433,7 +11433,7 @@ export interface components {
             dry_stem: components["schemas"]["ComparedStemRead"] | null;
             /**
              * Is Newest Stem
-             * @description This check heeds the dry stem that there is now, or that there is none.
+             * @description This check used the current dry stem, or there is none.
              */
             is_newest_stem: boolean;
             /** Findings */
@@ -13217,7 +13217,7 @@ export interface components {
         };
         /**
          * DepositAtEnd
-         * @description What becomes of the deposit where a contract ends early.
+         * @description What happens to the deposit where a contract ends early.
          * @enum {string}
          */
         DepositAtEnd: "stays" | "set_off";
@@ -13463,12 +13463,12 @@ export interface components {
             warnings: components["schemas"]["AdviceRead"][];
             /**
              * Advice
-             * @description What is unwise about the plan as it will be.
+             * @description Warnings about the changed plan.
              */
             advice: components["schemas"]["AdviceRead"][];
             /**
              * Advice Gone
-             * @description What was unwise and will not be.
+             * @description Warnings that the change resolves.
              */
             advice_gone: components["schemas"]["AdviceRead"][];
         };
@@ -17035,7 +17035,7 @@ export interface components {
         };
         /**
          * MilestoneCueRead
-         * @description A cue under contract: what was agreed for it and what became of it.
+         * @description A cue under contract: what was agreed for it and what happened to it.
          */
         MilestoneCueRead: {
             cue: components["schemas"]["ContractedCue"];
@@ -18604,7 +18604,7 @@ export interface components {
         };
         /**
          * PlanChecked
-         * @description What is wrong with a plan that is not saved, and what is unwise about it.
+         * @description The errors and warnings of a plan that is not saved.
          */
         PlanChecked: {
             /** Faults */
@@ -18632,7 +18632,7 @@ export interface components {
         };
         /**
          * PlanRead
-         * @description The milestones of a contract, and what is unwise about them.
+         * @description The milestones of a contract, and the warnings about them.
          */
         PlanRead: {
             /**

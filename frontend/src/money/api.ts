@@ -121,7 +121,7 @@ export const planQuery = (contractId: string) =>
     queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/milestones', of(contractId))),
   })
 
-/** What is wrong and what is unwise about a plan as it is typed. */
+/** The errors and warnings of a plan as it is typed. */
 export const planCheckQuery = (contractId: string, plan: PlanSet) =>
   queryOptions({
     queryKey: queryKeys.money('plan-check', contractId, plan),

@@ -38,7 +38,7 @@ export interface Accepts {
   kinds: readonly FileKind[]
   sampleRatesHz: readonly number[] | null
   bitDepths: readonly number[] | null
-  /** Whatever the file is: the server says what becomes of it. */
+  /** Whatever the file is: the server says what happens to it. */
   isAnyFile?: true
 }
 

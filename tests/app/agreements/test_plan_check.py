@@ -1,4 +1,4 @@
-"""What the check of a payment plan says, one unwise thing at a time."""
+"""What the check of a payment plan says, one warning at a time."""
 
 from datetime import date, timedelta
 
@@ -34,7 +34,7 @@ def plan(deposit: int, *amounts: int) -> list[PlannedPayment]:
         ([], []),
     ],
 )
-def test_what_is_unwise(payments, codes):
+def test_warnings(payments, codes):
     assert [advice.code for advice in check_plan(payments, "USD")] == codes
 
 

@@ -1,6 +1,6 @@
-"""Random lawful lives of several contracts: the ledger equals a plain model that is written apart from it.
+"""Random valid lives of several contracts: the ledger equals a plain model that is written apart from it.
 
-The model keeps no lines. From the cues and what was agreed it reckons what must be owed, each sum rounded once.
+The model keeps no lines. From the cues and what was agreed it calculates what must be owed, each sum rounded once.
 """
 
 from collections.abc import Callable
@@ -37,7 +37,7 @@ TERMS = MoneyTerms(
 
 
 def rounded(amount_minor: int, part_bp: int) -> int:
-    """Round half away from zero, by fractions: the model's own reckoning."""
+    """Round half away from zero, by fractions: the model's own calculation."""
     exact = Fraction(amount_minor * part_bp, 10_000)
     return int(exact + Fraction(1, 2))
 
@@ -153,7 +153,7 @@ class Life:
 
 
 class Lives(RuleBasedStateMachine):
-    """Whatever the parties of some contracts may lawfully do, in any order."""
+    """Whatever the parties of some contracts may do, in any order."""
 
     @initialize(
         releases=st.lists(st.sampled_from(ReleaseClause), min_size=CONTRACTS, max_size=CONTRACTS),

@@ -1,4 +1,4 @@
-"""What becomes of a pull when the line is cut, bytes are altered, or the server cannot be reached."""
+"""What happens to a pull when the line is cut, bytes are altered, or the server cannot be reached."""
 
 import json
 from pathlib import Path

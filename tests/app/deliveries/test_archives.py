@@ -33,7 +33,7 @@ def packed(files: Files, method: int = zipfile.ZIP_DEFLATED) -> bytes:
 
 
 def send(world: World, content: bytes, name: str = "all.zip") -> dict[str, Any]:
-    """Deliver a ZIP, and return what became of it."""
+    """Deliver a ZIP, and return what happened to it."""
     delivery_id = open_delivery(world)
     upload_id = upload(world, delivery_id, name, content)
     body = {"upload_id": upload_id, "file_name": name}

@@ -1,4 +1,4 @@
-"""A dry stem beside a take: given, delivered by its name, heeded by the check, withdrawn; hostile until it is read."""
+"""A dry stem beside a take: given, delivered by its name, used by the check, withdrawn; hostile until it is read."""
 
 import io
 import zipfile

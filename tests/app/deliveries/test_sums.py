@@ -1,4 +1,4 @@
-"""What is kept of the takes of cues says what looking at every take says, whatever became of them."""
+"""What is kept of the takes of cues says what looking at every take says, whatever happened to them."""
 
 import random
 from collections.abc import Collection

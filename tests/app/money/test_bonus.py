@@ -1,4 +1,4 @@
-"""Bonuses that are reckoned: earned, still possible or missed, and one line when they are due."""
+"""Bonuses that are calculated: earned, still possible or missed, and one line when they are due."""
 
 import json
 from datetime import date, timedelta
@@ -26,7 +26,7 @@ def agreed_with(world: World, when: str, **more: Any) -> Agreed:
 
 
 def bonus(agreed: Agreed, by: Any = None) -> tuple[str, str]:
-    """Return what became of the bonus, and why, as the producer or somebody else reads it."""
+    """Return what happened to the bonus, and why, as the producer or somebody else reads it."""
     found = agreed.ledger(by)["bonus"]
     return found["state"], found["because"]
 

@@ -1,4 +1,4 @@
-"""Random lawful lives of a contract: the ledger stays balanced, and every line can be followed."""
+"""Random valid lives of a contract: the ledger stays balanced, and every line can be followed."""
 
 from dataclasses import replace
 from uuid import UUID, uuid4
@@ -42,7 +42,7 @@ def written(entry: Entry, **more: UUID | None) -> Line:
 
 
 class Contract(RuleBasedStateMachine):
-    """Two parties, three milestones, and whatever they may lawfully do."""
+    """Two parties, three milestones, and whatever they may do."""
 
     @initialize(
         release=st.sampled_from(ReleaseClause),

@@ -1,4 +1,4 @@
-"""A plan while it is written: what is wrong and what is unwise is said, and nothing is saved."""
+"""A plan while it is written: errors and warnings are shown, and nothing is saved."""
 
 from typing import Any
 
@@ -20,7 +20,7 @@ def looked_at(agreed: Agreed, *planned: dict[str, Any]) -> dict[str, Any]:
     return body_of(agreed.world.producer.post(f"/v1/contracts/{agreed.contract_id}/plan-check", json=body))
 
 
-def test_what_is_unwise_is_said_before_it_is_saved(agreed: Agreed) -> None:
+def test_warnings_are_shown_before_it_is_saved(agreed: Agreed) -> None:
     first, second = agreed.cue("radar_ping"), agreed.cue("dock_clamp")
     plan = [deposit(10_000), milestone("Alpha", first, amount_minor=30_000), milestone("Beta", second)]
     plan[2] |= {"amount_minor": 10_000, "due_on": None}

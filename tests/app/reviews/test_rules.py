@@ -64,7 +64,7 @@ def test_a_stale_page_learns_the_state_of_the_take():
 
 
 @pytest.mark.parametrize(
-    ("start_s", "end_s", "is_lawful"),
+    ("start_s", "end_s", "is_valid"),
     [
         (None, None, True),
         (0.0, None, True),
@@ -78,8 +78,8 @@ def test_a_stale_page_learns_the_state_of_the_take():
         (0.1, 0.9, False),
     ],
 )
-def test_a_range_lies_within_the_sound(start_s, end_s, is_lawful):
-    if is_lawful:
+def test_a_range_lies_within_the_sound(start_s, end_s, is_valid):
+    if is_valid:
         ensure_range(start_s, end_s, 0.84)
     else:
         with pytest.raises(RangeInvalid):

@@ -361,7 +361,7 @@ def test_whatever_is_decided_at_most_one_take_is_approved(stage: Stage, actions:
 
 
 class Deciding:
-    """An approver who tries anything, lawful or not, on a set of two with alternates."""
+    """An approver who tries anything, valid or not, on a set of two with alternates."""
 
     def __init__(self, session: Session, stage: Stage) -> None:
         self.session = session
@@ -382,7 +382,7 @@ class Deciding:
             except Conflict:
                 self.session.expire_all()
                 assert self.standing() == before, f"{action} was refused and changed something"
-            self.ensure_lawful()
+            self.ensure_valid()
 
     def do(self, action: str, number: int) -> None:
         take = self.session.get_one(Take, self.takes[number % len(self.takes)])
@@ -405,7 +405,7 @@ class Deciding:
         )
         return [tuple(row) for row in rows]
 
-    def ensure_lawful(self) -> None:
+    def ensure_valid(self) -> None:
         states = self.standing()
         for variation in (1, 2):
             assert sum(one[0] == variation and one[2] is TakeState.APPROVED for one in states) <= 1

@@ -1,4 +1,4 @@
-"""What holds for every check: it survives any lawful sound, proves what it finds, and explains itself."""
+"""What holds for every check: it survives any valid sound, proves what it finds, and explains itself."""
 
 import pytest
 

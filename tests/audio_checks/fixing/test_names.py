@@ -1,7 +1,7 @@
 import pytest
 
 from audio_checks import parse_spec
-from audio_checks.fixing.names import lawful_name
+from audio_checks.fixing.names import valid_name
 
 LOWER = parse_spec("""
 format = 1
@@ -17,14 +17,14 @@ CAMEL = parse_spec("format = 1\n[naming]\npattern = '[A-Z]{2}_[A-Za-z0-9_]+'\n")
 
 
 @pytest.mark.parametrize(
-    ("spec", "name", "lawful"),
+    ("spec", "name", "valid"),
     [
         (LOWER, "laser_fire.wav", "laser_fire.wav"),
         (LOWER, "Laser Fire.WAV", "laser_fire.wav"),
         (LOWER, "laser-fire.bwf", "laser_fire.wav"),
         (LOWER, "Überläufer (final).wav", "uberlaufer_final.wav"),
         (LOWER, "Laser_altB.wav", "laser__alt2.wav"),
-        (LOWER, "laser_altB.wav", "laser_altB.wav"),  # the mark of an alternate is lawful in a delivery
+        (LOWER, "laser_altB.wav", "laser_altB.wav"),  # the mark of an alternate is valid in a delivery
         (LOWER, "Laser_v03.wav", "laser.wav"),
         (LOWER, "laser.mp3", None),
         (LOWER, "!!!.wav", None),
@@ -35,5 +35,5 @@ CAMEL = parse_spec("format = 1\n[naming]\npattern = '[A-Z]{2}_[A-Za-z0-9_]+'\n")
         (parse_spec("format = 1\n"), "What ever.wav", "What ever.wav"),
     ],
 )
-def test_the_nearest_valid_name(spec, name, lawful):
-    assert lawful_name(name, spec) == lawful
+def test_the_nearest_valid_name(spec, name, valid):
+    assert valid_name(name, spec) == valid

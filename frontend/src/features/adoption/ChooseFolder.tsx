@@ -142,7 +142,7 @@ export function ChooseFolder({ projectId }: { projectId: string }): ReactNode {
             )}
             <span className="mid">
               {stage.at === 'choose'
-                ? 'You see what becomes of each file before anything is sent.'
+                ? 'You see what happens to each file before anything is sent.'
                 : 'With a project of Wwise, FMOD Studio, Unity or Godot, the plan has its sets, loops, events and levels. For Unreal, drop the JSON of export_sounds.py.'}
             </span>
             <input

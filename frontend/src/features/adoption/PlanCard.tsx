@@ -29,7 +29,7 @@ export function PlanCard({
   const why = waits ?? nothing
   return (
     <Card aria-labelledby="plan">
-      <CardHead id="plan" title="What becomes of it" />
+      <CardHead id="plan" title="What happens to each file" />
       <div className={classes.plan}>
         <p>
           {plural(plan.files, 'file')} become {plural(plan.cues.length, 'cue')} in{' '}

@@ -127,7 +127,7 @@ test('a folder is planned before anything is sent, then sent and adopted', async
   const asked = open()
   const field = await screen.findByLabelText('Folder', undefined, { timeout: 5000 })
   fireEvent.change(field, { target: { files: folderOf('ui/click.wav', 'ui/tap.wav', 'readme.txt') } })
-  const plan = await screen.findByRole('region', { name: 'What becomes of it' })
+  const plan = await screen.findByRole('region', { name: 'What happens to each file' })
   expect(within(plan).getByText(/3 files become 2 cues in 2 categories, 1 of them a set/)).toBeVisible()
   expect(within(plan).getByText('22050 Hz, most files have 44100 Hz')).toBeVisible()
   expect(within(plan).getByText('also ui/tap.wav')).toBeVisible()
@@ -247,7 +247,7 @@ test('the project of the game is sent beside the folder, and what it says is sho
     target: { files: [textFile('Game/Game.wproj', '<a/>'), textFile('Game/Events/e.wwu', '<b/>')] },
   })
   await screen.findByRole('button', { name: 'Choose another project' })
-  const plan = screen.getByRole('region', { name: 'What becomes of it' })
+  const plan = screen.getByRole('region', { name: 'What happens to each file' })
   expect(within(plan).getByText(/Game.wproj plays 2 of these files/)).toBeVisible()
   expect(within(plan).getByText('no event plays it in the project')).toBeVisible()
   expect(within(plan).getByText('a.wwu: is not XML')).toBeVisible()
@@ -267,10 +267,10 @@ test('a folder without a project is refused as one, and the plan stays', async (
   open()
   const field = await screen.findByLabelText('Folder', undefined, { timeout: 5000 })
   fireEvent.change(field, { target: { files: folderOf('ui/click.wav') } })
-  await screen.findByRole('region', { name: 'What becomes of it' })
+  await screen.findByRole('region', { name: 'What happens to each file' })
   fireEvent.change(screen.getByLabelText('Project of the game'), { target: { files: folderOf('ui/click.wav') } })
   expect(await screen.findByText(/There is no project in what you chose/)).toBeVisible()
-  expect(screen.getByRole('region', { name: 'What becomes of it' })).toBeVisible()
+  expect(screen.getByRole('region', { name: 'What happens to each file' })).toBeVisible()
 })
 
 test.each([

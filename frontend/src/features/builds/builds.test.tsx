@@ -318,7 +318,7 @@ test('a pass begins with the newest build, and says so where there is none', asy
   expect(wrote(asked, 'POST /v1/projects/p1/listening-passes')).toHaveLength(1)
 })
 
-test('what became of a sound is never called the same where the game changes its level', () => {
+test('what happened to a sound is never called the same where the game changes its level', () => {
   const of = (status: AuditedSound['status'], more: Partial<AuditedSound> = {}) =>
     whatOf({ status, played_status: 'same', gain_db: null, ...more })
   expect(of('depends', { depends: ['Menu open'] })).toBe('Depends on Menu open')

@@ -24,7 +24,7 @@ const STATUS_WORDS: Record<AuditedSound['status'], string> = {
   depends: 'Depends on the game',
 }
 
-/** What became of a sound, in words: "Louder", "Softer", "Missing in the build"; "as approved" only where it is sure. */
+/** What happened to a sound, in words: "Louder", "Softer", "Missing in the build"; "as approved" only where it is sure. */
 export function whatOf({
   status,
   played_status,

@@ -303,7 +303,7 @@ describe('the designer of a contract that was sent', () => {
     expect(screen.queryByText(/here already/)).not.toBeInTheDocument()
   })
 
-  test('sees what became of each change, and can propose again', async () => {
+  test('sees what happened to each change, and can propose again', async () => {
     const countered = given('countered', {
       wording: { title: 'Rounds', text: 'Three.', terms: {} },
       comment: 'Half way.',

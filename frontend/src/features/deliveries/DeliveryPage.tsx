@@ -14,7 +14,7 @@ import { type Archive, type DeliveryDetail, deliveryQuery, type Take } from './a
 import classes from './Deliveries.module.css'
 import { countsOf, daysOf, filesOf, standOf, versionOf } from './words'
 
-/** One delivery, open or closed: who sent it and when, and what became of every file. */
+/** One delivery, open or closed: who sent it and when, and what happened to every file. */
 export function DeliveryPage() {
   const { deliveryId } = useParams({ from: '/shell/deliveries/$deliveryId' })
   const { data: delivery, error } = useQuery(deliveryQuery(deliveryId))

@@ -78,7 +78,7 @@ const open = (path: string, more: Answers = {}, part: 'producer' | 'designer' = 
   return openApp(path)
 }
 
-test('a closed delivery says what became of each file', async () => {
+test('a closed delivery says what happened to each file', async () => {
   open('/deliveries/d4')
   expect(await screen.findByRole('heading', { name: 'Delivery 4' })).toBeVisible()
   expect(screen.getByText('“the shields, second try”')).toBeVisible()

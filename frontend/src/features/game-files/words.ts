@@ -29,7 +29,7 @@ export function roomOf({ memory_bytes, over_bytes }: Memory): string {
 
 const done = ({ made, kept, refused, left }: Batch): number => made + kept + refused + left
 
-/** What became of a batch so far. */
+/** What happened to a batch so far. */
 export function progressOf(batch: Batch): string {
   if (batch.state === 'planning') return 'being planned'
   const parts = [

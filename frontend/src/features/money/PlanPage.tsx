@@ -32,7 +32,7 @@ import { ProposePlan } from './ProposePlan'
 
 const SETTLED_MS = 300 // after the last key, the plan is looked at
 
-/** The plan of a draft: milestones with dates and amounts, which cues they cover, and what is unwise about it. */
+/** The plan of a draft: milestones with dates and amounts, which cues they cover, and the warnings about it. */
 export function PlanPage() {
   const { projectId, contractId } = useParams({ from: '/shell/projects/$projectId/contracts/$contractId/plan' })
   const { data: contract, error } = useQuery(contractQuery(contractId))

@@ -196,7 +196,7 @@ describe('the plan of a draft', () => {
       })
   })
 
-  test('begins empty, says what is unwise while it is typed, and is saved in minor units', async () => {
+  test('begins empty, shows warnings while it is typed, and is saved in minor units', async () => {
     server.on(SAVE, { contract_id: 'effects', currency: 'USD', milestones: [], advice: [] })
     await opened()
     expect(screen.getByRole('heading', { name: 'No milestones yet' })).toBeVisible()

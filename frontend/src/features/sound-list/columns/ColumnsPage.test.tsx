@@ -52,7 +52,7 @@ test('a column is added with its choices, moved, and saved as one', async () => 
   ])
 })
 
-test('values under a name without a column make one, and a removed column says what becomes of its values', async () => {
+test('values under a name without a column make one, and a removed column says what happens to its values', async () => {
   const { put } = await opened()
   await userEvent.click(await screen.findByRole('button', { name: 'Scene (2 cues)' }))
   await userEvent.click(screen.getByRole('button', { name: 'Remove Mood' }))

@@ -55,7 +55,7 @@ const type = async (text: string) => {
   await userEvent.paste(text)
 }
 
-test('a dry run says what becomes of every row; then it is imported', async () => {
+test('a dry run says what happens to every row; then it is imported', async () => {
   const { server, app, sent } = opened(({ body }: Asked) => ({
     ...PLAN,
     imported: !(body as { dry_run: boolean }).dry_run,

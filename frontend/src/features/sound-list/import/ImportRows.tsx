@@ -21,7 +21,7 @@ interface SheetRow {
 
 const rowPx = () => 28
 
-/** Rows of the sheet in their order, each with what becomes of it and what is wrong with it. */
+/** Rows of the sheet in their order, each with what happens to it and what is wrong with it. */
 function sheetRows(read: ImportRead): SheetRow[] {
   const rows = new Map<number, SheetRow>(read.rows.map((each) => [each.row, { row: each.row, read: each, faults: [] }]))
   for (const fault of read.errors) {
