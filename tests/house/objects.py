@@ -8,28 +8,18 @@ from uuid import UUID
 from fastapi.testclient import TestClient
 from sqlalchemy.orm import Session
 
-from app.accounts.authentication import new_secret, sha256_of
-from app.accounts.desk_tokens import create_desk_token
+from app.accounts.authentication import new_secret
 from app.accounts.models import (
-    EmailVerification,
     Operator,
-    PasswordReset,
     Person,
     PersonPicture,
-    SignIn,
-    SignUp,
-    StudioInvitation,
     Token,
 )
 from app.accounts.passwords import hash_of
 from app.accounts.queries import actor_for_person
-from app.accounts.rules import Actor, Role, Scope
+from app.accounts.rules import Scope
 from app.accounts.service import add_token
-from app.agreements.clauses import Clause
-from app.agreements.documents import sha256_of as text_sha256_of
-from app.agreements.models import Contract, ContractCue, ContractTemplate, ContractVersion, Milestone
-from app.agreements.rules import ContractKind, ContractState, Party
-from app.amendments.models import ChangeOrder
+from app.agreements.rules import ContractKind
 from app.briefs.models import Brief, BriefVersion, FollowUp
 from app.builds.models import Build, SealedPack
 from app.builds.rules import PackState
@@ -41,13 +31,9 @@ from app.kit import clock
 from app.kit.db import new_id
 from app.kit.queue import queue_of
 from app.kit.uploads import Upload, Uploads
-from app.money.models import CalendarLink, ExtraRound, Invoice, InvoiceLine, LedgerLine, Payment, WorkedDay
-from app.money.rules import LineKind
 from app.notifications.models import Mail
-from app.notifications.preference_rules import News
-from app.notifications.preferences import link_token
-from app.projects.models import CreditLine, Deputy, Engagement, Project, ProjectInvitation
-from app.projects.queries import any_engagement_of, current_spec
+from app.projects.models import CreditLine, Deputy, Engagement, Project
+from app.projects.queries import current_spec
 from app.projects.rules import EngagementKind
 from app.projects.service import create_project
 from app.renders.models import Batch, MasterExport, Picture, Reel, Render, RenderSet
@@ -55,7 +41,9 @@ from app.renders.rules import RenderState
 from app.reviews.models import ChangeRequest, ChecklistItem, Comment
 from app.sound_lists.models import Cue, Question, SpokenPlaceholder, Stem
 from tests.house.audit_objects import add_audit
+from tests.house.contract_objects import add_contract
 from tests.house.library_objects import add_library
+from tests.house.link_objects import add_links
 from tests.house.posting_objects import add_posting
 from tests.house.reference_objects import add_reference
 from tests.house.reports import report, report_file
@@ -77,7 +65,9 @@ class House(World):
     def __init__(self, server: RunningServer) -> None:
         super().__init__(server)
         store = server.runtime.store
-        self.sha256 = store.put(self.studio_id, [FILE]).sha256
+        self.sha256, self.file_bytes = store.put(self.studio_id, [FILE]).sha256, len(FILE)
+        self.links: dict[str, str] = {}
+        self.desk_secret = ""
         with server.runtime.database.writing() as session:
             self.rival_id = self._person(session, "A second sound designer")
             session.get_one(Person, self.designer_id).password_hash = _password_hash()
@@ -242,12 +232,12 @@ class House(World):
         version = BriefVersion(**of, number=1, answers=answers, published_by=self.producer_id)
         session.add_all([follow_up, answered, version])
         session.add_all([picture, render, draft, comment, note, build, batch, pack, reel, export, mail, run, sets])
-        self._posting_secret = new_secret()
+        posting_secret = new_secret()
         hiring = add_posting(
             session,
             studio_id=self.studio_id,
             project_id=self.project_id,
-            secret=self._posting_secret,
+            secret=posting_secret,
             made_by=self.producer_id,
             designer_id=self.designer_id,
             sample=self.finished_upload,
@@ -268,11 +258,10 @@ class House(World):
         )
         audit = add_audit(session, of, cue_id=cue.id, producer_id=self.producer_id, designer_id=self.designer_id)
         webhook = add_webhook(session, studio_id=self.studio_id, created_by=self.producer_id)
-        self._add_links(session)
+        links = add_links(session, of, self, posting_secret)
         shares = add_shares(session, of, take.id, self)
         library = add_library(session, of, take_id=take.id, person_id=self.designer_id)
-        money = self._add_money(session, cue)
-        template = self._add_text(session, money["contract_id"])
+        contract = add_contract(session, of, cue.id, self)
         token = self._token(session, self.project_id, list(Scope))
         session.flush()
         self.ids: dict[str, Any] = {
@@ -304,17 +293,13 @@ class House(World):
             "batch_id": batch.id,
             "pack_id": pack.id,
             "mail_id": mail.id,
-            "template_id": template.id,
             "redline_number": 1,
             "kind": ContractKind.SINGLE.value,
             "engagement_id": engagement.id,
-            "invitation_id": self._invitation_id,
-            "studio_invitation_id": self._studio_invitation_id,
-            "sign_in_id": self._sign_in_id,
-            "desk_token_id": self._desk_token_id,
             "token_id": token[0].id,
             "job_id": str(new_id()),
-            **money,
+            **contract,
+            **links,
             **hiring,
             **references,
             **audit,
@@ -333,192 +318,6 @@ class House(World):
             studio_id=self.studio_id,
             delay_s=TOMORROW.total_seconds(),
         )
-
-    def _add_money(self, session: Session, cue: Cue) -> dict[str, UUID | int]:
-        """Add a contract that both agreed to, with an invoice that was paid in part."""
-        engagement = any_engagement_of(session, self.project_id, self.designer_id)
-        assert engagement is not None
-        of = {"studio_id": self.studio_id, "project_id": self.project_id}
-        contract = Contract(
-            **of,
-            engagement_id=engagement.id,
-            designer_id=self.designer_id,
-            number=1,
-            title="Effects",
-            kind=ContractKind.SINGLE,
-            state=ContractState.AGREED,
-            agreed_at=clock.now(),
-            currency="USD",
-            created_by=self.producer_id,
-        )
-        session.add(contract)
-        session.flush()
-        of_it = {**of, "contract_id": contract.id}
-        milestone = Milestone(**of_it, position=1, name="Alpha", amount_minor=18_000)
-        session.add(milestone)
-        session.flush()
-        covered = ContractCue(**of_it, milestone_id=milestone.id, cue_id=cue.id, position=1, amount_minor=18_000)
-        extra = ExtraRound(**of_it, cue_id=cue.id, number=3, proposed_by=self.approver_id)
-        invoice = Invoice(
-            **of_it,
-            designer_id=self.designer_id,
-            number=1,
-            full_number="PRJ-001",
-            issued_on=clock.now().date(),
-            due_on=clock.now().date(),
-            seller="Sound designer",
-            buyer="Studio",
-            issued_by=self.designer_id,
-        )
-        session.add_all([covered, extra, invoice])
-        session.flush()
-        payment = Payment(
-            **of_it,
-            invoice_id=invoice.id,
-            amount_minor=9_000,
-            reference="T-1",
-            paid_on=clock.now().date(),
-            recorded_by=self.producer_id,
-        )
-        session.add(payment)
-        session.flush()
-        due = LedgerLine(
-            **of_it,
-            kind=LineKind.ACCEPTED,
-            amount_minor=18_000,
-            clause="acceptance",
-            cue_id=cue.id,
-            milestone_id=milestone.id,
-            person_id=self.approver_id,
-        )
-        session.add(due)
-        session.flush()
-        paid = LedgerLine(
-            **of_it,
-            kind=LineKind.PAID,
-            amount_minor=9_000,
-            clause="payment",
-            cue_id=cue.id,
-            milestone_id=milestone.id,
-            about_id=due.id,
-            payment_id=payment.id,
-            person_id=self.producer_id,
-        )
-        worked = WorkedDay(
-            **of_it,
-            milestone_id=milestone.id,
-            worked_on=clock.now().date(),
-            quarters=4,
-            note="",
-            logged_by=self.designer_id,
-        )
-        session.add(worked)
-        text = "# Change order 1 to Effects"
-        order = ChangeOrder(
-            **of_it,
-            number=1,
-            party=Party.DESIGNER,
-            proposed_by=self.designer_id,
-            reason="The level grew",
-            begins_at_once=False,
-            changes=[{"kind": "cut_cue", "cue_id": str(cue.id)}],
-            text=text,
-            text_sha256=text_sha256_of(text),
-        )
-        session.add(order)
-        session.add_all([paid, InvoiceLine(**of, ledger_line_id=due.id, invoice_id=invoice.id, text="Shield hit")])
-        session.flush()
-        return {
-            "contract_id": contract.id,
-            "extra_round_id": extra.id,
-            "invoice_id": invoice.id,
-            "payment_id": payment.id,
-            "milestone_id": milestone.id,
-            "worked_day_id": worked.id,
-            "change_order_number": order.number,
-        }
-
-    def _add_text(self, session: Session, contract_id: UUID) -> ContractTemplate:
-        """Add the text that both agreed to, and the template that it began from."""
-        clauses = [Clause("parties", "Parties", "Between {studio} and {designer}.").as_row()]
-        version = ContractVersion(
-            studio_id=self.studio_id,
-            project_id=self.project_id,
-            contract_id=contract_id,
-            number=1,
-            clauses=clauses,
-            terms={},
-            text="# Effects\n",
-            text_sha256="0" * 64,
-            created_by=self.producer_id,
-            sent_at=clock.now(),
-            pdf_sha256=self.sha256,
-            pdf_bytes=len(FILE),
-        )
-        template = ContractTemplate(
-            studio_id=self.studio_id,
-            name="Effects",
-            kind=ContractKind.SINGLE,
-            clauses=clauses,
-            terms={},
-            created_by=self.producer_id,
-        )
-        session.add_all([version, template])
-        session.flush()
-        return template
-
-    def _add_links(self, session: Session) -> None:
-        self.links = {"invitations": new_secret(), "studio-invitations": new_secret(), "password-resets": new_secret()}
-        self.links["posting-links"] = self._posting_secret
-        self.links |= {kind: new_secret() for kind in ("calendars", "sign-ups", "email-verifications")}
-        secret_key = self.server.runtime.settings.secret_key.get_secret_value()
-        self.links["mail-choices"] = link_token(secret_key, self.designer_id, News.TALK)
-        expires_at = clock.now() + TOMORROW
-        session.add(
-            CalendarLink(
-                studio_id=self.studio_id,
-                project_id=self.project_id,
-                person_id=self.designer_id,
-                secret_sha256=sha256_of(self.links["calendars"]),
-            )
-        )
-        invitation = ProjectInvitation(
-            studio_id=self.studio_id,
-            project_id=self.project_id,
-            email=f"{new_id()}@example.test",
-            kind=EngagementKind.CONTRACT,
-            secret_sha256=sha256_of(self.links["invitations"]),
-            invited_by=self.producer_id,
-            expires_at=expires_at,
-        )
-        studio_invitation = StudioInvitation(
-            studio_id=self.studio_id,
-            email=f"{new_id()}@example.test",
-            roles=[Role.REVIEWER],
-            secret_sha256=sha256_of(self.links["studio-invitations"]),
-            invited_by=self.producer_id,
-            expires_at=expires_at,
-        )
-        reset = PasswordReset(
-            person_id=self.reviewer_id,
-            secret_sha256=sha256_of(self.links["password-resets"]),
-            expires_at=expires_at,
-        )
-        verification = EmailVerification(
-            person_id=self.designer_id,
-            secret_sha256=sha256_of(self.links["email-verifications"]),
-            expires_at=expires_at,
-        )
-        sign_up = SignUp(
-            email=f"{new_id()}@example.test", secret_sha256=sha256_of(self.links["sign-ups"]), expires_at=expires_at
-        )
-        signed_in = SignIn(person_id=self.designer_id, secret_sha256=sha256_of(new_secret()), expires_at=expires_at)
-        session.add_all([invitation, studio_invitation, reset, verification, sign_up, signed_in])
-        session.flush()
-        self._sign_in_id = signed_in.id
-        desk_token, self.desk_secret = create_desk_token(session, Actor(person_id=self.designer_id), "Laptop")
-        self._desk_token_id = desk_token.id
-        self._invitation_id, self._studio_invitation_id = invitation.id, studio_invitation.id
 
     def _add_outsiders(self, session: Session) -> None:
         """Make the tokens: of another studio's project, and of this one with every scope or with one."""

@@ -1,0 +1,86 @@
+"""Links of mails and calendars, a sign-in and a desk token, as part of one of everything."""
+
+from datetime import timedelta
+from typing import TYPE_CHECKING
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.authentication import new_secret, sha256_of
+from app.accounts.desk_tokens import create_desk_token
+from app.accounts.models import (
+    EmailVerification,
+    PasswordReset,
+    SignIn,
+    SignUp,
+    StudioInvitation,
+)
+from app.accounts.rules import Actor, Role
+from app.kit import clock
+from app.kit.db import new_id
+from app.money.models import CalendarLink
+from app.notifications.preference_rules import News
+from app.notifications.preferences import link_token
+from app.projects.models import ProjectInvitation
+from app.projects.rules import EngagementKind
+
+if TYPE_CHECKING:
+    from tests.house.objects import House
+
+TOMORROW = timedelta(days=1)
+
+
+def add_links(session: Session, of: dict[str, UUID], house: "House", posting_secret: str) -> dict[str, UUID]:
+    """Add what mails and calendars link to; note the secrets in the house's links, and return ids by path names."""
+    house.links |= {"invitations": new_secret(), "studio-invitations": new_secret(), "password-resets": new_secret()}
+    house.links["posting-links"] = posting_secret
+    house.links |= {kind: new_secret() for kind in ("calendars", "sign-ups", "email-verifications")}
+    secret_key = house.server.runtime.settings.secret_key.get_secret_value()
+    house.links["mail-choices"] = link_token(secret_key, house.designer_id, News.TALK)
+    expires_at = clock.now() + TOMORROW
+    session.add(
+        CalendarLink(
+            **of,
+            person_id=house.designer_id,
+            secret_sha256=sha256_of(house.links["calendars"]),
+        )
+    )
+    invitation = ProjectInvitation(
+        **of,
+        email=f"{new_id()}@example.test",
+        kind=EngagementKind.CONTRACT,
+        secret_sha256=sha256_of(house.links["invitations"]),
+        invited_by=house.producer_id,
+        expires_at=expires_at,
+    )
+    studio_invitation = StudioInvitation(
+        studio_id=house.studio_id,
+        email=f"{new_id()}@example.test",
+        roles=[Role.REVIEWER],
+        secret_sha256=sha256_of(house.links["studio-invitations"]),
+        invited_by=house.producer_id,
+        expires_at=expires_at,
+    )
+    reset = PasswordReset(
+        person_id=house.reviewer_id,
+        secret_sha256=sha256_of(house.links["password-resets"]),
+        expires_at=expires_at,
+    )
+    verification = EmailVerification(
+        person_id=house.designer_id,
+        secret_sha256=sha256_of(house.links["email-verifications"]),
+        expires_at=expires_at,
+    )
+    sign_up = SignUp(
+        email=f"{new_id()}@example.test", secret_sha256=sha256_of(house.links["sign-ups"]), expires_at=expires_at
+    )
+    signed_in = SignIn(person_id=house.designer_id, secret_sha256=sha256_of(new_secret()), expires_at=expires_at)
+    session.add_all([invitation, studio_invitation, reset, verification, sign_up, signed_in])
+    session.flush()
+    desk_token, house.desk_secret = create_desk_token(session, Actor(person_id=house.designer_id), "Laptop")
+    return {
+        "invitation_id": invitation.id,
+        "studio_invitation_id": studio_invitation.id,
+        "sign_in_id": signed_in.id,
+        "desk_token_id": desk_token.id,
+    }
