@@ -279,11 +279,11 @@ def _unknown_names() -> list[str]:
     for name in sorted(os.environ.keys() - NOT_SETTINGS):
         bare = name.removeprefix(PREFIX)
         if name in GONE:
-            lines.append(f"{name} is no setting any more; {GONE[name]}")
+            lines.append(f"{name} is no longer a setting; {GONE[name]}")
         elif bare != name and bare not in known:
             near = difflib.get_close_matches(bare, known, n=1, cutoff=0.7)
             hint = f"is it {PREFIX}{near[0]}?" if near else "docs/settings.md lists them"
-            lines.append(f"{name} is no setting; {hint}")
+            lines.append(f"{name} is not a setting; {hint}")
     return lines
 
 

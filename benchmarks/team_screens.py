@@ -89,7 +89,7 @@ def _add_people(bulk: Bulk, team: Team) -> list[Any]:
     for at in range(TEAM_SIZE):
         person_id = new_id()
         bulk.add(Person, id=person_id, email=f"{person_id}@team.example", name=f"Person {at}")
-        if at >= BIDS:  # those who bid are no members
+        if at >= BIDS:  # those who bid are not members
             bulk.add(Membership, studio_id=team.studio_id, person_id=person_id, roles=[Role.REVIEWER])
         people.append(person_id)
     return people

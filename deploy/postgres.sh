@@ -1,5 +1,5 @@
 #!/bin/sh
-# Run by the postgres image, once, where its volume is empty: Soundlist's login owns its database and is no superuser.
+# Run by the postgres image, once, where its volume is empty: Soundlist's login owns its database and is not a superuser.
 # The superuser keeps no password, so a login as superuser over the network is impossible.
 set -eu
 psql --no-psqlrc --quiet --set ON_ERROR_STOP=1 --set password="$POSTGRES_PASSWORD" \

@@ -148,7 +148,7 @@ class BadInvoiceDetails(Invalid):
 
 
 class BadAddress(Invalid):
-    """The given text is no email address."""
+    """The given text is not an email address."""
 
 
 class NameNeeded(Invalid):
@@ -170,7 +170,7 @@ class StorageQuotaReached(Refused):
 
 
 class PictureRefused(Invalid):
-    """What was sent is no picture that can be shown beside a name."""
+    """What was sent is not a picture that can be shown beside a name."""
 
 
 class PictureNotFound(NotFound):

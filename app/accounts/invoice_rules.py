@@ -63,7 +63,10 @@ def normalised_account(text: str) -> str:
 def faults_of_details(details: PartyDetails) -> Iterator[tuple[str, str]]:
     """Yield what is wrong with details that were filled in: the field, and the fault in words."""
     if details.country_code and details.country_code not in COUNTRY_CODES:
-        yield "country_code", f"{details.country_code} is no country code; wanted two letters of ISO 3166, such as DE"
+        yield (
+            "country_code",
+            f"{details.country_code} is not a country code; wanted two letters of ISO 3166, such as DE",
+        )
     if details.vat_id:
         found = VAT_ID.fullmatch(details.vat_id)
         if found is None or found[1] not in {*COUNTRY_CODES, GREEK_VAT_PREFIX, "XI"}:

@@ -27,7 +27,7 @@ def remove_operator(session: Session, address: str) -> Person:
     person = _person(session, address)
     operator = session.get(Operator, person.id)
     if operator is None:
-        raise OperatorNotFound(f"{person.email} is no operator", fix="soundlist operators list names those who are")
+        raise OperatorNotFound(f"{person.email} is not an operator", fix="soundlist operators list names those who are")
     session.delete(operator)
     return person
 

@@ -222,7 +222,7 @@ def faults_of(clauses: Sequence[Clause], terms: Mapping[str, Any]) -> Iterator[t
 def faults_of_clause(clause: Clause, terms: Mapping[str, Any]) -> Iterator[str]:
     """Yield what is wrong with one clause, in words."""
     if not KEY.fullmatch(clause.key):
-        yield f'"{clause.key}" is no key; wanted a small letter, then small letters, digits and _'
+        yield f'"{clause.key}" is not a key; wanted a small letter, then small letters, digits and _'
     if not clause.title.strip():
         yield "enter a title for the clause"
     if len(clause.title) > MAX_TITLE_CHARS:
@@ -244,7 +244,7 @@ def _nearest(name: str, known: Collection[str]) -> str:
 def faults_of_term(name: str, value: Any) -> Iterator[str]:
     """Yield what is wrong with the value of a term, in words."""
     if not KEY.fullmatch(name) or name in FACTS:
-        yield f'"{name}" is no name for a term; wanted small letters, digits and _, and none of the server\'s own'
+        yield f'"{name}" is not a name for a term; wanted small letters, digits and _, and none of the server\'s own'
         return
     known = known_terms().get(name)
     is_number = isinstance(value, int) and not isinstance(value, bool)
@@ -265,7 +265,7 @@ def faults_of_term(name: str, value: Any) -> Iterator[str]:
     elif isinstance(value, str) and len(value) > MAX_TERM_CHARS:
         yield f"{len(value)} characters; at most {MAX_TERM_CHARS} are kept"
     elif value and known and name.endswith("_on") and day_of_term(value) is None:
-        yield f'"{value}" is no day; wanted it as in 2027-12-31'
+        yield f'"{value}" is not a day; wanted it as in 2027-12-31'
 
 
 def day_of_term(value: Any) -> date | None:

@@ -72,7 +72,7 @@ class NoSigningCode(Conflict):
 
 
 class BadHead(Invalid):
-    """A file is no signed head of a record, or was altered since."""
+    """A file is not a signed head of a record, or was altered since."""
 
 
 class BadPdf(Invalid):
@@ -124,7 +124,7 @@ class BadDraft(Invalid):
 
 
 class BadTemplate(Invalid):
-    """What was sent is no template; says where and why."""
+    """What was sent is not a template; says where and why."""
 
 
 class TooLongToCompare(Invalid):
@@ -136,7 +136,7 @@ class BadRedlines(Invalid):
 
 
 class BadWordFile(Invalid):
-    """A file is no Word document, is damaged, or has more in it than is read."""
+    """A file is not a Word document, is damaged, or has more in it than is read."""
 
 
 class OtherContractsFile(Invalid):

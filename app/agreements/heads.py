@@ -61,11 +61,11 @@ def read_head(text: str) -> dict[str, Any]:
         if facts["format"] != FORMAT:
             raise BadHead(f"its format is {facts['format']!r}; this version reads format {FORMAT}")
         if not isinstance(facts["length"], int):
-            raise BadHead("its length is no number")
+            raise BadHead("its length is not a number")
         signature = base64.b64decode(said["signature"], validate=True)
         Ed25519PublicKey.from_public_bytes(bytes.fromhex(facts["key"])).verify(signature, canonical(facts).encode())
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise BadHead(f"it is no signed head of a record ({error})") from None
+        raise BadHead(f"it is not a signed head of a record ({error})") from None
     except InvalidSignature:
         raise BadHead("it was altered: its signature is of other words") from None
     return facts

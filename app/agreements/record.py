@@ -27,7 +27,7 @@ HOW = (
 
 
 class NoRecord(Exception):
-    """A file is no record that was taken from a contract, or was altered since."""
+    """A file is not a record that was taken from a contract, or was altered since."""
 
 
 def append(
@@ -134,7 +134,7 @@ def read_document(text: str) -> tuple[UUID, list[Entry]]:
         entries = [Entry(of=str(UUID(said["contract"])), **entry) for entry in said["entries"]]
         ends = said["length"], said["sha256"]
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise NoRecord(f"it is no record that was taken from a contract ({error})") from None
+        raise NoRecord(f"it is not a record that was taken from a contract ({error})") from None
     if found := list(faults(entries, of=said["contract"], length=ends[0], last_sha256=ends[1])):
         raise NoRecord(f"the file itself was altered: {found[0]}")
     return UUID(said["contract"]), entries

@@ -103,7 +103,7 @@ class Turn:
 
 
 def ensure_signers_fit(person_ids: Sequence[UUID], producers: Collection[UUID]) -> None:
-    """Raise TooManySigners, or NotASigner for a person who is no producer of the studio, or is named twice."""
+    """Raise TooManySigners, or NotASigner for a person who is not a producer of the studio, or is named twice."""
     if len(person_ids) > MAX_SIGNERS:
         raise TooManySigners(
             f"a studio has {MAX_SIGNERS} signers at most; these are {len(person_ids)}",

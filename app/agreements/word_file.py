@@ -92,7 +92,7 @@ def parse_word_file(content_base64: str) -> PlainText:
     try:
         data = base64.b64decode(content_base64, validate=True)
     except ValueError:
-        raise BadWordFile("content_base64 is no Base64", fix="send the bytes of the file in Base64") from None
+        raise BadWordFile("content_base64 is not Base64", fix="send the bytes of the file in Base64") from None
     read = read_word_file(data)
     origin = (read.origin.contract_id, read.origin.version, read.origin.is_plain) if read.origin else None
     lines = [
@@ -120,7 +120,7 @@ def read_word_file(data: bytes) -> WordText:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             return _Package(archive).text()
     except (zipfile.BadZipFile, NotImplementedError, RuntimeError, EOFError, OSError, ValueError, zlib.error) as error:
-        raise BadWordFile(f"this is no Word document that can be read: {error}", fix=SAVE_AGAIN) from None
+        raise BadWordFile(f"this is not a Word document that can be read: {error}", fix=SAVE_AGAIN) from None
 
 
 class _Package:

@@ -93,7 +93,7 @@ class Reviewer:
         if change.kind in ("add_cue", "move_date", "add_work"):
             milestone = self.milestones.get(change.milestone_id)
             if milestone is None or milestone.is_deposit:
-                return ["there is no such milestone in this contract; name one that is no deposit"]
+                return ["there is no such milestone in this contract; name one that is not a deposit"]
             if change.kind != "add_work" and self.is_done(milestone.id):
                 return [f"{milestone.name} is complete; {self._open_milestone()}"]
         if change.kind == "move_date":

@@ -25,7 +25,7 @@ def statement_text(ending: EndingRead, studio: str) -> str:
     """Return the statement in Markdown; the same states and amounts give the same text."""
     notice = ending.notice
     if notice is None:
-        raise AssertionError("a forecast is no statement")
+        raise AssertionError("a forecast is not a statement")
 
     def amount(amount_minor: int) -> str:
         return money(amount_minor, ending.currency)

@@ -63,7 +63,7 @@ class _Draft:
         return found
 
     def put(self, question: str, place: Sequence[str], value: Any) -> None:
-        """Write a value, or remove what is there for None; what is equal is no change."""
+        """Write a value, or remove what is there for None; what is equal is not a change."""
         before = self.at(*place)
         if before == value:
             return

@@ -113,7 +113,7 @@ def ensure_amount(said: HeardAs, amount_db: float | None) -> None:
 
 
 def has_drifted(status: AuditStatus, played_status: AuditStatus) -> bool:
-    """Whether file or level are not as approved; a level that the game's state changes is no drift."""
+    """Whether file or level are not as approved; a level that the game's state changes is not drift."""
     return status not in NO_DRIFT or played_status not in NO_DRIFT
 
 

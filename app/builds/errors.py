@@ -26,7 +26,7 @@ class BlobDamaged(Refused):
 
 
 class ReportInvalid(Invalid):
-    """The body is no report of audio-checks."""
+    """The body is not a report of audio-checks."""
 
 
 class PackNotFound(NotFound):
@@ -68,7 +68,7 @@ class AcceptedDriftNotFound(NotFound):
 
 
 class BadLibrarySheet(Invalid):
-    """A file is no sheet of fingerprints."""
+    """A file is not a sheet of fingerprints."""
 
 
 class LibraryFull(Conflict):

@@ -16,7 +16,9 @@ def parse_library_sheet(content_base64: str) -> list[tuple[str, str, int, bytes,
     try:
         text = base64.b64decode(content_base64, validate=True).decode("utf-8-sig")
     except ValueError:
-        raise BadLibrarySheet("the file is no text in UTF-8, so it is no sheet of fingerprints", fix=WRITE_IT) from None
+        raise BadLibrarySheet(
+            "the file is not text in UTF-8, so it is not a sheet of fingerprints", fix=WRITE_IT
+        ) from None
     try:
         sounds = sounds_of_manifest(text)
     except SpecError as error:

@@ -138,7 +138,7 @@ def _ensure_recording(session: Session, actor: Actor, current: ListeningPass, mo
     if version.project_id != current.project_id:
         raise ReferenceNotFound(f"no version {moment.reference_version_id} of a reference")
     if version.kind not in (ReferenceKind.VIDEO, ReferenceKind.AUDIO):
-        raise ListeningNoteInvalid(f"{version.file_name} is no recording; name a clip or a sound")
+        raise ListeningNoteInvalid(f"{version.file_name} is not a recording; name a clip or a sound")
 
 
 def undo_note(session: Session, actor: Actor, listening_note_id: UUID) -> None:

@@ -83,7 +83,7 @@ class PackedFile(Base):
     kind: Mapped[FileKind]
     sha256: Mapped[str]
     size_bytes: Mapped[int] = mapped_column(BigInteger)
-    pcm_sha256: Mapped[str | None]  # None: it is no game file
+    pcm_sha256: Mapped[str | None]  # None: it is not a game file
     render_id: Mapped[UUID | None] = mapped_column(ForeignKey("renders_renders.id"))
 
 

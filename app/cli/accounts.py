@@ -86,7 +86,7 @@ def add_operator(address: Annotated[str, typer.Argument(help="The verified addre
 @operators_cli.command("remove")
 def remove_operator(address: Annotated[str, typer.Argument(help="The address of an operator.")]) -> None:
     """Remove a person's operator rights."""
-    _change_account("remove_operator", address, "is no operator any more")
+    _change_account("remove_operator", address, "is no longer an operator")
 
 
 def _change_account(change: str, address: str, done: str) -> None:

@@ -33,7 +33,7 @@ def adopt(options: argparse.Namespace) -> int:
     if named.is_dir():
         return _adopt(named.resolve(), named.resolve(), options)
     if not zipfile.is_zipfile(named):
-        raise Refusal(f"{named} is no folder and no ZIP; name the one that holds the game's sounds")
+        raise Refusal(f"{named} is neither a folder nor a ZIP; name the one that holds the game's sounds")
     with unpacked(named, SOUNDS, MAX_FILES) as root:
         return _adopt(root, named.resolve().parent, options)
 

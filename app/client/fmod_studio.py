@@ -26,7 +26,7 @@ BLOCK_BYTES = 1 << 16
 SCRIPT, DOCUMENT = "Scripts/soundlist_import.js", "soundlist-handoff.json"
 ENABLE = "in Preferences, Interface, switch the script server on, restart FMOD Studio and open the project"
 # Runs the pack's script with a menu of ours and without dialogs, which would wait for a person. The mark is put
-# together there, so that a line which is only echoed is no answer.
+# together there, so that a line which is only echoed is not an answer.
 LINE = (
     "(function(){var items=[],texts=[],said={project:studio.project.filePath};"
     "if(said.project.replace(/\\\\/g,'/').toLowerCase()===PROJECT.toLowerCase()){try{"

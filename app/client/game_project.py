@@ -51,7 +51,7 @@ def _project_at(place: Path) -> Path:
         return found[0]
     known = place.suffix in (".wproj", ".fspro", ".json") or place.name == "project.godot"
     if not (place.is_dir() or (known and place.is_file())):
-        raise Refusal(f"{place} is no project that is known; {WANTED}")
+        raise Refusal(f"{place} is not a project that is known; {WANTED}")
     return place
 
 

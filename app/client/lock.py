@@ -92,7 +92,7 @@ def parse(text: str, path: Path) -> Lock:
             continue
         entry = _entry(fields)
         if entry is None:
-            raise _damaged(path, number, "is no path, sha256, cue, take and sound, separated by tabs")
+            raise _damaged(path, number, "is not a path, sha256, cue, take and sound, separated by tabs")
         if entry.path in entries:
             raise _damaged(path, number, f"names {entry.path} a second time")
         try:

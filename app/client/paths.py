@@ -27,7 +27,7 @@ LFS_POINTER_BYTES = 1_024
 def ensure_harmless(path: str) -> str:
     """Return a path of a game file; raise Refusal for one that could lead out of the folder, or to no plain file."""
     if reason := _why_harmful(path):
-        raise Refusal(f"{path!r} is no path for a game file: {reason}; nothing was written")
+        raise Refusal(f"{path!r} is not a path for a game file: {reason}; nothing was written")
     return path
 
 
@@ -39,7 +39,7 @@ def _why_harmful(path: str) -> str | None:
         if part in ("", ".", ".."):
             return "it is absolute, or has an empty part, . or .."
         if len(os.fsencode(part)) > MAX_PART_BYTES if _is_encodable(part) else True:
-            return "a part is too long for a file system, or is no text"
+            return "a part is too long for a file system, or is not text"
         if FORBIDDEN & set(part) or any(unicodedata.category(sign).startswith("C") for sign in part):
             return "it has a character that some system takes for something else"
         if part[-1] in ". " or part[0] == " ":

@@ -102,7 +102,7 @@ class Plan:
 
 
 def listing_of(said: Any) -> Listing:
-    """Return what the server answered; raise Refusal for anything that is no list of game files."""
+    """Return what the server answered; raise Refusal for anything that is not a list of game files."""
     try:
         files = [_wanted(one) for one in said["files"]]
         listing = Listing(

@@ -161,7 +161,7 @@ class RangeRefused(Refusal):
 
 
 def _problem(error: urllib.error.HTTPError) -> str:
-    """Return what the server says of a refusal, in one sentence; empty where it is no answer of Soundlist."""
+    """Return what the server says of a refusal, in one sentence; empty where it is not an answer of Soundlist."""
     try:
         said = json.loads(error.read(1 << 20))
         detail, fix = str(said["detail"]), said.get("fix")

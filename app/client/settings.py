@@ -44,7 +44,7 @@ def read_source(
             'with the lines server = "https://..." and project = "..."'
         )
     if not PROJECT_ID.fullmatch(project):
-        raise Refusal(f'"{project}" is no id of a project; the page Packs has the command with it')
+        raise Refusal(f'"{project}" is not an id of a project; the page Packs has the command with it')
     token = os.environ.get(TOKEN, "").strip()
     if not token:
         raise Refusal(f"{TOKEN} is not set; a producer creates a token on the project's page Builds")
@@ -91,7 +91,7 @@ def _read(path: Path) -> dict[str, str]:
 def ensure_token(token: str, named: str) -> None:
     """Raise Refusal for what cannot be a token; it is not printed."""
     if not token.isascii() or not token.isprintable() or " " in token:
-        raise Refusal(f"{named} is no token: it has a space or a character that no token has")
+        raise Refusal(f"{named} is not a token: it has a space or a character that no token has")
 
 
 def safe_address(address: str, *, allow_http: bool) -> str:
@@ -102,7 +102,7 @@ def safe_address(address: str, *, allow_http: bool) -> str:
     except ValueError:
         host, port = "", None
     if not host or parts.scheme not in ("https", "http") or parts.query or parts.fragment or parts.username:
-        raise Refusal(f'"{address}" is no address of a server; it looks like https://sounds.example')
+        raise Refusal(f'"{address}" is not an address of a server; it looks like https://sounds.example')
     if parts.scheme == "http" and not allow_http and not is_loopback(host):
         raise Refusal(f"{address}: the token would cross the network unencrypted; use https, or give --allow-http")
     shown_host = f"[{host}]" if ":" in host else host

@@ -8,7 +8,7 @@ from statistics import median
 
 LATELY = timedelta(days=28)
 MANY_ROUNDS = 3  # so many for one cue are too many
-FEW = 3  # fewer are no figure
+FEW = 3  # fewer make no figure
 
 
 @dataclass(frozen=True)

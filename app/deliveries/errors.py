@@ -92,7 +92,7 @@ class AdoptionClosed(Conflict):
 
 
 class GameProjectUnreadable(Invalid):
-    """What was sent is no project of an engine or middleware that is read, or it is too large."""
+    """What was sent is not a project of a known engine or middleware, or it is too large."""
 
 
 class PathTwice(Invalid):

@@ -42,7 +42,7 @@ def read_sent(path: str, packed: bytes) -> str:
             )
         texts = json.loads(whole)
     except (zlib.error, ValueError, RecursionError):
-        raise GameProjectUnreadable("this is no gzip of a JSON object of texts by their paths") from None
+        raise GameProjectUnreadable("this is not a gzip-compressed JSON object of texts by their paths") from None
     if not isinstance(texts, dict) or not all(isinstance(text, str) for text in texts.values()):
         raise GameProjectUnreadable("wanted a JSON object of texts by their paths")
     try:

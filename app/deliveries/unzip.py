@@ -71,7 +71,7 @@ def opened(path: Path) -> Iterator[OpenArchive]:
         try:
             archive = zipfile.ZipFile(_Bounded(file))
         except Broken as error:
-            raise ArchiveRefused(f"this is no ZIP that can be read ({error}); pack the files again") from None
+            raise ArchiveRefused(f"this is not a ZIP that can be read ({error}); pack the files again") from None
         with archive:
             _ensure_harmless(archive.infolist(), path.stat().st_size)
             yield OpenArchive(archive)

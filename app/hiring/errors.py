@@ -92,7 +92,7 @@ class RosterInvalid(Invalid):
 
 
 class CalendarUnreadable(Invalid):
-    """The file is no readable calendar, or it is too large."""
+    """The file is not a readable calendar, or it is too large."""
 
 
 class ReelFull(Conflict):
@@ -112,4 +112,4 @@ class SampleInvalid(Invalid):
 
 
 class NoSound(Invalid):
-    """The file is no sound that browsers play."""
+    """The file is not a sound that browsers play."""

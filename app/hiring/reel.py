@@ -48,7 +48,7 @@ def add_sound(
     end = min(HEAD_BYTES, upload.size_bytes)
     found = type_of(b"".join(store.stream(entry.studio_id, upload.sha256, 0, end)) if end else b"")
     if found.kind is not ReferenceKind.AUDIO:
-        message = "this is no sound that browsers play; wanted WAV, FLAC, MP3, Ogg or M4A"
+        message = "this is not a sound that browsers play; wanted WAV, FLAC, MP3, Ogg or M4A"
         raise NoSound(message, errors=[FieldProblem(where="upload_id", message=message)])
     sound = ReelSound(
         studio_id=entry.studio_id,

@@ -125,7 +125,7 @@ def remove_entry(session: Session, actor: Actor, entry_id: UUID) -> None:
 
 
 def ensure_links(links: Sequence[Mapping[str, str]]) -> None:
-    """Raise RosterInvalid for a link that is no plain https address."""
+    """Raise RosterInvalid for a link that is not a plain https address."""
     for place, link in enumerate(links):
         try:
             host_of(link["url"])

@@ -104,7 +104,7 @@ async def _parsed(studio_id: UUID, body: RosterImportAsk, request: Request) -> S
         try:
             arguments = (parse_roster_bytes, base64.b64decode(body.content_base64, validate=True))
         except ValueError:
-            raise SheetUnreadable("content_base64 is no base64") from None
+            raise SheetUnreadable("content_base64 is not base64") from None
     parsed = await parse_request(
         request, *arguments, refusal=SheetUnreadable, permit=roster.roster_access, whose=studio_id
     )
@@ -165,7 +165,7 @@ async def _parsed_calendar(roster_entry_id: UUID, body: CalendarFile, request: R
     try:
         data = base64.b64decode(body.content_base64, validate=True)
     except ValueError:
-        raise CalendarUnreadable("content_base64 is no base64") from None
+        raise CalendarUnreadable("content_base64 is not base64") from None
     today = clock.now().date().isoformat()
     found = await parse_request(
         request,

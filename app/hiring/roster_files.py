@@ -56,7 +56,7 @@ def parse_calendar(data: bytes, today: str) -> list[Range]:
         ]
     except (ValueError, KeyError, IndexError, TypeError, AttributeError) as error:
         raise CalendarUnreadable(
-            f"this is no calendar file that can be read: {str(error)[:200]}", fix="export it as iCalendar (.ics)"
+            f"this is not a calendar file that can be read: {str(error)[:200]}", fix="export it as iCalendar (.ics)"
         ) from None
     if not calendars:
         raise CalendarUnreadable("this file holds no calendar", fix="export it as iCalendar (.ics)")

@@ -59,7 +59,7 @@ def import_roster(
     mapping: Mapping[str, RosterField],
     dry_run: bool,
 ) -> RosterImportRead:
-    """Return what a sheet would add and change, and do it where it has no errors and is no dry run."""
+    """Return what a sheet would add and change, and do it where it has no errors and is not a dry run."""
     access = roster_access(session, actor, studio_id)
     roster_queries.lock_roster(session, studio_id)
     columns = _columns(sheet, mapping)

@@ -198,7 +198,8 @@ def ensure_scores_fit(headings: Sequence[str], scores: Mapping[str, int]) -> Non
     """Raise ScoresInvalid for a score under another heading than those of the posting."""
     if unknown := [name for name in scores if name not in headings]:
         raise ScoresInvalid(
-            f"no heading {unknown[0]}", errors=[FieldProblem(where=name, message="is no heading") for name in unknown]
+            f"no heading {unknown[0]}",
+            errors=[FieldProblem(where=name, message="is not a heading") for name in unknown],
         )
 
 

@@ -43,10 +43,10 @@ def add_sample(
     try:
         content = base64.b64decode(content_base64, validate=True)
     except (ValueError, binascii.Error):
-        raise _invalid("content_base64", "this is no base64") from None
+        raise _invalid("content_base64", "this is not base64") from None
     found = type_of(content[:HEAD_BYTES])
     if found.kind is not ReferenceKind.AUDIO:
-        message = "this is no sound that browsers play; wanted WAV, FLAC, MP3, Ogg or M4A"
+        message = "this is not a sound that browsers play; wanted WAV, FLAC, MP3, Ogg or M4A"
         raise NoSound(message, errors=[FieldProblem(where="content_base64", message=message)])
     stored = store.put(posting.studio_id, [content])
     sample = Sample(

@@ -58,7 +58,7 @@ class InterceptedRoute(APIRoute):
 
     @property
     def reads_body(self) -> bool:
-        """Whether FastAPI reads the body, which is no stream then."""
+        """Whether FastAPI reads the body, which is not a stream then."""
         return self.body_field is not None
 
     def dependencies_called(self) -> Iterator[Any]:

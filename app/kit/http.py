@@ -169,7 +169,7 @@ def cursor_of(*values: str | int | UUID | None) -> str:
 
 def bad_cursor(cursor: str) -> BadCursor:
     """Return the error for an invalid cursor."""
-    return BadCursor(f"{cursor[:60]!r} is no page cursor; use the `next` of the page before")
+    return BadCursor(f"{cursor[:60]!r} is not a page cursor; use the `next` of the page before")
 
 
 def uuid_cursor(cursor: str | None) -> UUID | None:

@@ -36,7 +36,9 @@ def send(smtp_url: str, message: EmailMessage) -> None:
     """Send to the server; raise aiosmtplib.SMTPException or OSError if it does not accept the message."""
     parts = urlsplit(smtp_url)
     if parts.scheme not in ("smtp", "smtps") or not parts.hostname:
-        raise BadSmtpUrl(f"{parts.scheme}://{parts.hostname} is no SMTP server; write smtp://user:password@host:port")
+        raise BadSmtpUrl(
+            f"{parts.scheme}://{parts.hostname} is not an SMTP server; write smtp://user:password@host:port"
+        )
     asyncio.run(
         aiosmtplib.send(
             message,

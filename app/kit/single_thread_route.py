@@ -106,7 +106,7 @@ class SingleThreadRoute(InterceptedRoute):
                     await run_in_threadpool(lazy_authentication)
                 elif self.authentication is not None and not hasattr(
                     request.state, "lazy_authentication"
-                ):  # the body is no JSON
+                ):  # the body is not JSON
                     await run_in_threadpool(self.authentication.authenticate, request)
                 if isinstance(error.__cause__, Refused):  # of the body, as FastAPI passes it on
                     raise error.__cause__ from None

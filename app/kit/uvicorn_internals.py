@@ -130,7 +130,7 @@ class BoundedHttpProtocol(HttpToolsProtocol):
     def send_400_response(self, msg: str) -> None:
         """Answer invalid or oversized HTTP with a problem."""
         status, detail = self._refusal or (HTTPStatus.BAD_REQUEST, msg)
-        self._in_body = True  # what follows is not read, and is no request
+        self._in_body = True  # what follows is not read, and is not a request
         if self.cycle is None or self.cycle.response_complete:
             self._write_problem(status, detail)
         self.transport.close()

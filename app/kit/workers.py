@@ -32,7 +32,7 @@ GATHER_S = 0.2  # after a job has ended, for one look to fill half of the seats:
 FIRST_LANE = f"{queue.NOBODY}:{queue.NORMAL}"  # of jobs written before there were lanes
 Result = TypeVar("Result")
 _stopping = threading.Event()  # the worker in this process ends
-_worker: "Worker | None" = None  # the one here; its runtime is no argument of a job, since DBOS stores those
+_worker: "Worker | None" = None  # the one here; its runtime is not an argument of a job, since DBOS stores those
 log = structlog.get_logger(__name__)
 
 
@@ -257,7 +257,7 @@ def _runs_in() -> "Runtime":
 
 
 def _when_available(call: Callable[[], Result]) -> Result:
-    """Return what a call gives; while the database is away wait for it, since that is no fault of the job."""
+    """Return what a call gives; while the database is away wait for it, since that is not a fault of the job."""
     while True:
         try:
             return call()

@@ -25,7 +25,7 @@ INVOICE, CREDIT_NOTE = "380", "381"  # UNTDID 1001
 CREDIT_TRANSFER = "30"  # UNTDID 4461
 PIECE = "C62"  # UN/ECE Recommendation 20
 REVERSE_CHARGE_CODE = "VATEX-EU-AE"
-NO_TAX_ON_INTEREST = "Interest on a late payment is no price of a service, and bears no VAT."
+NO_TAX_ON_INTEREST = "Interest on a late payment is not a price of a service, and bears no VAT."
 REVERSE_CHARGE = "Reverse charge: the recipient of the service owes the tax."
 MAX_DIGITS = 2  # of amounts after the point, by the standard
 

@@ -134,7 +134,7 @@ def _billed(session: Session, contract: Contract, invoice: Invoice) -> BilledInv
 
 
 def billed_lines(session: Session, contract: Contract, invoice: Invoice, lines: Sequence[Line]) -> list[BilledLine]:
-    """Return lines of an invoice that are no tax, each with its tax category and rate."""
+    """Return lines of an invoice that are not tax, each with its tax category and rate."""
     texts = queries.invoice_texts(session, invoice.id)
     rates, default_bp = tax_rates_of(session, contract), terms_of(session, contract).invoiced_tax_bp
     billed = []

@@ -268,7 +268,7 @@ def tax_entries(lines: Sequence[Line], tax_bp_of: Mapping[UUID, int], *, default
 
 
 def rate_of(line: Line, tax_bp_of: Mapping[UUID, int], *, default_bp: int) -> int | None:
-    """Return the rate of tax on a line; None for interest, which is no price of work."""
+    """Return the rate of tax on a line; None for interest, which is not a price of work."""
     if line.kind is LineKind.LATE_INTEREST:
         return None
     return tax_bp_of.get(line.milestone_id, default_bp) if line.milestone_id else default_bp

@@ -72,7 +72,7 @@ class BadDeputy(Invalid):
 
 
 class BadSpec(Invalid):
-    """The text is no delivery spec; `errors` names the places."""
+    """The text is not a delivery spec; `errors` names the places."""
 
 
 class CreditLineNotFound(NotFound):

@@ -275,7 +275,7 @@ def save_spec(
 ) -> Spec:
     """Add a version to the spec, and have the affected takes checked again.
 
-    Raises BadSpec for what is no spec, SpecChanged when the newest version is not the one that was edited.
+    Raises BadSpec for what is not a spec, SpecChanged when the newest version is not the one that was edited.
     """
     access = project_access(session, actor, project_id)
     access.ensure_may_speak()

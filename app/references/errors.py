@@ -16,4 +16,4 @@ class ReferenceUnopened(Conflict):
 
 
 class NoPreview(NotFound):
-    """No preview is drawn of this version: it is no picture, not drawn yet, or one that could not be drawn."""
+    """No preview is drawn of this version: it is not a picture, not drawn yet, or one that could not be drawn."""

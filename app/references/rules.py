@@ -30,7 +30,7 @@ class ReferenceKind(StrEnum):
 class PreviewState(StrEnum):
     """The states of the preview of a version."""
 
-    NONE = "none"  # of what is no picture
+    NONE = "none"  # of what is not a picture
     PENDING = "pending"
     MADE = "made"
     REFUSED = "refused"
@@ -108,7 +108,7 @@ def _is_mpeg_layer_3(head: bytes) -> bool:
 
 
 def text_in(head: bytes) -> str | None:
-    """Return the plain text that a file begins with; None where it is no UTF-8, or markup, or holds control characters.
+    """Return the plain text that a file begins with; None where it is not UTF-8, is markup, or has control characters.
 
     A character that the end of `head` cuts in two is left out.
     """
@@ -122,7 +122,7 @@ def text_in(head: bytes) -> str | None:
 
 
 def host_of(url: str) -> str:
-    """Return the host of a link as it is shown; raise ReferenceInvalid for what is no plain https address."""
+    """Return the host of a link as it is shown; raise ReferenceInvalid for what is not a plain https address."""
     try:
         parts = urlsplit(url)
         host, port = parts.hostname, parts.port

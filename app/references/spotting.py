@@ -69,7 +69,7 @@ def undo_spotted_cues(session: Session, actor: Actor, reference_id: UUID, cue_id
 
 def _ensure_clip(clip: ReferenceVersion) -> None:
     if clip.kind is not ReferenceKind.VIDEO:
-        raise ReferenceInvalid(f"{clip.file_name} is no clip", fix="mark a video that is on the board")
+        raise ReferenceInvalid(f"{clip.file_name} is not a clip", fix="mark a video that is on the board")
 
 
 def _ensure_ends(marks: Sequence[SpottedMark]) -> None:

@@ -203,7 +203,7 @@ def _put_entries(session: Session, playlist: Playlist, take_ids: Sequence[UUID])
         raise _invalid("take_ids", "a version stands here twice; each can be in the playlist once")
     unknown = set(take_ids) - queries.playable(session, playlist.project_id, take_ids)
     if unknown:
-        raise _invalid("take_ids", f"{len(unknown)} of these are no versions of a cue of this project")
+        raise _invalid("take_ids", f"{len(unknown)} of these are not versions of a cue of this project")
     session.add_all(
         PlaylistEntry(
             playlist_id=playlist.id,

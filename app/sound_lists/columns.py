@@ -78,7 +78,7 @@ MONTHS = ("jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", 
 SLASHED = re.compile(r"(\d{1,2})[/-](\d{1,2})[/-](\d{2}|\d{4})", re.ASCII)
 LOOP_WORDS = frozenset({"loop", "looping", "looped", "one-shot", "one shot", "oneshot"})
 SAMPLED = 50
-MAX_HEADER_CHARS = 200  # what is longer is no head of ours
+MAX_HEADER_CHARS = 200  # what is longer is not a head of ours
 MAX_FIGURE_CHARS = 100  # of a cell with a number, a flag or a word of ours, which expressions are run on
 
 

@@ -219,7 +219,7 @@ async def _parsed(project_id: UUID, body: ImportAsk, request: Request) -> SentSh
         try:
             arguments = (parse_bytes, base64.b64decode(body.content_base64, validate=True))
         except ValueError:
-            raise SheetUnreadable("content_base64 is no base64") from None
+            raise SheetUnreadable("content_base64 is not base64") from None
     parsed = await parse_request(
         request, *arguments, refusal=SheetUnreadable, permit=ensure_speaks_in, whose=project_id
     )

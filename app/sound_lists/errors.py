@@ -40,11 +40,11 @@ class RowsInvalid(Invalid):
 
 
 class SheetUnreadable(Invalid):
-    """The file is no readable sheet, or it is too large."""
+    """The file is not a readable sheet, or it is too large."""
 
 
 class RecordingInvalid(Invalid):
-    """The recording is no WAV file, is too long, or nothing is heard in it."""
+    """The recording is not a WAV file, is too long, or nothing is heard in it."""
 
 
 class NothingSaid(NotFound):

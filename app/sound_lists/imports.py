@@ -60,7 +60,7 @@ def import_sheet(
     match: str,
     dry_run: bool,
 ) -> ImportRead:
-    """Return the changes of a sheet, and apply them if it has no errors and it is no dry run."""
+    """Return the changes of a sheet, and apply them if it has no errors and it is not a dry run."""
     access = project_access(session, actor, project_id)
     access.ensure_may_speak()
     project = access.project

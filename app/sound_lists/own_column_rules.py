@@ -40,7 +40,7 @@ def key_of(name: str) -> str:
 
 
 def kept_name(name: str) -> str:
-    """Return the name under which a column that is no field is kept; never that of a field."""
+    """Return the name under which a column that is not a field is kept; never that of a field."""
     plain = tidy_line(name)
     return f"{plain} (own)" if plain.lower() in FIELDS else plain
 

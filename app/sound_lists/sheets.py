@@ -168,7 +168,7 @@ def _workbook_rows(data: bytes, heads_in: HeadsIn) -> Rows:
     except python_calamine.PasswordError:
         raise SheetUnreadable("the workbook has a password; save it without one") from None
     except (python_calamine.CalamineError, ValueError) as error:
-        raise SheetUnreadable(f"this is no workbook that can be read: {error}") from None
+        raise SheetUnreadable(f"this is not a workbook that can be read: {error}") from None
     return max(sheets, key=lambda rows: _most_heads(rows, heads_in), default=[])
 
 
@@ -203,7 +203,7 @@ def _ensure_small(data: bytes) -> None:
                     is_xml = name.endswith((".xml", ".rels"))
                     _ensure_small_area(part, is_xml=is_xml, is_sheet=name.startswith("xl/worksheets/"))
     except (zipfile.BadZipFile, NotImplementedError, RuntimeError, EOFError, OSError, zlib.error) as error:
-        raise SheetUnreadable(f"this is no workbook that can be read: {error}") from None
+        raise SheetUnreadable(f"this is not a workbook that can be read: {error}") from None
 
 
 def _ensure_small_area(part: IO[bytes], *, is_xml: bool, is_sheet: bool) -> None:

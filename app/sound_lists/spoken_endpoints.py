@@ -31,7 +31,7 @@ async def _heard(cue_id: UUID, body: RecordingAdd, request: Request) -> Said:
     try:
         content = base64.b64decode(body.content_base64, validate=True)
     except (ValueError, binascii.Error):
-        raise RecordingInvalid("content_base64 is no base64", fix="send a WAV file in base64") from None
+        raise RecordingInvalid("content_base64 is not base64", fix="send a WAV file in base64") from None
     return await parse_request(
         request, read_said, content, refusal=RecordingInvalid, permit=spoken.ensure_may_say, whose=cue_id
     )

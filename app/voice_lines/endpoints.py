@@ -102,7 +102,7 @@ async def _parsed(project_id: UUID, body: ScriptAsk, request: Request) -> SentSc
         try:
             arguments = (read_script_bytes, base64.b64decode(body.content_base64, validate=True), is_sheet)
         except ValueError:
-            raise ScriptUnreadable("content_base64 is no base64") from None
+            raise ScriptUnreadable("content_base64 is not base64") from None
     parsed = await parse_request(
         request, *arguments, refusal=ScriptUnreadable, permit=ensure_speaks_in, whose=project_id
     )

@@ -55,7 +55,7 @@ def import_script(
     mapping: Mapping[str, str] | None,
     dry_run: bool,
 ) -> ScriptRead:
-    """Return what a script changes, and apply it if it has no errors and it is no dry run."""
+    """Return what a script changes, and apply it if it has no errors and it is not a dry run."""
     access = project_access(session, actor, project_id)
     access.ensure_may_speak()
     project = access.project

@@ -107,7 +107,7 @@ def text_locked(session: Session, line_id: UUID, language: str) -> VoiceText | N
 
 
 def text_of_cue(session: Session, cue_id: UUID) -> VoiceText | None:
-    """Return the text that a cue is for, with its line; None for a cue that is no voice line."""
+    """Return the text that a cue is for, with its line; None for a cue that is not a voice line."""
     with_line = joinedload(VoiceText.line).joinedload(VoiceLine.character)
     return session.scalar(select(VoiceText).where(VoiceText.cue_id == cue_id).options(with_line))
 

@@ -252,7 +252,7 @@ class ScriptReader:
 
 
 def line_of_cue(session: Session, access: ProjectAccess, cue_id: UUID) -> VoiceLineRead | None:
-    """Return the line that a cue is for; None for a cue that is no voice line."""
+    """Return the line that a cue is for; None for a cue that is not a voice line."""
     text = queries.text_of_cue(session, cue_id)
     if text is None:
         return None

@@ -24,7 +24,7 @@ def tag_of(text: str, where: str = "language") -> str:
     """Return the language tag that a request names; raise VoiceLineInvalid where it names none."""
     tag = language_tag(text)
     if tag is None:
-        raise invalid(where, f'"{text[:40]}" is no language; wanted a tag such as en, de or pt-BR')
+        raise invalid(where, f'"{text[:40]}" is not a language; wanted a tag such as en, de or pt-BR')
     return tag
 
 

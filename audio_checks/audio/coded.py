@@ -65,7 +65,7 @@ def opened_as_wav(path: str | os.PathLike[str]) -> tuple[Passing, Coded]:
     Raises
     ------
     Unreadable
-        The sound does not decode, or is no Vorbis, Opus or MP3.
+        The sound does not decode, or is not Vorbis, Opus or MP3.
     SandboxFailed
         The child could not do its work, for want of time, memory or disk, or because the decoder broke.
     """
@@ -100,7 +100,7 @@ def decode(path: str, out: str) -> tuple[str, str, float, dict[str, str]]:
     Raises
     ------
     Unreadable
-        The sound does not decode, or is no Vorbis, Opus or MP3.
+        The sound does not decode, or is not Vorbis, Opus or MP3.
     """
     import soundfile  # slow to import, and no WAV needs it
 

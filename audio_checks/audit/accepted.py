@@ -55,7 +55,7 @@ def accept(path: str | Path, audit: Audit, allowed: tuple[str, ...], reason: str
     Raises
     ------
     SpecError
-        What stands at the path is no baseline.
+        What stands at the path is not a baseline.
     OSError
         It cannot be written.
     """
@@ -84,7 +84,7 @@ def _with_reason(entry: Entry, accepted: Mapping[Key, Sequence[tuple[float | Non
 
 
 def _document(path: str | Path) -> dict[str, Any]:
-    read_baseline(path)  # refuses what is no baseline
+    read_baseline(path)  # refuses what is not a baseline
     document: dict[str, Any] = json.loads(read_text(Path(path)))
     if not isinstance(document.get("accepted", []), list):
         raise SpecError("accepted must be a list", where=str(path))

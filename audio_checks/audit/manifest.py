@@ -100,7 +100,7 @@ def read_manifest(path: str | Path) -> list[FingerprintedFile]:
     Raises
     ------
     SpecError
-        The file cannot be read, is no manifest, or of another version; `where` names the place.
+        The file cannot be read, is not a manifest, or of another version; `where` names the place.
     """
     where = str(path)
     return parse_manifest(read_text(Path(path), most_bytes=MOST_BYTES), where)
@@ -121,7 +121,7 @@ def parse_manifest(text: str, where: str = "manifest") -> list[FingerprintedFile
     except (ValueError, RecursionError) as error:
         raise SpecError(f"is not JSON: {error}", where=where) from None
     if not isinstance(document, dict) or not isinstance(document.get("files"), list):
-        raise SpecError('is no manifest: wanted {"schema_version": 1, "files": [...]}', where=where)
+        raise SpecError('is not a manifest: wanted {"schema_version": 1, "files": [...]}', where=where)
     for key, wanted in (("schema_version", SCHEMA_VERSION), ("fingerprint_version", FINGERPRINT_VERSION)):
         if document.get(key) != wanted or isinstance(document.get(key), bool):
             raise SpecError(f"{key} must be {wanted}; write a new manifest with this version", where=where)

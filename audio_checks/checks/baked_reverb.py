@@ -7,7 +7,7 @@ part of the design, say so in the sound list (`designed-tail`), or deliver it as
 Source: the delivery spec, `[engine] adds`. Reverb is judged, not measured: by how the bands fall, what the
 tail is made of beside the head, and how alike left and right stay; docs/judgements.md says how often that is
 right. Beside a dry stem (`warp_in__dry.wav` beside `warp_in.wav`) it is what was added that counts. "Cannot
-tell" is no finding, and a cue whose list asks for a designed tail has none.
+tell" is not a finding, and a cue whose list asks for a designed tail has none.
 """
 
 from collections.abc import Iterator

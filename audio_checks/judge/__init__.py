@@ -9,7 +9,7 @@ spec asks. A module has
 - `judge(file, kind)`, which returns a `Judgement`; `kind` is what the category's sounds are (event,
   natural-decay, ambience, voice, music), None if unknown.
 
-The module's name is the judgement's; a package beside the modules is no judgement. What a judgement has
+The module's name is the judgement's; a package beside the modules is not a judgement. What a judgement has
 learned is stored next to it as numbers in a file.
 """
 

@@ -5,8 +5,8 @@ AC-3, and nowhere between. How far the best place for these frames stands out of
 and the limits were learned from sounds that real encoders coded, and sounds that were filtered, brought up, pitched
 down or made with few bits (`make weights`).
 
-A low-pass alone is no proof, since resamplers and designers make the same: it is shown, and a sound that has one and no
-such lines cannot be detected. High bit rates silence little, and pitching or stretching a coded sound hides its frames.
+A low-pass alone is not proof, since resamplers and designers make the same: it is shown, and a sound that has one and
+no such lines cannot be detected. High bit rates silence little; pitching or stretching a coded sound hides its frames.
 """
 
 from __future__ import annotations

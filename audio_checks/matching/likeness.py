@@ -10,7 +10,7 @@ from audio_checks.matching.reading import Token
 
 MOST_POSTINGS = 150  # of a word or three letters: what more names have says little
 COMPARED = 20  # names that share most
-LEAST = 0.15  # a name less like is no guess
+LEAST = 0.15  # a name less like is not a guess
 
 
 class Likenesses:

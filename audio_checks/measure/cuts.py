@@ -22,7 +22,7 @@ BELOW_PEAK = 1e-2  # 40 dB: an edge that quiet, under the file's peak, does not 
 RING_S = 0.005  # the longest that a converter of sample rates rings before an edge,
 RING_SHARE = 0.1  # as high as this share of the edge at most, and
 RING_HZ = 0.25  # at this share of the rate or more: what fades in is slower
-STEP, GAP = 2, 4  # samples in which such an edge rises, and those before its top that are no ring any more
+STEP, GAP = 2, 4  # samples in which such an edge rises, and those before its top that no longer ring
 SHARP_HZ = 48_000  # at higher rates edges are no sharper than at this one
 
 

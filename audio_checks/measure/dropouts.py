@@ -11,7 +11,7 @@ from audio_checks import kernel
 from audio_checks.measure.cells import Cells
 from audio_checks.measure.lulls import LEVEL, UNDER_NEAREST, is_hole
 
-STILL = 1.4e-4  # steps up to 4.5 units of 16 bit, dither in the hole included, are no movement
+STILL = 1.4e-4  # steps up to 4.5 units of 16 bit, dither in the hole included, are not movement
 SMOOTH, SMOOTH_STEPS = 1e-6, 40.0  # sixth differences of what glides by itself, and in steps of the bit depth: dither
 COARSE_STEP = 2.0**-14  # with fewer bits than 15 only samples that are exactly equal stand still
 FINE_STEP = 2.0**-20  # coarser ones let two cells fall alike by chance, but not three

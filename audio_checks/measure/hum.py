@@ -153,7 +153,7 @@ class _Windows:
         self.doubtful.add((channel, mains))
         strongest = max(line[2] for line in found)
         found = [line for line in found if line[2] >= FAINTEST * strongest]
-        # A line of something else is no line of this hum: the most lines that agree on a frequency count.
+        # A line of something else is not a line of this hum: the most lines that agree on a frequency count.
         exact = max((self._in_tune(found, hz / multiple, 1.0) for multiple, hz, _ in found), key=_weight)
         loose = max((self._in_tune(found, hz / multiple, LOOSER) for multiple, hz, _ in found), key=_weight)
         tuned = exact if len(exact) >= LINES else loose if len(loose) > LINES else []

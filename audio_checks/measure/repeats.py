@@ -53,7 +53,7 @@ class Repeats:
         """
         count = kernel.recurrences(samples[channel], first, self._spread, *self._lags, MOST_TIMES, RING, self._out)
         for start, end, lag in self._out[:count].tolist():
-            if self._begins(samples, start - lag, frame):  # a tone that has just begun is no buffer
+            if self._begins(samples, start - lag, frame):  # a tone that has just begun is not a buffer
                 continue
             again = np.array_equal(samples[:, start:end], samples[:, start - lag : end - lag])
             if again and len(self._found) < MAX_KEPT:

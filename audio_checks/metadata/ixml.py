@@ -51,7 +51,7 @@ def read_ixml(payload: bytes) -> dict[str, str]:
     Raises
     ------
     ValueError
-        The document is no XML, is not rooted in BWFXML, declares a document type, or passes a bound.
+        The document is not XML, is not rooted in BWFXML, declares a document type, or passes a bound.
     """
     document = payload.strip(b"\0").lstrip()
     if document.startswith(codecs.BOM_UTF16_LE) and len(document) % 2:

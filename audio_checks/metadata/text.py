@@ -14,7 +14,7 @@ def text_of(raw: bytes) -> str:
     Returns
     -------
     str
-        Empty where there is none. Bytes that are no character become U+FFFD.
+        Empty where there is none. Bytes that are not characters become U+FFFD.
     """
     text = raw.partition(b"\0")[0]
     try:

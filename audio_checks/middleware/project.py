@@ -50,7 +50,7 @@ def read_project(path: str | Path) -> Project:
         return read_unity(place.parent.parent)
     if name.endswith(".json"):
         return read_unreal(place)
-    raise ProjectRefused(f"{place}: is no project that is known; {WANTED}")
+    raise ProjectRefused(f"{place}: is not a project that is known; {WANTED}")
 
 
 def read_project_texts(path: str, texts: Mapping[str, str]) -> Project:
@@ -81,7 +81,7 @@ def read_project_texts(path: str, texts: Mapping[str, str]) -> Project:
         return read_unreal(Path(path), texts)
     if not path and any(file.startswith("Assets/") for file in texts):
         return read_unity(Path(), texts)
-    raise ProjectRefused(f"{path or 'what was sent'}: is no project that is known; {WANTED}")
+    raise ProjectRefused(f"{path or 'what was sent'}: is not a project that is known; {WANTED}")
 
 
 def sound_folder(project: Project) -> Path:

@@ -105,7 +105,7 @@ class _Reading:
                 name = _text(play, "wave") if isinstance(play, dict) else ""
                 wave = self._by_path["waves"].get(name)
                 if wave is None:
-                    self.leave_out(path, f'plays "{name}", which is no wave of the export')
+                    self.leave_out(path, f'plays "{name}", which is not a wave of the export')
                 else:
                     in_cues.add(name)
                     yield self._sound(wave, path, cue, play)

@@ -180,7 +180,7 @@ def _ensure_free(path: Path) -> None:
 
     if path.exists() and not is_placeholder(path):
         raise RenderRefused(
-            f"{path} is no placeholder, and is not overwritten",
+            f"{path} is not a placeholder, and is not overwritten",
             "placeholder:over-sound",
             "name another --out, or name the folder of the takes: a cue with a take needs no placeholder",
         )

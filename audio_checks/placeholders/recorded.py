@@ -39,7 +39,7 @@ def tidy_recording(content: bytes) -> tuple[bytes, float]:
     Raises
     ------
     Unreadable
-        It is no WAV file.
+        It is not a WAV file.
     RenderRefused
         `placeholder:too-long`: it is longer than 10 s. `placeholder:silent`: its peak is below -50 dBFS.
     """

@@ -72,7 +72,7 @@ def _said(program: str, text: str, words_a_minute: int, sample_rate_hz: int) -> 
 
 
 def at_rate(sound: NDArray[np.float64], sample_rate_hz: int, to_hz: int) -> NDArray[np.float64]:
-    """Return speech at another rate, a higher one too: a placeholder is no master, and says that it is none."""
+    """Return speech at another rate, a higher one too: a placeholder is not a master, and says that it is none."""
     frames = max(1, round(len(sound) * to_hz / sample_rate_hz))
     moved = np.fft.irfft(np.fft.rfft(sound)[: frames // 2 + 1], frames) * (frames / len(sound))
     return np.asarray(moved / max(1.0, float(np.abs(moved).max())), dtype=np.float64)

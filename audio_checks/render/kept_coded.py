@@ -1,4 +1,4 @@
-"""Game files that a codec keeps and that ship already: handed on byte for byte, since a coded file is no master."""
+"""Game files that a codec keeps and that ship already: handed on byte for byte, since a coded file is not a master."""
 
 import os
 import re
@@ -85,7 +85,7 @@ def ensure_kept(facts: Facts, target: Target) -> None:
         return
     found = f"{label_of(facts.encoding)} at {facts.sample_rate_hz} Hz"
     raise RenderRefused(
-        f"it was adopted as {found}, and a coded file is no master: no other file is made of it",
+        f"it was adopted as {found}, and a coded file is not a master: no other file is made of it",
         code="render:coded-master",
         fix="deliver the WAV that it was made from, or say keep_coded = true in the target to ship it as it is",
     )

@@ -265,7 +265,7 @@ def printable(text: str) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """Return the value as JSON can hold it: -inf, and anything else that is no number, is null."""
+    """Return the value as JSON can hold it: -inf, and anything else that is not a number, is null."""
     if isinstance(value, float):
         return value if math.isfinite(value) else None
     if isinstance(value, Mapping):

@@ -99,7 +99,7 @@ def _document(path: str | Path) -> dict[str, Any]:
     except (ValueError, RecursionError) as error:
         raise SpecError(f"is not JSON: {error}", where=where) from None
     if not isinstance(document, dict) or document.get("format") != 1 or not isinstance(document.get("waived"), list):
-        raise SpecError('is no baseline: wanted {"format": 1, "waived": [...]}', where=where)
+        raise SpecError('is not a baseline: wanted {"format": 1, "waived": [...]}', where=where)
     return document
 
 

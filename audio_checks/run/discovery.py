@@ -89,7 +89,7 @@ def dry_stems(paths: Iterable[str], sound_list: SoundList | None = None) -> dict
 
 
 def without_dry_stems(found: Sequence[Found], sound_list: SoundList | None = None) -> list[Found]:
-    """Return the files that are no dry stem of another one; see `dry_stems`."""
+    """Return the files that are not a dry stem of another one; see `dry_stems`."""
     stems = frozenset(dry_stems((one.path for one in found), sound_list).values())
     return [one for one in found if one.path not in stems]
 

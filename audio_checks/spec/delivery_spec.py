@@ -179,7 +179,7 @@ def parse_spec(text: str, *, where: str = "spec.toml") -> DeliverySpec:
     Raises
     ------
     SpecError
-        The text is no TOML, or not a spec: its place is dotted, as in `spec.toml: limits.true_peak_dbtp`.
+        The text is not TOML, or not a spec: its place is dotted, as in `spec.toml: limits.true_peak_dbtp`.
     """
     tables = read_tables(text, where)
     if "extend" in tables:

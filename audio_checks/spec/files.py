@@ -24,7 +24,7 @@ def load_tables(path: Path, seen: tuple[Path, ...]) -> Tables:
     Raises
     ------
     SpecError
-        A file cannot be read or is no spec, or one extends itself.
+        A file cannot be read or is not a spec, or one extends itself.
     """
     real = path.resolve()
     if real in seen:
@@ -45,7 +45,7 @@ def read_tables(text: str, where: str, *, pyproject: bool = False) -> Tables:
     Raises
     ------
     SpecError
-        The text is no TOML, or has keys or values that no spec has.
+        The text is not TOML, or has keys or values that no spec has.
     """
     document = read_toml(text, where)
     if pyproject:

@@ -1,6 +1,6 @@
 """Loudness that whole mixes are held to, as information: what a programme or half an hour of play should measure.
 
-One effect is no mix, and is never judged by these; a spec bounds the loudness of files by `[limits] loudness_lufs`.
+One effect is not a mix, and is never judged by these; a spec bounds the loudness of files by `[limits] loudness_lufs`.
 Sources: EBU R 128 (2023); Sony's Audio Standards Working Group, ASWG-R001, average loudness of at least
 30 minutes of representative play.
 """

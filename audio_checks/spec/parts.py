@@ -250,7 +250,7 @@ def read_target(name: str, keys: Tables) -> Target:
         valid = DEPTHS.get(encoding, (8, 16, 24))
         if depth not in valid:
             raise SpecError(
-                f"{depth} bit is no depth for {encoding}; it can be {', '.join(map(str, valid))}",
+                f"{depth} bit is not a depth for {encoding}; it can be {', '.join(map(str, valid))}",
                 where=f"{where}.bit_depth",
             )
         said = {"dither": "none" if encoding == "float" or depth == 24 else "tpdf", **said}

@@ -45,7 +45,7 @@ Condition = Callable[[str, str], bool]  # of the character before and the one af
 
 
 class PatternUnsupported(ValueError):
-    """The pattern is no regular expression, or one that cannot be matched in linear time; says why."""
+    """The pattern is not a regular expression, or one that cannot be matched in linear time; says why."""
 
 
 class Pattern:
@@ -250,6 +250,6 @@ def compiled(pattern: str, flags: int = re.ASCII) -> Pattern:
     Raises
     ------
     PatternUnsupported
-        It is no regular expression, has a construct that needs a search, or is too large; says which.
+        It is not a regular expression, has a construct that needs a search, or is too large; says which.
     """
     return Pattern(pattern, flags)

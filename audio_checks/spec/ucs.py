@@ -41,7 +41,7 @@ def misfit(stem: str, cat_ids: Collection[str]) -> str | None:
             return f"the {name} is empty"
     cat_id, dash, user_category = blocks[0].partition("-")
     if not CAT_ID.fullmatch(cat_id):
-        return f'"{cat_id}" is no CatID, such as GUNAuto'
+        return f'"{cat_id}" is not a CatID, such as GUNAuto'
     if cat_ids and cat_id not in cat_ids:
         from difflib import get_close_matches  # only where a mistake is reported
 
@@ -77,7 +77,7 @@ def read_cat_ids(path: Path) -> list[str]:
     ids = dict.fromkeys(row[place].strip() for row in rows[1:] if len(row) > place and row[place].strip())
     wrong = next((one for one in ids if not CAT_ID.fullmatch(one)), None)
     if wrong is not None:
-        raise SpecError(f'"{wrong[:40]}" in the column CatID is no id, such as GUNAuto', where=where)
+        raise SpecError(f'"{wrong[:40]}" in the column CatID is not an id, such as GUNAuto', where=where)
     if not ids:
         raise SpecError("its column CatID is empty", where=where)
     return list(ids)

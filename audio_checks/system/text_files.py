@@ -38,7 +38,7 @@ def read_text(path: Path, *, fix: str = "", most_bytes: int = MOST_BYTES) -> str
     Raises
     ------
     SpecError
-        The file cannot be read, is no regular file, is larger than it may be, or is no UTF-8; `fix` then says how to
+        The file cannot be read, is not a regular file, is too large, or is not UTF-8; `fix` then says how to
         make it so. What the file holds is not repeated.
     """
     try:
@@ -56,7 +56,7 @@ def _content(path: Path, most_bytes: int) -> bytes:
     flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
     with os.fdopen(os.open(reachable(os.fspath(path)), flags), "rb") as file:
         if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
-            raise SpecError("is no regular file but a pipe or a device", where=str(path))
+            raise SpecError("is not a regular file but a pipe or a device", where=str(path))
         content = file.read(most_bytes + 1)
     if len(content) > most_bytes:
         raise SpecError(f"is larger than {most_bytes >> 20} MiB", where=str(path))
@@ -69,7 +69,7 @@ def read_toml(text: str, where: str) -> dict[str, Any]:
     Raises
     ------
     SpecError
-        The text is no TOML, or passes a bound.
+        The text is not TOML, or passes a bound.
     """
     _ensure_bounded(text, where)
     try:

@@ -35,7 +35,7 @@ def open_regular(path: str | os.PathLike[str]) -> FileIO:
     try:
         if not stat.S_ISREG(os.fstat(descriptor).st_mode):
             raise Unreadable(
-                "this is no file but a directory, a pipe or a device; a WAV file is wanted",
+                "this is not a file but a directory, a pipe or a device; a WAV file is wanted",
                 "R11",
                 "container:not-a-file",
                 "deliver a plain file",

@@ -106,7 +106,7 @@ def of_format(chunk: Chunk, content: bytes) -> Iterator[StructureWarning]:
     if tag != EXTENSIBLE and bits % 8:
         yield _warning(
             "sample-bytes",
-            f"the header says {bits} bits a sample, which are no whole bytes; {-(-bits // 8) * 8} are read",
+            f"the header says {bits} bits a sample, which are not whole bytes; {-(-bits // 8) * 8} are read",
         )
     if tag == EXTENSIBLE:
         mask = struct.unpack("<I", content[20:24])[0]

@@ -1,6 +1,6 @@
 """A strict reader of headers, RIFF and RF64: it refuses what breaks the rules R1-R6, R11 and R12, each in words.
 
-"It plays here" is no check. What is odd but harmless becomes a warning. Memory stays bounded whatever a header claims.
+"It plays here" is not a check. What is odd but harmless becomes a warning. Memory stays bounded whatever a header says.
 Sources: EBU Tech 3285 (BWF), EBU Tech 3306 (RF64), Microsoft's WAVEFORMATEXTENSIBLE.
 """
 
@@ -335,7 +335,7 @@ class _Reading:
             block = self.file.read(min(remaining, len(ZEROS)))
             if not block or block != ZEROS[: len(block)]:
                 raise Unreadable(
-                    f"what stands at position {position} (bytes to the end: {left}) is no chunk:"
+                    f"what stands at position {position} (bytes to the end: {left}) is not a chunk:"
                     " a name of four letters was wanted there",
                     "R1",
                     "structure:no-chunk",

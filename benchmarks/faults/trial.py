@@ -40,7 +40,7 @@ class Trial(NamedTuple):
 
 
 def findings_in(path: Path, checks: tuple[str, ...] = CHECKS) -> list[Finding]:
-    """What the checks find in a file; one that breaks is no finding."""
+    """What the checks find in a file; one that breaks is not a finding."""
     report = check_file(path, SPEC, checks=checks)
     broken = [finding.message for finding in report.findings if finding.code.endswith(":crashed")]
     assert not broken, broken

@@ -142,7 +142,7 @@ test('an approver judges 200 versions by keys alone', async ({ server: { url }, 
     await approver.press('k')
     await shown(name)
     await expect(page.getByRole('list', { name: 'Comments' })).toContainText(COMMENT)
-    await expect(page.getByText('comment at the playhead')).toBeVisible() // what was sent is no draft any more
+    await expect(page.getByText('comment at the playhead')).toBeVisible() // what was sent is no longer a draft
   })
 
   const judge = async (name: string) => {

@@ -39,7 +39,7 @@ def test_everything_that_is_wrong_is_said_at_once(environment):
     assert any("SOUNDLIST_BASE_URL is 'sounds.example'" in line for line in reported)
     assert any(line.startswith("SOUNDLIST_WORKER_JOBS") for line in reported)
     assert any("smtp://user:password@host:587" in line for line in reported)
-    assert "SOUNDLIST_DATABSE_URL is no setting; is it SOUNDLIST_DATABASE_URL?" in reported
+    assert "SOUNDLIST_DATABSE_URL is not a setting; is it SOUNDLIST_DATABASE_URL?" in reported
 
 
 def test_an_address_with_a_password_is_not_repeated(environment):
@@ -59,13 +59,13 @@ def test_a_short_key_is_no_key(environment):
 
 def test_a_name_like_none_of_ours_is_reported_too(environment):
     environment(SECRET_KEY="k" * 32, ZZZ="1")
-    assert wrong() == ["SOUNDLIST_ZZZ is no setting; docs/settings.md lists them"]
+    assert wrong() == ["SOUNDLIST_ZZZ is not a setting; docs/settings.md lists them"]
 
 
 def test_a_setting_that_named_operators_says_what_names_them_now(environment):
     environment(OPERATORS="ada@studio.example", SECRET_KEY="k" * 32)
     (line,) = wrong()
-    assert line.startswith("SOUNDLIST_OPERATORS is no setting any more")
+    assert line.startswith("SOUNDLIST_OPERATORS is no longer a setting")
     assert "soundlist operators add ADDRESS" in line
 
 

@@ -215,7 +215,7 @@ class Watched:
 
 
 def _warm_up(target: Target, *, rounds: int) -> None:
-    """Use what a process loads, starts and keeps when it is used first: what stays of that is no leak.
+    """Use what a process loads, starts and keeps when it is used first: what stays of that is not a leak.
 
     A process that has answered every route keeps some 330 compiled statements and what they load: 70 MiB.
     """

@@ -160,7 +160,7 @@ def _judge(path: Path, *, twice: bool) -> None:
 
 
 def _ensure_numbers(where: str, value: Any) -> None:
-    """Raise Failed where a figure is no number, or endless: -inf alone is lawful, for silence."""
+    """Raise Failed where a figure is not a number, or endless: -inf alone is valid, for silence."""
     if isinstance(value, Mapping):
         for name, one in value.items():
             _ensure_numbers(f"{where}.{name}", one)

@@ -15,7 +15,7 @@ from pathlib import Path
 import psycopg
 from psycopg import sql
 
-OWNER = "soundlist"  # the login that the application uses: it owns its database and is no superuser
+OWNER = "soundlist"  # the login that the application uses: it owns its database and is not a superuser
 SUPERUSER = "postgres"
 START_WITHIN_S = 30.0
 MADE_WITHIN_S = 120.0

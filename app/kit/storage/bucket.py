@@ -1,4 +1,4 @@
-"""Blobs in a bucket of an S3 server, or in a part of one. ETags are no checksums: what counts is hashed again."""
+"""Blobs in a bucket of an S3 server, or in a part of one. ETags are not checksums: what counts is hashed again."""
 
 import hashlib
 from collections.abc import Iterable, Iterator, Mapping

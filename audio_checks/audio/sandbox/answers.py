@@ -127,7 +127,7 @@ def _misfit(value: Any, wanted: Any, where: str) -> str:
     return "" if fits else f"{where} is not {wanted}"
 
 
-# numpy's float64 is a float, and an enumeration of texts is a text; a bool is no number.
+# numpy's float64 is a float, and an enumeration of texts is a text; a bool is not a number.
 LEAVES: dict[Any, tuple[type, ...]] = {
     int: (int,),
     float: (int, float),
@@ -140,7 +140,7 @@ LEAVES: dict[Any, tuple[type, ...]] = {
 
 
 def _fits_leaf(value: Any, wanted: Any) -> bool:
-    # -inf is the level of silence; what is no number at all fits nowhere.
+    # -inf is the level of silence; what is not a number at all fits nowhere.
     return _is_leaf(type(value), wanted) and value == value
 
 

@@ -1,6 +1,6 @@
 """How an answer goes from child to caller: as data, so that reading it builds values and runs nothing.
 
-JSON, followed by the bytes that it names. In the JSON every value that is no text, number, true, false or null is a
+JSON, followed by the bytes that it names. In the JSON every value that is not a text, number, true, false or null is a
 list that begins with its kind. A data class, enumeration or error is named by module and name, and is looked up among
 those of audio_checks that the caller has loaded: nothing is imported, and nothing of the class is called. The values
 of a data class follow in the order of its fields.

@@ -36,7 +36,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="append",
         choices=ALLOWED,
         default=[],
-        help="what is no drift, such as re-encoded where the engine packs sounds; may be repeated",
+        help="what is not drift, such as re-encoded where the engine packs sounds; may be repeated",
     )
     parser.add_argument(
         "--project",

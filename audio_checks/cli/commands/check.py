@@ -43,7 +43,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_spec(parser)
     parser.add_argument("--target", metavar="NAME", help="judge renders made to this target, not deliveries")
     parser.add_argument("--changed-since", metavar="REF", help="only files that differ from where REF was left")
-    parser.add_argument("--allow-empty", action="store_true", help="no audio at all is no fault")
+    parser.add_argument("--allow-empty", action="store_true", help="no audio at all is not a fault")
 
     fails = parser.add_argument_group("what fails")
     add_fail_level(fails, "what makes the exit code 1")

@@ -141,7 +141,7 @@ describe('answers', () => {
     expect(sent).toContain('POST new-token {"name":"Typed"}')
   })
 
-  test('a wrong password is no session that ended', async () => {
+  test('a wrong password is not a session that ended', async () => {
     const { body } = refusal(401, 'wrong-sign-in', 'no')
     vi.stubGlobal('fetch', () => Promise.resolve(Response.json(body, { status: 401 })))
     const ask = vi.fn(() => Promise.resolve(true))
@@ -151,7 +151,7 @@ describe('answers', () => {
     forget()
   })
 
-  test('a question that was taken back is no problem of the line', async () => {
+  test('a question that was taken back is not a problem of the line', async () => {
     vi.stubGlobal('fetch', () => Promise.reject(new DOMException('aborted', 'AbortError')))
     await expect(answered(anyApi.GET('/v1/me'))).rejects.toMatchObject({ name: 'AbortError' })
   })
@@ -159,7 +159,7 @@ describe('answers', () => {
   test.each([
     [502, '<html>bad gateway</html>', 'http-502', /on the server/],
     [418, null, 'http-418', /418/],
-  ])('a body that is no problem document still becomes a sentence: %s', (status, body, code, detail) => {
+  ])('a body that is not a problem document still becomes a sentence: %s', (status, body, code, detail) => {
     const problem = problemOf(status, body)
     expect(problem.code).toBe(code)
     expect(problem.detail).toMatch(detail)

@@ -53,7 +53,7 @@ function errorsOf(value: unknown): FieldProblem[] {
     .map((error) => ({ field: textOf(error.where) ?? '', message: textOf(error.message) ?? '' }))
 }
 
-/** Read a refusal; a body that is no problem document still becomes a sentence. */
+/** Read a refusal; a body that is not a problem document still becomes a sentence. */
 export function problemOf(status: number, body: unknown): ApiProblem {
   if (!isRecord(body) || (textOf(body.detail) === undefined && textOf(body.title) === undefined)) {
     return new ApiProblem(status, {

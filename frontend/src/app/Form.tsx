@@ -15,7 +15,7 @@ const Against = createContext<(name: string) => string | undefined>(() => undefi
 /** What was typed before, by the name of the field. */
 const Typed = createContext<Readonly<Record<string, string>>>({})
 
-/** What stands against the fields of a form; anything else that broke is no refusal of what was typed. */
+/** What stands against the fields of a form; anything else that broke is not a refusal of what was typed. */
 export const refusalOf = (error: unknown): ApiProblem | null => (error instanceof ApiProblem ? error : null)
 
 /** Sentences of the server begin small where they follow a name. */

@@ -34,7 +34,7 @@ interface ChangeFormProps {
   takeId: string
   /** What is to change: "shield_hit A". */
   what: string
-  /** Where the playhead stands; 0 is no place. */
+  /** Where the playhead stands; 0 is not a place. */
   positionS: number
   range: TimeRange | null
   saving: boolean

@@ -56,7 +56,7 @@ describe('Button', () => {
     expect(within(button).getByText('a')).toHaveAttribute('aria-hidden', 'true')
   })
 
-  test('is no submit button unless it says so', () => {
+  test('is not a submit button unless it says so', () => {
     draw(<Button>Cut</Button>)
     expect(screen.getByRole('button')).toHaveAttribute('type', 'button')
   })

@@ -56,7 +56,7 @@ def test_an_attacker_behind_the_proxy_holds_up_nobody_else(server: RunningServer
 
 
 def test_what_an_untrusted_peer_says_of_the_visitor_counts_for_nothing(server: RunningServer, account: str) -> None:
-    for n in range(12):  # a new address each time, from one peer that is no proxy of ours
+    for n in range(12):  # a new address each time, from one peer that is not a proxy of ours
         browser = behind_proxy(server, f"198.51.100.{n}", proxy="192.0.2.1")
         status = sign_in(browser, account, f"guess {n}").status_code
     assert status == 429

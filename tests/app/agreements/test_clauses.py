@@ -109,7 +109,7 @@ PRICE = [Clause("price", "Price", "It comes about {price_mode}.")]
         ([Clause("a", "A", "{silense_days}")], {"silence_days": 5}, "clauses.a", "is it {silence_days}?"),
         ([Clause("a", "A", "{}")], {}, "clauses.a", "there is no variable {}"),
         ([Clause("a", "A", "x"), Clause("a", "B", "y")], {}, "clauses.a", "stands twice"),
-        ([Clause("A b", "A", "x")], {}, "clauses.A b", "is no key"),
+        ([Clause("A b", "A", "x")], {}, "clauses.A b", "is not a key"),
         ([Clause("a", " ", "x")], {}, "clauses.a", "enter a title"),
         ([Clause("a", "A", " ")], {}, "clauses.a", "the clause is empty"),
         ([Clause("a", "A", "x", stands=False)], {}, "clauses", "no clause is included"),

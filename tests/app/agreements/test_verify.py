@@ -122,7 +122,7 @@ def test_a_copy_shows_what_was_written_anew(
         ({"entries": []}, "the file itself was altered"),
         ({"length": 3}, "the file itself was altered"),
         ({"format": 9}, "its format is 9"),
-        ({"contract": "none"}, "it is no record"),
+        ({"contract": "none"}, "it is not a record"),
     ],
 )
 def test_a_copy_that_was_altered_is_none(

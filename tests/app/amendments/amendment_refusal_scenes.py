@@ -172,7 +172,9 @@ def _a_change_names_what_is_there(parties: Parties) -> None:
     agreed = parties.agreed()
     work = parties.extra_work(agreed)
     stray = parties.propose(agreed, work | {"milestone_id": str(UUID(int=1))})
-    advised(stray, "bad-change-order", "name one that is no deposit", "change what the message names, and propose it")
+    advised(
+        stray, "bad-change-order", "name one that is not a deposit", "change what the message names, and propose it"
+    )
     granted(parties.propose(agreed, work))
     cut = {"kind": "cut_cue", "cue_id": str(parties.cues[0])}
     advised(parties.propose(agreed, cut, cut), "bad-change-order", "leave one of them out")

@@ -319,7 +319,7 @@ def test_a_head_stays_true_while_the_record_grows(
         ({"sha256": "0" * 64}, "it was altered"),
         ({"format": 2}, "its format is 2"),
         ({"signature": "AAAA"}, "it was altered"),
-        ({"key": "00"}, "it is no signed head"),
+        ({"key": "00"}, "it is not a signed head"),
     ],
 )
 def test_an_altered_head_is_none(

@@ -171,7 +171,7 @@ def test_a_report_that_is_none_is_refused(world: World, change: dict[str, Any]) 
 
 
 def test_what_a_report_names_is_looked_up_in_its_project(world: World) -> None:
-    """A take of another project, or a text that is no id, belongs to no cue here."""
+    """A take of another project, or a text that is not an id, belongs to no cue here."""
     audit = posted(world, hostile({}))
     (sound,) = sounds_of(world, audit).values()
     assert (sound["cue"], sound["sound"]) == (None, None)

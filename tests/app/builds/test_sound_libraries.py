@@ -93,7 +93,7 @@ def test_a_take_that_equals_a_file_is_said_with_whether_it_is_declared(world: Wo
     assert equals(world.approver, quieter)[0]["is_declared"] is True
     assert equals(world.designer, quieter) == equals(world.approver, quieter), "both sides read it"
     declare(world, unlike, "Doors & Gates")
-    assert equals(world.approver, unlike) == [], "a declared library without an equal file is no finding"
+    assert equals(world.approver, unlike) == [], "a declared library without an equal file is not a finding"
 
 
 @pytest.mark.parametrize(
@@ -202,7 +202,7 @@ def broken(text: bytes, **changes: Any) -> bytes:
         (b"\xff\xfe\x00", "no text in UTF-8"),
         (b"{", "is not JSON"),
         (b"[" * 100_000, "is not JSON"),
-        (b"[]", "is no manifest"),
+        (b"[]", "is not a manifest"),
         (lambda text: text.replace(b'"fingerprint_version": 1', b'"fingerprint_version": 2'), "write a new manifest"),
         (lambda text: broken(text, path="/etc/passwd"), "path must be a path below a folder"),
         (lambda text: broken(text, path="../x.wav"), "path must be a path below a folder"),

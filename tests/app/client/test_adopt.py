@@ -117,7 +117,7 @@ def test_a_zip_that_leads_out_of_its_folder_is_refused(client: Client, tmp_path:
     with zipfile.ZipFile(tmp_path / "bad.zip", "w") as archive:
         archive.writestr(name, b"RIFF")
     assert client.adopt(tmp_path / "bad.zip") == 2
-    assert "is no path for a game file" in client.err
+    assert "is not a path for a game file" in client.err
     assert [path.name for path in tmp_path.rglob("out.wav")] == []
 
 

@@ -76,7 +76,7 @@ def test_each_sound_becomes_a_take(world: World) -> None:
         (None, 1, None),
     }
     assert [entry["take_id"] for entry in archive["entries"]] == [take["id"] for take in archive["takes"]]
-    assert {take["state"] for take in archive["takes"]} == {"returned"}  # they are no sounds, and were judged
+    assert {take["state"] for take in archive["takes"]} == {"returned"}  # they are not sounds, and were judged
 
 
 def test_entries_left_out_are_listed(world: World) -> None:
@@ -136,12 +136,12 @@ def test_names_in_utf8_that_do_not_say_so_are_read(world: World) -> None:
 @pytest.mark.parametrize(
     ("content", "word"),
     [
-        (b"", "no ZIP"),
-        (b"this is no ZIP", "no ZIP"),
-        (packed({"laser.wav": b"sound"})[:-30], "no ZIP"),
+        (b"", "not a ZIP"),
+        (b"this is not a ZIP", "not a ZIP"),
+        (packed({"laser.wav": b"sound"})[:-30], "not a ZIP"),
         (packed({f"{place}.wav": b"" for place in range(5_001)}), "5001 entries"),
     ],
-    ids=["empty", "no ZIP", "cut off", "too many"],
+    ids=["empty", "not a ZIP", "cut off", "too many"],
 )
 def test_a_zip_that_cannot_be_unpacked_is_refused_with_a_reason(world: World, content: bytes, word: str) -> None:
     archive = send(world, content)

@@ -83,7 +83,7 @@ def test_entries_are_counted_whatever_the_end_says(tmp_path: Path):
 def test_a_directory_larger_than_the_file_is_refused(tmp_path: Path, size: int):
     path = tmp_path / "lies.zip"
     path.write_bytes(central_head(b"laser.wav", 0, 0) + end(1, size, 0))
-    assert refusal_of(path).startswith("this is no ZIP that can be read")
+    assert refusal_of(path).startswith("this is not a ZIP that can be read")
 
 
 def test_entries_that_overlap_are_refused(tmp_path: Path):

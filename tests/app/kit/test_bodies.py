@@ -186,7 +186,7 @@ def test_the_second_head_on_a_line_may_not_trickle_either(port: int, monkeypatch
         (head("GET", "/", *[f"X-{number}: a" for number in range(200)]), 431, "request-header-fields-too-large"),
         (head("GET", "/", *[f"X-{number}: {'a' * 1_000}" for number in range(80)]), 431, None),
         (b"GET / HTTP/1.1\r\nX-Endless: " + b"a" * 200_000, 431, None),
-        (b"this is no HTTP\r\n\r\n", 400, "bad-request"),
+        (b"this is not HTTP\r\n\r\n", 400, "bad-request"),
         (head("POST", "/v1/sign-in", "Content-Length: 5", "Transfer-Encoding: chunked"), 400, "bad-request"),
         (head("POST", "/v1/sign-in", "Content-Length: -5"), 400, "bad-request"),
         (head("POST", "/v1/sign-in", f"Content-Length: {'9' * 30}"), 400, "bad-request"),

@@ -111,7 +111,7 @@ def test_a_round_of_changes_misses_it_and_a_cut_cue_does_not_count(world: World)
     first, second = agreed.cue("one"), agreed.cue("two")
     agreed.agree(milestone("Alpha", first, second, amount_minor=20_000))
     agreed.draft(agreed.take(first))
-    assert bonus(agreed)[0] == "possible", "a draft is no round"
+    assert bonus(agreed)[0] == "possible", "a draft is not a round"
     agreed.send()
     state, because = bonus(agreed)
     assert (state, because.startswith("a round of changes was counted for"), "one" in because) == ("missed", True, True)

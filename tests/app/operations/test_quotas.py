@@ -126,7 +126,7 @@ def test_the_operator_sees_who_is_near(world: World) -> None:
     assert {one["kind"] for one in own["quotas"]} == set(QuotaKind)
     nearest = [one["used"] / one["limit"] if one["limit"] else 1e9 for one in (studio["quotas"][0] for studio in shown)]
     assert nearest == sorted(nearest, reverse=True)
-    assert len(shown) > 1, "studios of which the operator is no member"
+    assert len(shown) > 1, "studios of which the operator is not a member"
 
 
 def test_uploads_leave_the_reserve_of_the_disk_and_the_database_goes_on(

@@ -34,7 +34,7 @@ TABLES = {
     "wide": {"format": 1, "name": "x", "files": {f"a{number}": number for number in range(50_000)}},
     "a long text": {"format": 1, "name": "x" * 1_000_000},
     "a long list": {"format": 1, "name": "x", "naming": {"allowed": ["x"] * 100_000}},
-    "keys that are no keys": {"format": 1, "": {"\n": {"a.b]": []}}, "\ufeff": None},
+    "keys that are not keys": {"format": 1, "": {"\n": {"a.b]": []}}, "\ufeff": None},
 }
 
 

@@ -167,7 +167,7 @@ def test_a_returned_take_is_drawn_and_not_rendered(world: World) -> None:
 
 def test_what_cannot_be_read_is_said_to_be_undrawable(world: World) -> None:
     add_cue(world, "hit")
-    (take,) = deliver(world, ("hit.wav", b"ID3\x04 this is no WAV file"))
+    (take,) = deliver(world, ("hit.wav", b"ID3\x04 this is not a WAV file"))
     world.server.wait_for_jobs()
     master = sounds(world, take["id"])["master"]
     assert (master["state"], master["preview_url"], master["thumb"]) == ("undrawable", None, None)

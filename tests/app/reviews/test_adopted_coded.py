@@ -125,7 +125,7 @@ def test_a_target_of_the_same_codec_takes_the_file_and_others_say_why_not(
     for name, target in (("theme.ogg", "strict"), ("stinger.mp3", "ogg"), ("wind.opus", "ogg")):
         state, refusal = states[name][target]
         assert state == "refused"
-        assert "a coded file is no master" in refusal
+        assert "a coded file is not a master" in refusal
         assert "deliver the WAV that it was made from" in refusal
     assert {states[name]["strict"][0] for name in ("click.flac", "back.wav")} == {"made"}
     refused = world.producer.get(f"/v1/projects/{world.project_id}/pack.zip", params={"target": "strict"})

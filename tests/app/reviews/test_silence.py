@@ -196,7 +196,7 @@ def test_the_approver_may_still_reverse_it_and_the_money_goes_back(moved: MovedC
     moved.apply_deemed(FRIDAY + days(60))
     moved.agreed.draft(take, seen_state="approved")
     sent = moved.agreed.send()
-    assert sent["rounds"][0]["number"] is None, "a reversal is no round"
+    assert sent["rounds"][0]["number"] is None, "a reversal is not a round"
     assert moved.agreed.owed() == [("accepted", 18_000), ("reversed", -18_000)]
 
 
@@ -304,7 +304,7 @@ def at(moment: str) -> datetime:
         (wait_of(holidays=("2026-11-26", "2026-11-27")), FRIDAY, "2026-12-08"),
         (wait_of(holidays=("2026-11-28",)), FRIDAY, "2026-12-04"),  # a Saturday
         (wait_of(since=at("2026-11-20T23:30:00+00:00")), FRIDAY, "2026-12-04"),  # Saturday in Berlin
-        (wait_of(since=at("2026-11-22T23:30:00+00:00")), FRIDAY, "2026-12-07"),  # Monday in Berlin is no day then
+        (wait_of(since=at("2026-11-22T23:30:00+00:00")), FRIDAY, "2026-12-07"),  # Monday in Berlin does not count then
         # Open from Tuesday afternoon to Thursday morning: three days do not count.
         (
             wait_of(Pause("question", at("2026-11-24T15:00+01:00"), at("2026-11-26T09:00+01:00"))),

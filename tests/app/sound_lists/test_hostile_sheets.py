@@ -263,5 +263,5 @@ def test_a_workbook_whose_packed_bytes_are_damaged_is_refused_in_words() -> None
         archive.writestr("xl/workbook.xml", bytes(range(256)) * 40)
     damaged = bytearray(packed.getvalue())
     damaged[60:90] = b"\xff" * 30
-    with pytest.raises(SheetUnreadable, match="no workbook that can be read"):
+    with pytest.raises(SheetUnreadable, match="not a workbook that can be read"):
         parse_bytes(bytes(damaged))

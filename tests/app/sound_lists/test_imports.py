@@ -457,7 +457,7 @@ def far_cell() -> bytes:
         (b"", "empty"),
         (b"\n\n,,\n", "empty"),
         (b"RIFF\x00\x00\x00\x00WAVE", "zero bytes"),
-        (b"PK\x03\x04 and then nothing", "no workbook"),
+        (b"PK\x03\x04 and then nothing", "not a workbook"),
         (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1" + b"\0" * 600, "old .xls"),
         (b'Name,Use\nDoor,"hall\nBell,x\n', "never closed"),
         (b"name\n" + b"x" * 5_000_001, "a file may have 5,000,000 bytes; this one has 5,000,006"),

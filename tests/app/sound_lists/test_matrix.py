@@ -28,7 +28,7 @@ def names(line: str) -> list[str]:
         ("box, axe × open", ["box_open", "axe_open"], 1),  # an x within a word parts nothing
         ("Tür × auf", ["tur_auf"], 1),
         ("gun × 3", ["gun"], 3),
-        ("level × 1, 2", ["level_1", "level_2"], 1),  # a list of numbers is no number of variations
+        ("level × 1, 2", ["level_1", "level_2"], 1),  # a list of numbers is not a number of variations
     ],
 )
 def test_a_line_makes_each_with_each(line: str, made: list[str], variations: int) -> None:

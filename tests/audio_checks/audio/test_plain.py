@@ -96,7 +96,7 @@ HOSTILE = {
     "a module that runs a program when it is imported": lie(["enum", "audio_checks.cli.__main__", "x", "y"]),
     "a class of another package": lie(["data", "subprocess", "Popen", NO_FIELDS]),
     "an error of another package": lie(["error", "builtins", "SystemExit", ["list", ["tuple"], NO_FIELDS]]),
-    "a class that is no data class": lie(["data", SANDBOX, "Sandbox", NO_FIELDS]),
+    "a class that is not a data class": lie(["data", SANDBOX, "Sandbox", NO_FIELDS]),
     "a function": lie(["data", "audio_checks.run", "check_file", NO_FIELDS]),
     "a module that is not loaded": lie(["data", "audio_checks.nowhere", "X", NO_FIELDS]),
     "more fields than a class has": lie(["data", Finding.__module__, "Finding", *["x"] * 100]),

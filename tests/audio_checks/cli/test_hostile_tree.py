@@ -153,7 +153,7 @@ def test_a_spec_that_is_something_else_is_refused_with_a_reason(tree, place):
     done = run_in(tree, [str(BIN / "audio-checks"), "check", "good.wav"])
     assert done.returncode == 2
     assert "audio-checks.toml" in done.stderr
-    assert any(why in done.stderr for why in ("is not TOML", "no regular file", "cannot be read", "is larger than"))
+    assert any(why in done.stderr for why in ("is not TOML", "not a regular file", "cannot be read", "is larger than"))
     assert "root:" not in done.stdout + done.stderr
     assert "HOME=" not in done.stdout + done.stderr
     assert "fault of the tool" not in done.stderr
@@ -164,4 +164,4 @@ def test_so_is_any_other_text_file(tree, option):
     (tree / "endless").symlink_to("/dev/zero")
     assert stat.S_ISCHR((tree / "endless").stat().st_mode)
     done = run_in(tree, [str(BIN / "audio-checks"), "check", "good.wav", option, "endless"])
-    assert (done.returncode, "is no regular file" in done.stderr) == (2, True), done.stderr
+    assert (done.returncode, "is not a regular file" in done.stderr) == (2, True), done.stderr

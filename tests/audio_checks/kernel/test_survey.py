@@ -74,7 +74,7 @@ def test_whole_numbers_give_the_same_bits_as_doubles(samples: Whole, size: int, 
     frames, channels = samples.shape
     raw, at = samples.astype("<i2").tobytes(), at % hop
     whole = np.zeros((channels, HISTORY + frames + 10))
-    whole[:, :HISTORY] = before  # 0.3 is no whole number of steps
+    whole[:, :HISTORY] = before  # 0.3 is not a whole number of steps
     hops = np.full((frames // hop + 2, 4), 0.25)
     compared = hops.copy()
     maxima, figures, cells, said = surveyed(raw, 16, False, whole, size, (hops, hop, at) if channels == 2 else None)

@@ -76,7 +76,7 @@ def test_links_to_folders_are_not_followed(tmp_path):
     ("made", "word"),
     [
         (None, "does not exist"),
-        ("notes.txt", "no project that is known"),
+        ("notes.txt", "not a project that is known"),
         ("empty.json", "is not JSON"),
         ("", "holds no project"),
     ],

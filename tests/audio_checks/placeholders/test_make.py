@@ -245,6 +245,6 @@ class TestCommand:
         (folder / "out").mkdir()
         write_wav(folder / "out" / "shield_up.wav", noise())
         assert main([*self.ASKED]) == 1
-        assert "refused: out/shield_up.wav is no placeholder" in capsys.readouterr().out
+        assert "refused: out/shield_up.wav is not a placeholder" in capsys.readouterr().out
         assert main([*self.ASKED, "--target", "trailer"]) == 2
         assert "targets of the spec: game, handheld" in capsys.readouterr().err

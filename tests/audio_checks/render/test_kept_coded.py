@@ -58,7 +58,7 @@ def test_the_file_that_a_target_takes_is_the_very_same(
 )
 def test_no_other_file_is_made_of_it(tmp_path: Path, ending: str, target: Target) -> None:
     out = tmp_path / "game"
-    with pytest.raises(RenderRefused, match="a coded file is no master") as refused:
+    with pytest.raises(RenderRefused, match="a coded file is not a master") as refused:
         keep_coded(stored(tmp_path, ending, rate=48_000 if ending == "opus" else 44_100), target, out)
     assert refused.value.code == "render:coded-master"
     assert "keep_coded = true" in refused.value.fix

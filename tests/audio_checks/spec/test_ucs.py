@@ -30,7 +30,7 @@ def test_right_names(stem):
         ("GUNAuto_a_b_c_d_e", "6 blocks"),
         ("GUNAuto__ML_SW", "the FXName is empty"),
         ("GUNAuto_Burst_ML_", "the SourceID is empty"),
-        ("gunAuto_Burst_ML_SW", '"gunAuto" is no CatID'),
+        ("gunAuto_Burst_ML_SW", '"gunAuto" is not a CatID'),
         ("GUNAto_Burst_ML_SW", 'no CatID "GUNAto"; the nearest is "GUNAuto"'),
         ("GUNAuto-_Burst_ML_SW", "user category"),
         ("GUNAuto_-Burst_ML_SW", "vendor category"),

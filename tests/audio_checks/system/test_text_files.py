@@ -108,5 +108,5 @@ def test_a_text_of_as_many_bytes_as_allowed_is_read_and_a_longer_one_is_not(tmp_
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="a system without FIFOs")
 def test_a_fifo_is_refused_and_not_waited_for(tmp_path: Path):
     os.mkfifo(tmp_path / "text")
-    with pytest.raises(SpecError, match="is no regular file but a pipe or a device"):
+    with pytest.raises(SpecError, match="is not a regular file but a pipe or a device"):
         read_text(tmp_path / "text")

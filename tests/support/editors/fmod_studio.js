@@ -80,7 +80,7 @@ function groupTrack(name) {
     addSound(parameter, kind, start, length) {
       if (parameter.entity !== "Timeline") throw new Error("a sound stands on a parameter of its event")
       if (!(start >= 0) || !(length > 0)) throw new Error(`a sound of ${length} s at ${start} s`)
-      if (kind !== "SingleSound" && kind !== "MultiSound") throw new Error(`${kind} is no sound`)
+      if (kind !== "SingleSound" && kind !== "MultiSound") throw new Error(`${kind} is not a sound`)
       const sound = kind === "SingleSound" ? single({ start, length }) : managed(kind, { sounds: [], start, length })
       modules.push(sound)
       return sound

@@ -185,7 +185,7 @@ test('who may not adopt reads who may', async () => {
   expect(screen.queryByLabelText('Folder')).toBeNull()
 })
 
-test('what is no sound is left out, and the outermost folder is the name', async () => {
+test('what is not a sound is left out, and the outermost folder is the name', async () => {
   const picked = [
     { file: fileOf(wav(48_000, 24), 'a.wav'), path: 'Game/ui/a.wav' },
     { file: new File(['x'], 'b.txt'), path: 'Game/b.txt' },
@@ -297,6 +297,6 @@ test.each([
   expect(Object.keys(unpacked(content_base64) as object).sort()).toEqual(wanted)
 })
 
-test('sounds alone are no project', () => {
+test('sounds alone are not a project', () => {
   expect(projectIn([{ path: 'Sounds/a.wav', file: textFile('Sounds/a.wav', '') }])).toBeNull()
 })

@@ -56,9 +56,9 @@ test('a sheet is sent with name and licence, and what was typed stays where it i
   await userEvent.type(screen.getByLabelText('Licence'), 'Site licence 12')
   const sheet = new File(['{}'], 'library.json', { type: 'application/json' })
   await userEvent.upload(screen.getByLabelText('Sheet of fingerprints'), sheet)
-  answers[`POST ${PATH}`] = refusal(422, 'bad-library-sheet', 'the sheet is no manifest')
+  answers[`POST ${PATH}`] = refusal(422, 'bad-library-sheet', 'the sheet is not a manifest')
   await userEvent.click(register)
-  expect(await screen.findByText(/the sheet is no manifest/i)).toBeVisible()
+  expect(await screen.findByText(/the sheet is not a manifest/i)).toBeVisible()
   expect(screen.getByLabelText('Name')).toHaveValue('Doors & Gates')
   answers[`POST ${PATH}`] = DOORS
   await userEvent.click(register)

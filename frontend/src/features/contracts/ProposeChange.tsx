@@ -261,7 +261,7 @@ function firstKind(all: ChangeOrders): Kind {
 
 const capOf = (caps: ChangeOrders['caps'], name: CapName) => caps?.[name] ?? null
 
-/** The caps that were typed and differ from those that stand; null where none differs or one is no number. */
+/** The caps that were typed and differ from those that stand; null where none differs or one is not a number. */
 function changedCaps(caps: ChangeOrders['caps'], typed: Partial<Record<CapName, string>>) {
   const changed: Partial<Record<CapName, number>> = {}
   for (const { name } of CAPS) {

@@ -22,7 +22,7 @@ export interface TypedBid {
   note: string
 }
 
-/** "7.5" in hundredths; null where it is no figure with at most two decimals. */
+/** "7.5" in hundredths; null where it is not a figure with at most two decimals. */
 export function hundredthsOf(typed: string): number | null {
   const found = /^(\d{1,4})(?:\.(\d{1,2}))?$/.exec(typed.trim())
   return found ? Number(found[1]) * 100 + Number((found[2] ?? '').padEnd(2, '0')) : null

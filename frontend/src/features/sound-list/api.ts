@@ -225,7 +225,7 @@ export const versionsQuery = (projectId: string, cueId: string) =>
     },
   })
 
-/** A take that is still being checked has no findings yet, and that is no fault. */
+/** A take that is still being checked has no findings yet, and that is not a fault. */
 async function orNothing<T>(asking: Promise<T>): Promise<T | null> {
   try {
     return await asking

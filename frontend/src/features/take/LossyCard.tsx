@@ -36,7 +36,7 @@ export function LossyCard({ check }: { check: Check | null | undefined }) {
           <figure className={classes.bands}>
             <SpectrumPlot spectrum={spectrum} edgeHz={lowPassHz} end={end} />
             <figcaption className="small mid">
-              {end} Codecs cut off like this, but so do resamplers and filters; this alone is no proof.
+              {end} Codecs cut off like this, but so do resamplers and filters; this alone proves nothing.
             </figcaption>
           </figure>
         )}

@@ -62,7 +62,7 @@ test('what was typed stays when it is refused, and after a reload', async () => 
   expect(screen.getByText(/Draft restored/)).toBeVisible()
 })
 
-test('who is no producer reads what is checked and what blocks', async () => {
+test('who is not a producer reads what is checked and what blocks', async () => {
   serve({
     ...inProject('reviewer'),
     'GET /v1/projects/p1/categories': [{ category: 'ui', cues: 12 }],

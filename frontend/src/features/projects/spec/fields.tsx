@@ -57,7 +57,7 @@ interface NumberFieldProps {
 const shown = (value: unknown): string =>
   typeof value === 'number' || typeof value === 'string' ? String(value).replace('-', '−') : ''
 
-/** A figure with its unit; empty means no limit. Text that is no number stays as typed and is reported. */
+/** A figure with its unit; empty means no limit. Text that is not a number stays as typed and is reported. */
 export function NumberField({ place, label, unit, hideLabel = false, usual }: NumberFieldProps) {
   const { tables, set } = useWriting()
   const value = at(tables, place)

@@ -110,7 +110,7 @@ describe('by form', () => {
     expect(JSON.stringify(wrote(asked, TRY).map(({ body }) => body))).not.toContain('true_peak_dbtp":"')
   })
 
-  test('what is no number stays as typed, with the refusal at its field', async () => {
+  test('what is not a number stays as typed, with the refusal at its field', async () => {
     await openSpec({ [TRY]: badSpec('limits.true_peak_dbtp', 'wanted a number or "any", found "loud"') })
     await userEvent.clear(screen.getByLabelText('True peak, dBTP'))
     await userEvent.type(screen.getByLabelText('True peak, dBTP'), 'loud')
@@ -227,7 +227,7 @@ describe('as TOML', () => {
     expect(screen.getByText('no changes')).toBeVisible()
   })
 
-  test('what is no spec cannot be shown as a form, and says so', async () => {
+  test('what is not a spec cannot be shown as a form, and says so', async () => {
     const { text } = await openToml({ [TRY]: tryToml })
     type(text, WRONG)
     await screen.findByText('limits.true_peak')

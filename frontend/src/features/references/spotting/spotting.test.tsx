@@ -235,7 +235,7 @@ test('the page has no violation of WCAG that a program finds', async () => {
   expect(found.violations.map(({ id, nodes }) => [id, nodes[0]?.html])).toEqual([])
 })
 
-test('what is no clip says so', async () => {
+test('what is not a clip says so', async () => {
   serve(
     inProject('producer', {
       'GET /v1/projects/p1/desk': refusal(403, 'x', 'no desk'),

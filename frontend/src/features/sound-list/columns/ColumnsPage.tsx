@@ -40,7 +40,7 @@ const wantedOf = ({ choices, ...column }: Typed) => ({
     .filter(Boolean),
 })
 
-/** Names that cues keep values under and that are no column: an import brought them, or the column was removed. */
+/** Names that cues keep values under and that are not columns: an import brought them, or the column was removed. */
 function keptNames(cues: readonly Cue[], columns: readonly Typed[]): [name: string, cues: number][] {
   const known = new Set(columns.map(({ name }) => name.trim().toLowerCase()))
   const counts = new Map<string, number>()
