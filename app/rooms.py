@@ -60,6 +60,7 @@ from app.renders.endpoints import router as renders
 from app.reviews.adoption_endpoints import router as adoptions
 from app.reviews.checklist_endpoints import router as checklists
 from app.reviews.endpoints import router as reviews
+from app.reviews.heard_endpoints import router as heard_takes
 from app.scenes.endpoints import router as scenes
 from app.shares.guest_endpoints import router as guests
 from app.shares.guest_link_endpoints import router as guest_links
@@ -121,6 +122,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     conformance,
     renders,
     reviews,
+    heard_takes,
     checklists,
     guest_links,
     guests,

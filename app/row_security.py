@@ -36,6 +36,7 @@ PERSONAL = frozenset(
         "accounts_desk_tokens",
         "accounts_pictures",  # whose name a caller sees, a query decides
         *("notifications_mail_preferences", "notifications_notices"),
+        "reviews_heard_takes",
     }
 )
 TEAMS_OWN = frozenset(  # no designer reads them

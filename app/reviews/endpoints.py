@@ -66,6 +66,7 @@ Own = Annotated[
 Designer = Annotated[UUID | None, Query(description="Of whom a version waits.")]
 DueBy = Annotated[date | None, Query(description="The last target date; cues without one are left out.")]
 Version = Annotated[VersionKind | None, Query(description="`new`: a version that answers a change request waits.")]
+Unheard = Annotated[bool, Query(description="A version waits that the caller has not heard yet.")]
 Words = Annotated[
     str, Query(max_length=200, description="Each word stands in the name, the description or the use of the cue.")
 ]
@@ -78,10 +79,11 @@ def queue_filter(
     need: Need | None = None,
     kind: QueueKind | None = None,
     version: Version = None,
+    unheard: Unheard = False,
     q: Words = "",
 ) -> QueueFilter:
     """Return the filter that a request names."""
-    return QueueFilter(category, designer_id, due_by, need, kind, version, q)
+    return QueueFilter(category, designer_id, due_by, need, kind, version, unheard, q)
 
 
 Filter = Annotated[QueueFilter, Depends(queue_filter)]

@@ -281,6 +281,16 @@ class ItemCheck(Base):
     person: Mapped[Person] = relationship(lazy="raise")
 
 
+class HeardTake(Base):
+    """A person heard a take, or most of it; without a studio, since that person alone sees it."""
+
+    __tablename__ = "reviews_heard_takes"
+
+    take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), primary_key=True)
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), primary_key=True)
+    heard_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
 class ApprovalRule(Base):
     """What blocks approval in a project, as a producer set it; without a row nothing does."""
 

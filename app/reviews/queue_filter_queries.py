@@ -1,6 +1,7 @@
 """Which cues of the review queue a filter leaves, as conditions on the takes that wait for them."""
 
 from typing import Any
+from uuid import UUID
 
 from sqlalchemy import ColumnElement, and_, exists, func, or_, select, true
 from sqlalchemy.orm import aliased
@@ -8,11 +9,12 @@ from sqlalchemy.orm import aliased
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit.icontains import icontains
+from app.reviews.models import HeardTake
 from app.reviews.rules import QueueFilter, QueueKind, VersionKind
 from app.sound_lists.models import Cue
 
 
-def filtered(wanted: QueueFilter) -> ColumnElement[bool]:
+def filtered(wanted: QueueFilter, person_id: UUID) -> ColumnElement[bool]:
     """Admit the takes of cues that a filter leaves; all takes of a cue or none, so that the queue keeps its order."""
     of_cue: list[ColumnElement[bool]] = []
     if wanted.category is not None:
@@ -40,6 +42,9 @@ def filtered(wanted: QueueFilter) -> ColumnElement[bool]:
     if wanted.version is not None:
         answers = _answers_a_change(waits, other)
         parts.append(answers if wanted.version is VersionKind.NEW else ~answers)
+    if wanted.unheard:
+        heard = exists().where(HeardTake.take_id == other.id, HeardTake.person_id == person_id).correlate(other)
+        parts.append(exists().where(*waits, ~heard).correlate(Take))
     return and_(true(), *parts)
 
 

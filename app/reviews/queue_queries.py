@@ -1,10 +1,9 @@
 """The review queue with all that its cards show, read in few columns; callers have checked access."""
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
 from datetime import date, datetime, timedelta
 from functools import cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 from uuid import UUID
 
 from sqlalchemy import (
@@ -14,7 +13,6 @@ from sqlalchemy import (
     Select,
     String,
     and_,
-    bindparam,
     cast,
     exists,
     false,
@@ -24,33 +22,22 @@ from sqlalchemy import (
     select,
     tuple_,
 )
-from sqlalchemy.orm import Session, aliased, joinedload, load_only
+from sqlalchemy.orm import Session, aliased, joinedload
 from sqlalchemy.sql.functions import aggregate_strings
 
-from app.accounts.models import Person
 from app.agreements.models import Contract, ContractCue
 from app.agreements.rules import ContractState
-from app.conformance.models import CheckRun, Waiver
-from app.conformance.rules import Report
-from app.deliveries.models import Delivery, Take
+from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit.exists import row_exists
 from app.kit.in_array import in_array
 from app.projects.models import Project, Spec
 from app.projects.rules import ApprovalScope
 from app.renders.models import Picture, RenderSet
-from app.renders.shown_renders import PICTURE, ShownPicture, ShownRender, shown_renders
-from app.renders.thumbs import Thumb, thumbs
 from app.reviews.models import ChangeRequest, Comment, NoteAnswer, Round
-from app.reviews.queries import open_drafts
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
 
-SHOWN_OF_TAKES = (
-    *(Take.studio_id, Take.project_id, Take.delivery_id, Take.cue_id, Take.variation, Take.number, Take.alternate),
-    *(Take.state, Take.state_since, Take.received_at, Take.late, Take.file_name, Take.note, Take.fix_of_id),
-    Take.master_sha256,
-)
 URGENT_BEFORE = timedelta(days=7)
 STRETCH = 3  # takes looked at for one cue that is wanted: most of what conforms waits, some cues have several
 
@@ -210,111 +197,6 @@ def _waiting_by_cue(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, l
 def _waiting() -> Select[UUID | None, UUID]:
     waiting = select(Take.cue_id, Take.id).where(in_array(Take.cue_id, "cue_ids"), _waits())
     return waiting.order_by(Take.state_since, Take.id)
-
-
-@dataclass(frozen=True)
-class TakeOnReview:
-    """A take with what is shown of it."""
-
-    take: Take
-    spec: Spec
-    picture: ShownPicture | None
-    report: Report | None
-    waiver: Waiver | None
-    draft: ChangeRequest | None
-    renders: dict[str, ShownRender | None]
-    thumbs: dict[UUID, Thumb]  # of all pictures here
-    open_comments: int
-
-
-def _takes() -> Select[*tuple[Any, ...]]:
-    drafts = select(ChangeRequest.id).where(ChangeRequest.take_id == Take.id, ChangeRequest.feedback_id.is_(None))
-    waivers = select(Waiver.id).where(Waiver.take_id == Take.id)
-    comments = select(func.count()).where(Comment.take_id == Take.id, Comment.resolved_at.is_(None))
-    return (
-        select(
-            *(Take, CheckRun.report, row_exists(drafts, Take), row_exists(waivers, Take)),
-            *(comments.correlate(Take).scalar_subquery(), *PICTURE),
-        )
-        .outerjoin(Picture, and_(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256))
-        .outerjoin(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
-        .options(
-            load_only(*SHOWN_OF_TAKES, raiseload=True),
-            joinedload(Take.cue),
-            joinedload(Take.delivery)
-            .load_only(Delivery.number, Delivery.note, raiseload=True)
-            .joinedload(Delivery.designer)
-            .load_only(Person.name, Person.picture_sha256, raiseload=True),
-        )
-        .order_by(Take.variation, Take.number.desc())
-    )
-
-
-@cache
-def _takes_by_id() -> Select[*tuple[Any, ...]]:
-    return _takes().where(in_array(Take.id, "ids"))
-
-
-@cache
-def _takes_of_cue() -> Select[*tuple[Any, ...]]:
-    return _takes().where(Take.cue_id == bindparam("cue_id"))
-
-
-def takes_on_review(session: Session, take_ids: Collection[UUID]) -> list[TakeOnReview]:
-    """Return some takes, newest first of each variation."""
-    return _with_what_is_shown(session, session.execute(_takes_by_id(), {"ids": take_ids}).all())
-
-
-def takes_of_cue(session: Session, cue_id: UUID) -> list[TakeOnReview]:
-    """Return a cue's takes in every state, newest first."""
-    return _with_what_is_shown(session, session.execute(_takes_of_cue(), {"cue_id": cue_id}).all())
-
-
-def _with_what_is_shown(session: Session, rows: Sequence[Row[*tuple[Any, ...]]]) -> list[TakeOnReview]:
-    takes: list[Take] = [row[0] for row in rows]
-    masters = {row[0].id: ShownPicture.read(*row[5:]) for row in rows}
-    specs = newest_specs(session, {take.project_id for take in takes})
-    renders = shown_renders(session, specs, takes)
-    files = [render.picture for made in renders.values() for render in made.values() if render]
-    drawn = thumbs(session, [picture.id for picture in (*masters.values(), *files) if picture])
-    drafted = [take.id for take, _, is_drafted, *_ in rows if is_drafted]
-    drafts = {draft.take_id: draft for draft in open_drafts(session, drafted)} if drafted else {}
-    waived = [take.id for take, _, _, is_waived, *_ in rows if is_waived]
-    waivers = {waiver.take_id: waiver for waiver in _waivers_of(session, waived)} if waived else {}
-    return [
-        TakeOnReview(
-            take=take,
-            spec=specs[take.project_id],
-            picture=masters[take.id],
-            report=report,
-            waiver=waivers.get(take.id),
-            draft=drafts.get(take.id),
-            renders=renders[take.id],
-            thumbs=drawn,
-            open_comments=comments,
-        )
-        for take, report, _, _, comments, *_ in rows
-    ]
-
-
-def _waivers_of(session: Session, take_ids: Collection[UUID]) -> Sequence[Waiver]:
-    return session.scalars(select(Waiver).where(in_array(Waiver.take_id, take_ids)).order_by(Waiver.id)).all()
-
-
-def newest_specs(session: Session, project_ids: Collection[UUID]) -> dict[UUID, Spec]:
-    """Return the newest spec of each project."""
-    return {spec.project_id: spec for spec in session.scalars(_newest_specs(), {"project_ids": project_ids})}
-
-
-@cache
-def _newest_specs() -> Select[Spec]:
-    newest = (
-        select(Spec.project_id, func.max(Spec.version).label("version"))
-        .where(in_array(Spec.project_id, "project_ids"))
-        .group_by(Spec.project_id)
-        .subquery()
-    )
-    return select(Spec).join(newest, and_(newest.c.project_id == Spec.project_id, newest.c.version == Spec.version))
 
 
 class CueOnReview(NamedTuple):

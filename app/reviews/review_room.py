@@ -28,7 +28,7 @@ from app.projects.models import Spec
 from app.projects.service import project_access
 from app.renders.service import sound_places
 from app.renders.shown_renders import ShownPicture
-from app.reviews import queries, queue_queries
+from app.reviews import queries, queue_queries, take_queries
 from app.reviews.approval_blocks import blocked_takes
 from app.reviews.carried_notes import carried_notes
 from app.reviews.checklist_schemas import BlockedTake
@@ -36,7 +36,7 @@ from app.reviews.checklists import cue_checklist
 from app.reviews.deemed_cues import LastDay, last_days
 from app.reviews.models import ChangeRequest, Comment, Verdict
 from app.reviews.queue_filter_queries import filtered
-from app.reviews.queue_queries import CueOnReview, QueuePlace, TakeOnReview, WaitingCue
+from app.reviews.queue_queries import CueOnReview, QueuePlace, WaitingCue
 from app.reviews.rules import EVERYTHING, QueueFilter, VerdictKind, missing_variations, queue_kind
 from app.reviews.schemas import (
     ChangeRequestRead,
@@ -52,12 +52,14 @@ from app.reviews.schemas import (
     RoundRead,
     VerdictRead,
 )
+from app.reviews.take_queries import TakeOnReview
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState, label
 from app.sound_lists.service import visible_cue
 
 PAGE_CUES = 16  # as many lines as a tall screen shows
 COUNTED_CUES = 99  # more is shown as "99+"
+URGENT = "urgent."  # begins the cursor of a place among what is urgent
 
 
 def review_queue(
@@ -70,7 +72,7 @@ def review_queue(
     cursor: str | None,
 ) -> Page[QueueItem]:
     """Return what waits for review with all that its cards show; `is_own`: only what the caller approves."""
-    reach = _wanted(_reach(session, actor, project_id, is_own=is_own), wanted)
+    reach = _wanted(_reach(session, actor, project_id, is_own=is_own), wanted, actor.person)
     waiting = queue_queries.queued_cues(
         session, reach, clock.now().date(), after=_place_of(cursor), limit=PAGE_CUES + 1
     )
@@ -78,7 +80,8 @@ def review_queue(
     urgent = {cue.id for is_urgent, cue in waiting if is_urgent}
     by_cue: dict[UUID, list[TakeOnReview]] = defaultdict(list)
     cues: list[Cue] = []
-    for one in queue_queries.takes_on_review(session, [take_id for cue in shown for take_id in cue.take_ids]):
+    take_ids = [take_id for cue in shown for take_id in cue.take_ids]
+    for one in take_queries.takes_on_review(session, actor.person, take_ids):
         if one.take.cue is not None:
             by_cue[one.take.cue.id].append(one)
             cues.append(one.take.cue)
@@ -106,9 +109,6 @@ def review_queue(
     return Page(items=items, next=_cursor_at(*waiting[PAGE_CUES - 1]) if len(waiting) > PAGE_CUES else None)
 
 
-URGENT = "urgent."  # begins the cursor of a place among what is urgent
-
-
 def _cursor_at(is_urgent: bool, cue: WaitingCue) -> str:
     return (URGENT if is_urgent else "") + cursor_of(cue.since.isoformat(), cue.id)
 
@@ -118,15 +118,15 @@ def _place_of(cursor: str | None) -> QueuePlace | None:
     return place and QueuePlace(bool(cursor and cursor.startswith(URGENT)), *place)
 
 
-def _wanted(reach: ColumnElement[bool], wanted: QueueFilter) -> ColumnElement[bool]:
-    return reach if wanted == EVERYTHING else and_(reach, filtered(wanted))
+def _wanted(reach: ColumnElement[bool], wanted: QueueFilter, person_id: UUID) -> ColumnElement[bool]:
+    return reach if wanted == EVERYTHING else and_(reach, filtered(wanted, person_id))
 
 
 def queue_count(
     session: Session, actor: Actor, *, project_id: UUID | None, is_own: bool, wanted: QueueFilter = EVERYTHING
 ) -> QueueCount:
     """Return how many cues wait for review, counted up to a bound so that it costs the same however many do."""
-    reach = _wanted(_reach(session, actor, project_id, is_own=is_own), wanted)
+    reach = _wanted(_reach(session, actor, project_id, is_own=is_own), wanted, actor.person)
     waiting = queue_queries.waiting_cues(session, reach, after=None, limit=COUNTED_CUES + 1)
     return QueueCount(cues=min(len(waiting), COUNTED_CUES), is_all=len(waiting) <= COUNTED_CUES)
 
@@ -233,6 +233,7 @@ def review_take(one: TakeOnReview, prefix: str, words: dict[UUID, SetFinding]) -
         ],
         draft_change=change_request_read(one.draft, prefix) if one.draft else None,
         open_comments=one.open_comments,
+        is_heard=one.is_heard,
     )
 
 
@@ -282,7 +283,7 @@ def cue_review(session: Session, actor: Actor, cue_id: UUID) -> CueReviewRead:
     access, cue = visible_cue(session, actor, cue_id)
     access.ensure_team()
     prefix = access.project.cue_prefix
-    shown = queue_queries.takes_of_cue(session, cue.id)
+    shown = take_queries.takes_of_cue(session, actor.person, cue.id)
     words = findings_of_sets(session, [cue], _specs_of(shown))
     takes = [review_take(one, prefix, words) for one in shown]
     ids = [take.id for take in takes]

@@ -65,6 +65,7 @@ class QueueFilter:
     need: Need | None = None
     kind: QueueKind | None = None
     version: VersionKind | None = None
+    unheard: bool = False  # a take waits that the caller has not heard
     text: str = ""  # each word stands in the name, the description or the use of the cue
 
 

@@ -17,6 +17,7 @@ from app.reviews.checklist_schemas import BlockedTake, CueChecklist
 from app.reviews.rules import QueueKind, VerdictKind
 from app.sound_lists.rules import CueState, Reverb
 
+MAX_HEARD = 200  # takes that are recorded at once
 NO_NUL = "^[^\\x00]*$"  # PostgreSQL takes none in text
 Note = Annotated[str, Field(max_length=10_000, pattern=NO_NUL)]
 Said = Annotated[str, Field(min_length=1, max_length=10_000, pattern=NO_NUL)]
@@ -116,6 +117,7 @@ class ReviewTake(SoundBrief):
     renders: list[ReviewRender]
     draft_change: ChangeRequestRead | None
     open_comments: int
+    is_heard: bool = Field(description="By the caller; nobody sees what others heard.")
 
 
 class QueueItem(Schema):
@@ -186,6 +188,12 @@ class TakeStateRead(Schema):
     id: UUID
     variation: int
     state: TakeState
+
+
+class HeardTakes(Schema):
+    """Versions that the caller has heard."""
+
+    take_ids: list[UUID] = Field(min_length=1, max_length=MAX_HEARD)
 
 
 class SetAccept(Schema):

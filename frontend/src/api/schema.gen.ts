@@ -5645,6 +5645,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/projects/{project_id}/heard-takes": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Add Heard Takes
+         * @description Record which versions the caller has heard; nobody else sees it, and ids of other projects are passed over.
+         */
+        post: operations["add_heard_takes"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/approval-settings": {
         parameters: {
             query?: never;
@@ -14876,6 +14896,14 @@ export interface components {
          */
         HeardAs: "too-loud" | "too-soft" | "too-long" | "too-short" | "wrong" | "missing" | "good" | "not-reached";
         /**
+         * HeardTakes
+         * @description Versions that the caller has heard.
+         */
+        HeardTakes: {
+            /** Take Ids */
+            take_ids: string[];
+        };
+        /**
          * HeldBack
          * @description A draft that could not be sent now, and stays a draft.
          */
@@ -20933,6 +20961,11 @@ export interface components {
             draft_change: components["schemas"]["ChangeRequestRead"] | null;
             /** Open Comments */
             open_comments: number;
+            /**
+             * Is Heard
+             * @description By the caller; nobody sees what others heard.
+             */
+            is_heard: boolean;
         };
         /**
          * RevisionRead
@@ -41260,6 +41293,8 @@ export interface operations {
                 kind?: components["schemas"]["QueueKind"] | null;
                 /** @description `new`: a version that answers a change request waits. */
                 version?: components["schemas"]["VersionKind"] | null;
+                /** @description A version waits that the caller has not heard yet. */
+                unheard?: boolean;
                 /** @description Each word stands in the name, the description or the use of the cue. */
                 q?: string;
             };
@@ -41322,6 +41357,8 @@ export interface operations {
                 kind?: components["schemas"]["QueueKind"] | null;
                 /** @description `new`: a version that answers a change request waits. */
                 version?: components["schemas"]["VersionKind"] | null;
+                /** @description A version waits that the caller has not heard yet. */
+                unheard?: boolean;
                 /** @description Each word stands in the name, the description or the use of the cue. */
                 q?: string;
             };
@@ -42258,6 +42295,57 @@ export interface operations {
                 };
             };
             /** @description `delivery-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    add_heard_takes: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["HeardTakes"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `team-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `project-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;

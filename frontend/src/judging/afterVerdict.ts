@@ -35,6 +35,9 @@ export const withDraft = (
 /** Every take of the item is noted for a change: nothing more to decide before it is sent. */
 export const isNoted = (item: QueueItem): boolean => item.takes.every(({ draft_change }) => draft_change !== null)
 
+/** A version of it waits that the current person has not heard. */
+export const isUnheard = (item: QueueItem): boolean => item.takes.some(({ is_heard }) => !is_heard)
+
 /** What is judged after this one: the next in the order of the queue, from its start again after its end. */
 export function nextAfter(items: readonly QueueItem[], cueId: string): QueueItem | undefined {
   const open = items.filter((item) => !isNoted(item) && item.cue.id !== cueId)

@@ -49,6 +49,12 @@ export const queueQuery = (projectId: string, filter: QueueFilter = {}) =>
     select: ({ pages }) => pages.flatMap(({ items }) => items),
   })
 
+/** The first cues of the queue of which a version waits that the current person has not heard. */
+export const firstUnheard = async (projectId: string, filter: QueueFilter): Promise<QueueItem[]> => {
+  const query = { project_id: projectId, own: true, ...asked({ ...filter, heard: 'no' }) }
+  return (await answered(api.GET('/v1/review-queue', { params: { query } }))).items
+}
+
 /** How many cues wait for a verdict, those that are noted included. */
 export const countQuery = (projectId: string, filter: QueueFilter = {}) =>
   queryOptions({

@@ -11,16 +11,19 @@ export interface QueueFilter {
   need?: Schemas['Need']
   kind?: Schemas['QueueKind']
   version?: Schemas['VersionKind']
+  /** Of which a version waits that the current person has not heard. */
+  heard?: 'no'
   q?: string
 }
 
-const NAMES = ['category', 'designer', 'due', 'need', 'kind', 'version', 'q'] as const
+const NAMES = ['category', 'designer', 'due', 'need', 'kind', 'version', 'heard', 'q'] as const
 
 /** The filter in an address; anything else there is left out. */
 export function filterOf(search: object): QueueFilter {
   const found = NAMES.flatMap((name) => {
     const value: unknown = (search as Record<string, unknown>)[name]
-    return typeof value === 'string' && value !== '' ? [[name, value]] : []
+    const isKnown = name !== 'heard' || value === 'no'
+    return typeof value === 'string' && value !== '' && isKnown ? [[name, value]] : []
   })
   return Object.fromEntries(found) as QueueFilter
 }
@@ -28,8 +31,9 @@ export function filterOf(search: object): QueueFilter {
 export const isFiltered = (filter: QueueFilter): boolean => Object.keys(filter).length > 0
 
 /** The filter as the server takes it. */
-export const asked = ({ designer, due, ...filter }: QueueFilter) => ({
+export const asked = ({ designer, due, heard, ...filter }: QueueFilter) => ({
   ...filter,
+  ...(heard && { unheard: true }),
   designer_id: designer,
   due_by: due,
 })

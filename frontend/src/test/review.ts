@@ -68,6 +68,7 @@ export function aTake(id: string, take: Partial<ReviewTake> = {}): ReviewTake {
     renders: [],
     draft_change: null,
     open_comments: 0,
+    is_heard: true,
     ...take,
   }
 }

@@ -21,6 +21,7 @@ interface QueueFiltersProps {
 
 const NEEDS = { must: 'Must', should: 'Should', wish: 'Wish' }
 const KINDS = { single: 'One version', alternates: 'Alternates', set: 'A set' }
+const HEARD = { no: 'Not heard by you' }
 const VERSIONS = { first: 'First version', new: 'New version after a change' }
 
 /** What of the queue is shown; it stands in the address, and the team shares what it saves as views. */
@@ -35,7 +36,11 @@ export function QueueFilters({ projectId, cueId, filter, onClose }: QueueFilters
   const change = (part: Record<string, string>) => show(filterOf({ ...filter, ...part }))
   useHotkeys([{ keys: 'Escape', label: 'Close', group: 'Review', unlisted: true, run: onClose }])
   const designers = project?.engagements ?? []
-  const choice = (name: 'category' | 'designer' | 'need' | 'kind' | 'version', label: string, of: Choices) => (
+  const choice = (
+    name: 'category' | 'designer' | 'need' | 'kind' | 'version' | 'heard',
+    label: string,
+    of: Choices,
+  ) => (
     <Select
       label={label}
       value={filter[name] ?? ''}
@@ -81,6 +86,7 @@ export function QueueFilters({ projectId, cueId, filter, onClose }: QueueFilters
       {choice('need', 'Priority', NEEDS)}
       {choice('kind', 'Waiting', KINDS)}
       {choice('version', 'Version', VERSIONS)}
+      {choice('heard', 'Heard', HEARD)}
       <label className={classes.words}>
         <span className="small mid">Due by</span>
         <input type="date" value={filter.due ?? ''} onChange={(event) => change({ due: event.currentTarget.value })} />

@@ -3,6 +3,7 @@ import { type UIEvent, useEffect, useRef } from 'react'
 
 import { WaveThumb } from '@/audio'
 import type { QueueItem } from '@/judging/api'
+import { isUnheard } from '@/judging/afterVerdict'
 import { Drafts, useDraftCount } from '@/judging/Drafts'
 import { isFiltered, type QueueFilter } from '@/judging/queueFilter'
 import type { Queue } from '@/judging/useQueue'
@@ -147,7 +148,14 @@ function QueueLine({ item, projectId, filter, current, onOpen }: QueueLineProps)
         onClick={onOpen}
       >
         <span className="strong cut-text">{cue.name}</span>{' '}
-        <span className="small dim nowrap num">{age(item.waiting_since)}</span>{' '}
+        <span className="small dim nowrap num">
+          {isUnheard(item) && (
+            <span className={classes.unheard} title="You have not heard it yet">
+              <span className="visually-hidden">not heard</span>
+            </span>
+          )}{' '}
+          {age(item.waiting_since)}
+        </span>{' '}
         <span className={classes.itemWave}>
           <WaveThumb peaks={heardTakes(item)[0]?.thumb ?? null} lit={current} heightPx={24} />
         </span>

@@ -6,12 +6,14 @@ import { ApiProblem } from '@/api'
 import { useMyProject } from '@/api/me'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
+import { showToast } from '@/app/toast'
 import { usePlayer } from '@/audio'
-import { nextAfter } from '@/judging/afterVerdict'
-import { reviewQuery } from '@/judging/api'
+import { isUnheard, nextAfter } from '@/judging/afterVerdict'
+import { firstUnheard, reviewQuery } from '@/judging/api'
 import { MASTER } from '@/judging/hearing'
 import { usePeaksAhead } from '@/judging/peaks'
 import { filterOf } from '@/judging/queueFilter'
+import { useHeard } from '@/judging/useHeard'
 import { useReady } from '@/judging/useHearing'
 import { useJudge } from '@/judging/useJudge'
 import { useQueue } from '@/judging/useQueue'
@@ -43,6 +45,7 @@ export function ReviewPage(): ReactNode {
   const { data: money } = useQuery({ ...cueMoneyQuery(cueId), enabled: seesMoney })
   const [player, playing] = usePlayer({ held: true, light: true })
   const conditions = useCondition(player)
+  useHeard(player, projectId, review?.takes.map(({ id }) => id) ?? NONE)
   const [queueOpen, setQueueOpen] = useState(false)
   const [isFiltering, setFiltering] = useState(false)
   const [target, setTarget] = useState(MASTER)
@@ -59,7 +62,7 @@ export function ReviewPage(): ReactNode {
   const at = waiting.findIndex(({ cue }) => cue.id === cueId)
   const ahead = at < 0 ? waiting : [...waiting.slice(at + 1), ...waiting.slice(0, at)]
   const takes = waiting[at]?.takes ?? NONE
-  useReady(player, takes, ahead[0], ahead.slice(1, 3))
+  useReady(player, takes, ahead[0], ahead.slice(1, AHEAD), ahead.slice(AHEAD))
   usePeaksAhead(takes[0]?.peaks_url, ahead[0]?.takes ?? NONE)
   const aheadIds = ahead
     .slice(0, AHEAD)
@@ -75,6 +78,13 @@ export function ReviewPage(): ReactNode {
     const to = isBeyond ? (await queue.readOn())[place] : waiting[place]
     if (to) open(to.cue.id)
   }
+  const toUnheard = async () => {
+    const here = ahead.find(isUnheard)
+    const later = here || !queue.hasMore ? [] : await firstUnheard(projectId, filter).catch(() => NONE)
+    const to = here ?? later.find(({ cue }) => items.every((item) => item.cue.id !== cue.id))
+    if (to) open(to.cue.id)
+    else showToast('You have heard every other version that waits.')
+  }
   const toNext = () => {
     const next = nextAfter(items, cueId)
     if (next) open(next.cue.id)
@@ -83,6 +93,7 @@ export function ReviewPage(): ReactNode {
   useHotkeys([
     { keys: 'j', label: 'Next in the queue', group: 'Review', run: () => void step(1) },
     { keys: 'k', label: 'Previous in the queue', group: 'Review', run: () => void step(-1) },
+    { keys: 'shift+j', label: 'Next that you have not heard', group: 'Review', run: () => void toUnheard() },
     {
       keys: 'g q',
       label: 'Go to queue',

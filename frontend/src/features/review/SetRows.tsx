@@ -53,10 +53,12 @@ export function SetRows({ takes, handId, nameOf, picked, onChoose, cue }: SetRow
                 <CueProgress take={take} odd={odd?.take.id === take.id} />
               </span>
               <span className={`small ${classes.setPick}`}>
-                {picked.has(take.id) && (
+                {picked.has(take.id) ? (
                   <>
                     <Icon name="tick" size={14} /> selected
                   </>
+                ) : (
+                  !take.is_heard && 'not heard'
                 )}
               </span>
             </button>

@@ -38,6 +38,7 @@ export function TakeCards({ takes, gains, handId, nameOf, blind, onChoose }: Tak
             ) : (
               `version ${take.number}`
             ),
+            ...(take.is_heard ? [] : ['not heard']),
           ]}
           onPick={() => onChoose(take)}
         />

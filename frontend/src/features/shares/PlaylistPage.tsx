@@ -8,6 +8,7 @@ import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
 import { usePlayer, WaveThumb } from '@/audio'
+import { useHeard } from '@/judging/useHeard'
 import { Button } from '@/ui/Button'
 import { Count } from '@/ui/Count'
 import { length, plural } from '@/ui/format'
@@ -59,6 +60,8 @@ function Room({ playlist }: { playlist: Playlist }) {
   const hand = useLive(id, mayJoin, player, playthrough)
   const follows = hand.isIn && hand.live?.is_holder === false
   const isPlaying = playing.status === 'playing'
+  const order = takes.map(({ take_id }) => take_id)
+  useHeard(player, projectId, order)
 
   const open = async (takeId: string) => {
     if (follows) return
@@ -79,7 +82,6 @@ function Room({ playlist }: { playlist: Playlist }) {
     const take = step(by)
     if (take) void open(take.take_id)
   }
-  const order = takes.map(({ take_id }) => take_id)
   const move = (takeId: string, to: number) => {
     const next = moved(order, takeId, to)
     if (next.join() !== order.join()) change.mutate({ take_ids: next })

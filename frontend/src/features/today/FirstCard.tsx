@@ -11,6 +11,7 @@ import { ChangeForm } from '@/judging/ChangeForm'
 import { isWholeSet, pickedOfSet } from '@/judging/choice'
 import { type Gains, MASTER, matchGains, soundOf, sourceOf } from '@/judging/hearing'
 import { loweredWords } from '@/judging/levels'
+import { useHeard } from '@/judging/useHeard'
 import { useHearing } from '@/judging/useHearing'
 import type { Judge } from '@/judging/useJudge'
 import { asked, asks, heardTakes, takeName } from '@/judging/words'
@@ -53,6 +54,11 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
   const [changing, setChanging] = useState(false)
   const gains = useMemo(() => matchGains(takes), [takes])
   const source = useHearing(player, cue.id, hand, MASTER, gains)
+  useHeard(
+    player,
+    projectId,
+    takes.map(({ id }) => id),
+  )
   const peaks = usePeaks(hand?.peaks_url)
   const sound = soundOf(hand, MASTER)
   const name = takeName(hand, cue, takes)

@@ -1,0 +1,20 @@
+"""The endpoint by which a person's browser reports what they have heard."""
+
+from uuid import UUID
+
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience
+from app.kit.http import DbSession, Route, Router, problems
+from app.projects.errors import ProjectNotFound, TeamNeeded
+from app.reviews.heard_takes import record_heard_takes
+from app.reviews.schemas import HeardTakes
+
+router = Router(prefix="/v1", tags=["reviews"], route_class=Route)
+
+
+@router.post("/projects/{project_id}/heard-takes", status_code=204, responses=problems(ProjectNotFound, TeamNeeded))
+def add_heard_takes(
+    project_id: UUID, body: HeardTakes, session: DbSession, actor: Actor = allows(Audience.TEAM)
+) -> None:
+    """Record which versions the caller has heard, for the caller alone; ids of other projects are passed over."""
+    record_heard_takes(session, actor, project_id, body.take_ids)

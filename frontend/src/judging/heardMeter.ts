@@ -1,0 +1,48 @@
+import type { Player } from '@/audio'
+
+/** A sound counts as heard once so much of it was played, or half of one that is shorter than twice that. */
+const ENOUGH_MS = 3_000
+
+const enoughMs = (durationS: number): number => Math.min(ENOUGH_MS, durationS * 500)
+
+/** Call back once for each sound that was played for long enough; the answer stops it. */
+export function meterHeard(
+  player: Pick<Player, 'getState' | 'subscribeState'>,
+  onHeard: (sourceId: string) => void,
+  now: () => number = () => performance.now(),
+): () => void {
+  const playedMs = new Map<string, number>()
+  const heard = new Set<string>()
+  let sounding: { id: string; enoughMs: number; sinceMs: number } | null = null
+  let lastId = player.getState().sourceId
+  let timer: ReturnType<typeof setTimeout> | undefined
+
+  const count = () => {
+    if (sounding === null) return
+    const { id, sinceMs } = sounding
+    const played = (playedMs.get(id) ?? 0) + now() - sinceMs
+    playedMs.set(id, played)
+    if (played < sounding.enoughMs || heard.has(id)) return
+    heard.add(id)
+    onHeard(id)
+  }
+  const look = () => {
+    clearTimeout(timer)
+    count()
+    const { status, sourceId, durationS, asGame } = player.getState()
+    // One that was just selected sounds only once it is read: until then the one before it goes on.
+    const sounds = status === 'playing' && durationS > 0 && (asGame || sourceId === lastId)
+    lastId = sourceId
+    sounding = sounds && sourceId !== null ? { id: sourceId, enoughMs: enoughMs(durationS), sinceMs: now() } : null
+    if (sounding === null || heard.has(sounding.id)) return
+    const leftMs = Math.max(0, sounding.enoughMs - (playedMs.get(sounding.id) ?? 0))
+    timer = setTimeout(look, Math.ceil(leftMs))
+  }
+  const unsubscribe = player.subscribeState(look)
+  look()
+  return () => {
+    clearTimeout(timer)
+    unsubscribe()
+    count()
+  }
+}

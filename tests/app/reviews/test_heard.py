@@ -1,0 +1,82 @@
+"""Which versions a person has heard: their own record, a filter of the queue, and nobody else's business."""
+
+from typing import Any
+from uuid import UUID
+
+import pytest
+from sqlalchemy import func, select
+
+from app.kit.db import new_id
+from app.reviews.models import HeardTake
+from app.reviews.schemas import MAX_HEARD
+from tests.app.reviews.making import Stage, body_of, refused
+from tests.support.server import World
+
+
+@pytest.fixture
+def stage(world: World) -> Stage:
+    return Stage(world)
+
+
+def hear(client: Any, project_id: UUID, *take_ids: UUID) -> Any:
+    return client.post(f"/v1/projects/{project_id}/heard-takes", json={"take_ids": [str(one) for one in take_ids]})
+
+
+def unheard(client: Any, project_id: UUID) -> list[str]:
+    """Return the cues that the filter leaves; the count says the same."""
+    params = {"project_id": str(project_id), "unheard": "true"}
+    items = body_of(client.get("/v1/review-queue", params=params))["items"]
+    assert body_of(client.get("/v1/review-queue/count", params=params))["cues"] == len(items)
+    return [item["cue"]["name"] for item in items]
+
+
+def test_what_a_person_heard_leaves_their_filter_and_no_other(stage: Stage) -> None:
+    world = stage.world
+    laser, shield = stage.take(stage.cue("laser")), stage.take(stage.cue("shield"))
+    assert unheard(world.reviewer, world.project_id) == ["laser", "shield"]
+    for _ in range(2):  # a batch that is sent again changes nothing
+        assert hear(world.reviewer, world.project_id, laser, laser).status_code == 204
+    assert unheard(world.reviewer, world.project_id) == ["shield"]
+    assert unheard(world.approver, world.project_id) == ["laser", "shield"]
+    by_take = {take["id"]: take["is_heard"] for item in stage.queue() for take in item["takes"]}
+    assert by_take == {str(laser): False, str(shield): False}, "the approver heard neither"
+
+
+def test_a_new_version_and_another_variation_have_to_be_heard_too(stage: Stage) -> None:
+    world, reviewer = stage.world, stage.world.reviewer
+    pair = stage.cue("pair", variations=2)
+    first, second = stage.take(pair, 1), stage.take(pair, 2)
+    hear(reviewer, world.project_id, first)
+    assert unheard(reviewer, world.project_id) == ["pair"]
+    hear(reviewer, world.project_id, second)
+    assert unheard(reviewer, world.project_id) == []
+    later = stage.take(pair, 2)
+    assert unheard(reviewer, world.project_id) == ["pair"]
+    takes = stage.review(pair)["takes"]
+    assert {take["id"]: take["is_heard"] for take in takes} == {str(first): True, str(second): True, str(later): False}
+
+
+def test_takes_of_other_projects_are_passed_over(stage: Stage) -> None:
+    world = stage.world
+    laser = stage.take(stage.cue("laser"))
+    made = world.producer.post(
+        "/v1/projects", json={"studio_id": str(world.studio_id), "name": "Elsewhere", "cue_prefix": "EL"}
+    )
+    elsewhere = made.json()["id"]
+    assert hear(world.producer, elsewhere, laser, new_id()).status_code == 204
+    assert unheard(world.producer, world.project_id) == ["laser"]
+    heard = select(func.count()).select_from(HeardTake).where(HeardTake.person_id == world.producer_id)
+    assert world.server.in_database(lambda session: session.scalar(heard)) == 0
+
+
+def test_a_stranger_sees_no_project_and_a_designer_has_no_queue(stage: Stage) -> None:
+    world = stage.world
+    laser = stage.take(stage.cue("laser"))
+    assert refused(hear(world.stranger, world.project_id, laser)) == (404, "project-not-found")
+    assert refused(hear(world.designer, world.project_id, laser)) == (403, "team-needed")
+
+
+@pytest.mark.parametrize("number", [0, MAX_HEARD + 1])
+def test_a_batch_has_some_and_not_too_many(stage: Stage, number: int) -> None:
+    world = stage.world
+    assert hear(world.reviewer, world.project_id, *(new_id() for _ in range(number))).status_code == 422
