@@ -4,162 +4,9 @@ import axe from 'axe-core'
 import { beforeEach, describe, expect, test } from 'vitest'
 
 import { openApp } from '@/test/openApp'
-import { type Answers, refusal, serve, wrote } from '@/test/server'
+import { CONTRACT, given, MAY, page, PAGE, redlineAnswers, round, UNMARKED, VERSION } from '@/test/redlines'
+import { refusal, serve, wrote } from '@/test/server'
 
-const CLAUSES = [
-  { key: 'parties', title: 'Parties', text: 'Between us.', stands: true },
-  { key: 'rounds', title: 'Rounds', text: 'It includes {rounds_included} rounds.', stands: true },
-]
-const VERSION = {
-  number: 2,
-  note: '',
-  author: { id: 'x1', name: 'Producer' },
-  created_at: '2026-11-20T09:00:00Z',
-  sent_at: '2026-11-20T10:00:00Z',
-  text_sha256: 'a'.repeat(64),
-  pdf_sha256: 'b'.repeat(64),
-  blocks: [],
-  clauses: CLAUSES,
-  terms: { rounds_included: 2 },
-}
-const MAY = {
-  change: false,
-  send: false,
-  recall: false,
-  request_change: false,
-  accept: false,
-  end: false,
-  amend: false,
-}
-const CONTRACT = {
-  id: 'c1',
-  project_id: 'p1',
-  number: 1,
-  title: 'Effects for Alpha',
-  kind: 'single',
-  state: 'sent',
-  designer: { id: 'x3', name: 'Sound designer' },
-  engagement_id: 'e1',
-  framework_id: null,
-  currency: 'USD',
-  release_clause: 'per_cue',
-  deposit_bp: 2000,
-  holdback_bp: 0,
-  created_at: '2026-11-19T09:00:00Z',
-  agreed_at: null,
-  ended_at: null,
-  end_reason: null,
-  my_party: 'designer',
-  waits_for: ['studio', 'designer'],
-  studio_name: 'Shield Wing studio',
-  version: VERSION,
-  acceptances: [],
-  signers: [],
-  signs_first: null,
-  change_requested: null,
-  redlines: null,
-  signature_time: { first_sent_at: '2026-11-20T10:00:00Z', waits_since: '2026-11-20T10:00:00Z' },
-  may: { ...MAY, request_change: true },
-}
-const same = (text: string, kind = 'text') => ({ kind, change: 'same', runs: [{ is_in: 'both', text }] })
-const marked = (key: string, number: number | null, lines: object[], redline: object | null = null) => ({
-  key,
-  number,
-  lines,
-  counter_lines: [],
-  redline,
-})
-const UNMARKED = [
-  marked('parties', 1, [same('Parties', 'head'), same('Between us.')]),
-  marked('rounds', 2, [same('Rounds', 'head'), same('It includes 2 rounds.')]),
-]
-const redline = (number: number, clause: string, more: object = {}) => ({
-  number,
-  kind: 'replace',
-  clause_key: clause,
-  wording: { title: 'Rounds', text: 'It includes four rounds.', terms: {} },
-  comment: 'Two are few.',
-  answer: null,
-  ...more,
-})
-const CHANGED = {
-  kind: 'text',
-  change: 'changed',
-  runs: [
-    { is_in: 'both', text: 'It includes ' },
-    { is_in: 'earlier', text: '2' },
-    { is_in: 'later', text: 'four' },
-    { is_in: 'both', text: ' rounds.' },
-  ],
-}
-const ADDED = { kind: 'text', change: 'added', runs: [{ is_in: 'later', text: 'At four.' }] }
-const round = (answers: (object | null)[] = [null, null], more: object = {}) => ({
-  number: 1,
-  version: 2,
-  sent_version: null,
-  note: 'See you.',
-  by: 'Sound designer',
-  at: '2026-11-21T10:00:00Z',
-  unanswered: answers.filter((answer) => answer === null).length,
-  clauses: [
-    UNMARKED[0],
-    marked('rounds', 2, [same('Rounds', 'head'), CHANGED], redline(1, 'rounds', { answer: answers[0] })),
-    marked('own_tea_2', null, [ADDED], {
-      ...redline(2, 'own_tea_2', { answer: answers[1] }),
-      kind: 'insert',
-      wording: { title: 'Tea', text: 'At four.', terms: {} },
-      comment: '',
-    }),
-  ],
-  ...more,
-})
-const given = (kind: string, more: object = {}) => ({
-  kind,
-  wording: null,
-  comment: '',
-  by: 'Producer',
-  at: '2026-11-22T10:00:00Z',
-  ...more,
-})
-const page = (of: object | null, mayAnswer = false) => ({
-  contract_id: 'c1',
-  project_id: 'p1',
-  rounds: of === null ? 0 : 1,
-  round: of,
-  may_answer: mayAnswer,
-})
-const PROJECT = {
-  id: 'p1',
-  name: 'Shield Wing',
-  studio_id: 's1',
-  studio_name: 'Shield Wing studio',
-  part: 'designer',
-  cue_prefix: 'SW',
-  is_producer: false,
-  engagement_kind: 'contract',
-}
-const ME = { person: { id: 'x3', name: 'Someone' }, email: 'x@sound.example', studios: [], projects: [PROJECT] }
-const LIBRARY = {
-  kind: 'single',
-  notice: '',
-  variables: {},
-  clauses: [
-    {
-      ...{ key: 'rounds', title: 'Rounds', text: '', stands: true, why: '', music: false, instead_of: null },
-      terms: [{ name: 'rounds_included', default: 2, label: 'Rounds of changes', min: 0, max: 20, choices: [] }],
-    },
-  ],
-}
-const all = (more: Answers = {}): Answers => ({
-  'GET /v1/session': { signed_in: true, demo: false, person: ME.person },
-  'GET /v1/me': ME,
-  'GET /v1/contracts/c1': CONTRACT,
-  'GET /v1/contracts/c1/redlines': page(null),
-  'POST /v1/contracts/c1/redline-preview': { clauses: UNMARKED, problems: [] },
-  'GET /v1/contract-library/single': LIBRARY,
-  ...more,
-})
-const PAGE = '/projects/p1/contracts/c1/redlines'
 const axeFinds = async () => {
   const { violations } = await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })
   return violations.map(({ id, nodes }) => [id, nodes[0]?.html])
@@ -173,7 +20,7 @@ beforeEach(() => {
 
 describe('the designer of a contract that was sent', () => {
   test('edits, strikes and adds clauses, and sends them together', async () => {
-    const { asked, answers } = serve(all())
+    const { asked, answers } = serve(redlineAnswers())
     answers['POST /v1/contracts/c1/redlines'] = () => {
       answers['GET /v1/contracts/c1/redlines'] = page(round())
       answers['GET /v1/contracts/c1'] = { ...CONTRACT, state: 'draft', may: MAY }
@@ -229,7 +76,7 @@ describe('the designer of a contract that was sent', () => {
   })
 
   test('finds what was typed after a reload, and says which change has a fault', async () => {
-    const { answers } = serve(all())
+    const { answers } = serve(redlineAnswers())
     openApp(PAGE)
     await userEvent.click(await screen.findByRole('button', { name: 'Edit Rounds' }))
     await userEvent.type(screen.getByLabelText('Text'), ' More.')
@@ -247,7 +94,7 @@ describe('the designer of a contract that was sent', () => {
   })
 
   test('uploads a Word document, looks at what it changes, and sends it', async () => {
-    const { asked, answers } = serve(all())
+    const { asked, answers } = serve(redlineAnswers())
     const change = (kind: string, key: string | null, text: string) => ({
       kind,
       clause_key: key,
@@ -279,7 +126,7 @@ describe('the designer of a contract that was sent', () => {
   })
 
   test('keeps what is typed over what a Word document has, and reads why a file is refused', async () => {
-    const { answers } = serve(all())
+    const { answers } = serve(redlineAnswers())
     const rounds = {
       ...{ kind: 'replace', clause_key: 'rounds', after_key: null, title: 'Rounds' },
       ...{ text: 'Four.', terms: {}, comment: '' },
@@ -309,7 +156,7 @@ describe('the designer of a contract that was sent', () => {
       comment: 'Half way.',
     })
     const closed = round([countered, given('refused', { comment: 'No tea.' })], { sent_version: 3 })
-    serve(all({ 'GET /v1/contracts/c1/redlines': page(closed) }))
+    serve(redlineAnswers({ 'GET /v1/contracts/c1/redlines': page(closed) }))
     openApp(PAGE)
     expect(await screen.findByText('Version 3 was sent')).toBeVisible()
     const first = within(screen.getByRole('article', { name: 'Change 1' }))
@@ -325,7 +172,9 @@ describe('a producer', () => {
   const contract = { ...draft, may: { ...MAY, change: true, send: true } }
 
   const opened = (of: object = round()) => {
-    const served = serve(all({ 'GET /v1/contracts/c1': contract, 'GET /v1/contracts/c1/redlines': page(of, true) }))
+    const served = serve(
+      redlineAnswers({ 'GET /v1/contracts/c1': contract, 'GET /v1/contracts/c1/redlines': page(of, true) }),
+    )
     const answerWith = (number: number, next: object) => {
       served.answers[`POST /v1/contracts/c1/redlines/${number}/answer`] = () => {
         served.answers['GET /v1/contracts/c1/redlines'] = page(next, true)
@@ -408,7 +257,9 @@ describe('a producer', () => {
       by: 'Sound designer',
       at: '2026-11-21T10:00:00Z',
     }
-    serve(all({ 'GET /v1/contracts/c1': { ...contract, redlines }, 'GET /v1/contracts/c1/versions': [VERSION] }))
+    serve(
+      redlineAnswers({ 'GET /v1/contracts/c1': { ...contract, redlines }, 'GET /v1/contracts/c1/versions': [VERSION] }),
+    )
     const app = openApp('/projects/p1/contracts/c1')
     expect(await screen.findByText(/^Sound designer proposed 3 changes.* 2 without an answer\.$/)).toBeVisible()
     expect(screen.queryByRole('button', { name: 'Send to Sound designer' })).not.toBeInTheDocument()
@@ -420,14 +271,14 @@ describe('a producer', () => {
 describe('time to signature', () => {
   test('is said once both have signed', async () => {
     const agreed = { ...CONTRACT, state: 'agreed', agreed_at: '2026-11-26T11:00:00Z', waits_for: [], may: MAY }
-    serve(all({ 'GET /v1/contracts/c1': agreed, 'GET /v1/contracts/c1/versions': [VERSION] }))
+    serve(redlineAnswers({ 'GET /v1/contracts/c1': agreed, 'GET /v1/contracts/c1/versions': [VERSION] }))
     openApp('/projects/p1/contracts/c1')
     expect(await screen.findByText(/^First sent Friday 20 November.*\. Time to signature: 6 days\.$/)).toBeVisible()
   })
 
   test('names before for whom it waits, and since when', async () => {
     serve(
-      all({
+      redlineAnswers({
         'GET /v1/contracts/c1': { ...CONTRACT, waits_for: ['studio'] },
         'GET /v1/contracts/c1/versions': [VERSION],
       }),

@@ -1,139 +1,13 @@
-import { fireEvent, screen, waitFor, within } from '@testing-library/react'
+import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import axe from 'axe-core'
-import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest'
+import { beforeEach, describe, expect, test, vi } from 'vitest'
 
-import type { Bonus, ContractMoney, Figures, Invoice, ProjectMoney } from '@/money/api'
+import { aContract, anInvoice, DRAFT, faults, opened, PAGE, serveMoneyPage, server, tell } from '@/test/moneyPage'
 import { openApp } from '@/test/openApp'
-import { aMe, aServer, PROJECT } from '@/test/review'
+import { aMe, PROJECT } from '@/test/review'
 import { answer, type Asked, refusal } from '@/test/server'
 
-beforeAll(() => import('./MoneyPage'))
-
-const AT = '2026-11-20T10:00:00Z'
-const PING = { id: 'ping', label: 'SW-005', name: 'radar_ping' }
-const LAUNCH = { id: 'launch', label: 'SW-019', name: 'missile_launch' }
-const figures = (more: Partial<Figures> = {}): Figures => ({
-  agreed_minor: 324_000,
-  accepted_minor: 198_000,
-  paid_minor: 144_000,
-  due_minor: 54_000,
-  open_minor: 126_000,
-  saved_minor: 0,
-  ...more,
-})
-
-function anInvoice(contractId: string, more: Partial<Invoice> = {}): Invoice {
-  return {
-    id: `invoice-${contractId}`,
-    contract_id: contractId,
-    number: 1,
-    full_number: '1',
-    currency: 'USD',
-    issued_on: '2026-11-10',
-    due_on: '2026-11-24',
-    seller: 'Sound designer',
-    buyer: 'Studio',
-    po_number: '',
-    note: '',
-    reverse_charge: false,
-    lines: [{ text: 'Deposit', amount_minor: 36_000, tax_bp: null }],
-    taxes: [],
-    net_minor: 36_000,
-    total_minor: 36_000,
-    paid_minor: 0,
-    open_minor: 36_000,
-    state: 'open',
-    days_to_pay: null,
-    late_interest_minor: 0,
-    late_interest_charged_minor: 0,
-    payments: [],
-    ...more,
-  }
-}
-
-function aContract(id: string, title: string): ContractMoney {
-  return {
-    contract_id: id,
-    title,
-    designer: { id: 'designer', name: 'Sound designer' },
-    currency: 'USD',
-    release: 'per_cue',
-    kill_fee_in_work_bp: 5_000,
-    by_day: null,
-    by_hour: null,
-    figures: figures(),
-    milestones: [
-      {
-        id: `alpha-${id}`,
-        name: 'Alpha',
-        is_deposit: false,
-        amount_minor: 180_000,
-        left_minor: 126_000,
-        owed_minor: 54_000,
-        paid_minor: 0,
-        due_on: '2026-11-23',
-        tax_bp: null,
-        accepted: 3,
-        wanted: 10,
-        done_at: null,
-        cues: [],
-      },
-    ],
-    slips: [],
-    slip_growth_days: null,
-    proposed_rounds: [
-      {
-        id: `round-${id}`,
-        contract_id: id,
-        cue: LAUNCH,
-        number: 3,
-        included: 2,
-        amount_minor: 7_875,
-        currency: 'USD',
-        state: 'proposed',
-        proposed_at: AT,
-      },
-    ],
-    billable_minor: 18_000,
-    next_invoice: 2,
-    open_invoices: [],
-    last_days_to_pay: null,
-  }
-}
-
-const LINE = {
-  id: 'line-1',
-  at: AT,
-  kind: 'accepted',
-  amount_minor: 18_000,
-  clause: 'payment_plan',
-  cue: PING,
-  milestone: 'Alpha',
-  round_number: null,
-  tax_bp: null,
-  by: 'Audio director',
-  about_id: null,
-  invoice_number: null,
-  reference: null,
-}
-const HABIT = { pairs: 3, mean_percent: 12.5, spread_points: 4, habit: 'steady' }
-const DRAFT = {
-  number: 2,
-  full_number: 'INV-2026-015',
-  number_advice: '',
-  is_number_taken: false,
-  currency: 'USD',
-  seller: 'Sound designer',
-  buyer: 'Studio',
-  po_number: '',
-  payment_days: 14,
-  reverse_charge: false,
-  lines: [{ text: 'radar_ping, Alpha', amount_minor: 18_000, tax_bp: null }],
-  taxes: [{ tax_bp: 1_900, amount_minor: 3_420 }],
-  net_minor: 18_000,
-  total_minor: 21_420,
-}
+serveMoneyPage()
 
 const WORKED = {
   id: 'day-1',
@@ -158,51 +32,6 @@ const byTheDay = () =>
     ],
     totals: [],
   })
-
-let server: ReturnType<typeof aServer>
-const PAGE = `/projects/${PROJECT}/money`
-const tell = (money: ProjectMoney) => server.on(`GET /v1/projects/${PROJECT}/money`, money)
-const opened = async () => {
-  openApp(PAGE)
-  await waitFor(() => expect(screen.getAllByRole('table')).toHaveLength(2))
-}
-
-beforeEach(() => {
-  server = aServer()
-    .on('GET /v1/me', aMe({ is_producer: true }))
-    .on('GET /v1/review-queue/count', { cues: 0, is_all: true })
-  for (const id of ['effects', 'creatures']) {
-    server
-      .on(`GET /v1/contracts/${id}/invoices`, [anInvoice(id)])
-      .on(`GET /v1/contracts/${id}/invoice-draft`, DRAFT)
-      .on(`GET /v1/contracts/${id}/ledger`, {
-        contract_id: id,
-        currency: 'USD',
-        figures: figures(),
-        tax_minor: 0,
-        open_tax_minor: 0,
-        bonus: null,
-        lines: [LINE],
-      })
-      .on(`GET /v1/contracts/${id}/estimates`, {
-        cues: [{}],
-        milestones: [],
-        cue_habit: HABIT,
-        milestone_habit: { ...HABIT, pairs: 0, mean_percent: null, spread_points: null },
-        forecasts: [{ milestone: 'Alpha', due_on: '2026-11-23', forecast_on: '2026-11-25' }],
-        warning: null,
-      })
-  }
-  tell({
-    contracts: [aContract('effects', 'Effects'), aContract('creatures', 'Creatures')],
-    totals: [{ currency: 'USD', figures: figures() }],
-  })
-})
-
-const faults = async () => {
-  const { violations } = await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })
-  return violations.map(({ id, nodes }) => [id, nodes[0]?.html])
-}
 
 describe('a producer', () => {
   test('downloads an electronic invoice, and reads what it lacks and who can enter it', async () => {
@@ -396,72 +225,5 @@ describe('a designer', () => {
     openApp(PAGE)
     expect(await screen.findByRole('heading', { name: 'No signed contract yet' })).toBeVisible()
     expect(await faults()).toEqual([])
-  })
-})
-
-describe('a bonus', () => {
-  const aLedger = (bonus: Bonus) => ({
-    contract_id: 'effects',
-    currency: 'USD',
-    figures: figures(),
-    tax_minor: 0,
-    open_tax_minor: 0,
-    bonus,
-    lines: [LINE],
-  })
-  const shipping: Bonus = {
-    amount_minor: 30_000,
-    when: 'shipped',
-    state: 'possible',
-    because: 'the studio has not said yet that the game has shipped',
-  }
-  const bonusCard = () => screen.findByRole('region', { name: 'Bonus, Effects' })
-
-  test.each<[Bonus['state'], string, string]>([
-    ['earned', 'Earned', 'every cue was accepted by the date of its milestone'],
-    ['missed', 'Missed', 'SW-005 radar_ping was not accepted by 20 November 2026'],
-  ])('says that it is %s, and why', async (state, word, because) => {
-    server.on('GET /v1/contracts/effects/ledger', aLedger({ ...shipping, when: 'on_time', state, because }))
-    await opened()
-    const card = within(await bonusCard())
-    expect(card.getByText('$300.00')).toBeVisible()
-    expect(card.getByText(word)).toBeVisible()
-    expect(card.getByText(`${because.charAt(0).toUpperCase()}${because.slice(1)}.`)).toBeVisible()
-    expect(card.queryByRole('button')).toBeNull()
-    expect(screen.queryByRole('region', { name: 'Bonus, Creatures' })).toBeNull()
-  })
-
-  test('a producer says when the game shipped; a refusal keeps the day', async () => {
-    server.on('GET /v1/contracts/effects/ledger', aLedger(shipping))
-    server.on('POST /v1/contracts/effects/shipped', refusal(422, 'day-in-future', 'that day lies ahead'))
-    await opened()
-    const card = within(await bonusCard())
-    const field = card.getByLabelText('Shipped on')
-    fireEvent.change(field, { target: { value: '2026-11-20' } })
-    await userEvent.click(card.getByRole('button', { name: 'The game has shipped' }))
-    expect(await card.findByText(/that day lies ahead/i)).toBeVisible()
-    expect(field).toHaveValue('2026-11-20')
-
-    const earned = aLedger({ ...shipping, state: 'earned', because: 'the game shipped on 20 November 2026' })
-    server.on('POST /v1/contracts/effects/shipped', earned).on('GET /v1/contracts/effects/ledger', earned)
-    await userEvent.click(card.getByRole('button', { name: 'The game has shipped' }))
-    expect(await card.findByText('Earned')).toBeVisible()
-    expect(await screen.findByText('The bonus of $300.00 is due.')).toBeVisible()
-    expect(card.queryByRole('button')).toBeNull()
-    expect(await faults()).toEqual([])
-  })
-
-  test('a designer waits for the studio, and words of their own stay the parties’', async () => {
-    server.on('GET /v1/me', aMe({ part: 'designer', is_liaison: false, is_approver: false }))
-    server.on('GET /v1/contracts/effects/ledger', aLedger(shipping))
-    server.on(
-      'GET /v1/contracts/creatures/ledger',
-      aLedger({ ...shipping, when: 'other', state: null, because: 'it sells' }),
-    )
-    await opened()
-    expect(within(await bonusCard()).queryByRole('button')).toBeNull()
-    const other = within(await screen.findByRole('region', { name: 'Bonus, Creatures' }))
-    expect(other.getByText('It sells.')).toBeVisible()
-    expect(other.queryByText('Still possible')).toBeNull()
   })
 })

@@ -1,43 +1,14 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
-import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest'
+import { describe, expect, test } from 'vitest'
 
-import { dismissToast } from '@/app/toast'
-import type { QueueItem } from '@/judging/api'
-import { HandContext } from '@/test/audioContext'
-import { aDraft, aMe, anItem, aPreview, aServer, aTake, PROJECT, somePeaks } from '@/test/review'
+import { aMe, anItem, aTake, PROJECT } from '@/test/review'
 import { openApp } from '@/test/openApp'
 import { type Asked, refusal } from '@/test/server'
+import { alternates, day, open, opened, queueIs, server, serveTodayPage, single, TODAY } from '@/test/todayPage'
 
-import type { TodayAnswer } from './api'
-import { headline } from './headline'
-
-beforeAll(() => import('./TodayPage'))
-
-const TODAY = `/v1/projects/${PROJECT}/today`
-const DRAFTS = `/v1/projects/${PROJECT}/change-requests`
-
-const alternates = anItem({ id: 'shield', name: 'shield_hit' }, [
-  aTake('a', { number: 1 }),
-  aTake('b', { number: 2, loudness_lufs: -13.9 }),
-])
-const single = anItem({ id: 'suit', name: 'suit_hit', label: 'SW-011' }, [aTake('s', { number: 2 })], {
-  waiting_since: '2026-11-20T11:00:00Z',
-})
-
-function day(answer: Partial<TodayAnswer> = {}): TodayAnswer {
-  return {
-    questions: [],
-    with_others: [],
-    builds: [],
-    counts: {},
-    draft_changes: 0,
-    placeholders: 0,
-    unsent_mails: 0,
-    ...answer,
-  }
-}
+serveTodayPage()
 
 const question = {
   id: 'question-1',
@@ -47,30 +18,6 @@ const question = {
   asked_at: '2026-11-15T10:00:00Z',
   answer: null,
   answered_at: null,
-}
-
-let server: ReturnType<typeof aServer>
-let queue: QueueItem[]
-
-beforeEach(() => {
-  dismissToast()
-  vi.stubGlobal('AudioContext', HandContext)
-  queue = [alternates, single]
-  server = aServer()
-    .on('GET /v1/me', aMe())
-    .on('GET /v1/review-queue', () => ({ items: queue, next: null }))
-    .on('GET /v1/review-queue/count', () => ({ cues: queue.length, is_all: true }))
-    .on(`GET ${TODAY}`, day())
-    .on(`GET ${DRAFTS}`, { items: [], next: null })
-    .on('GET /v1/sounds/a/peaks.json', somePeaks)
-  for (const id of ['a', 'b', 's']) server.on(`GET /v1/sounds/${id}/preview`, aPreview)
-})
-
-const open = () => openApp(`/projects/${PROJECT}/today`)
-const opened = async () => {
-  const drawn = open()
-  await screen.findByRole('button', { name: /^Approve / })
-  return drawn
 }
 
 describe('what waits', () => {
@@ -95,10 +42,10 @@ describe('what waits', () => {
 
   test('what blocks an approval is said before the key is pressed, of the first and of the rest', async () => {
     const why = '1 comment is not resolved'
-    queue = [
+    queueIs(
       { ...alternates, blocked: [{ take_id: 'a', why }] },
       { ...single, blocked: [{ take_id: 's', why: '“No clicks” is not checked' }] },
-    ]
+    )
     server.on('POST /v1/takes/b/verdict', {})
     await opened()
     const first = screen.getByRole('region', { name: /shield_hit/ })
@@ -121,7 +68,7 @@ describe('what waits', () => {
   })
 
   test('who does not decide is not held up by what blocks', async () => {
-    queue = [{ ...single, blocked: [{ take_id: 's', why: '1 comment is not resolved' }] }]
+    queueIs({ ...single, blocked: [{ take_id: 's', why: '1 comment is not resolved' }] })
     server.on('GET /v1/me', aMe({ is_approver: false, approves_all: false }))
     open()
     expect(await screen.findByRole('button', { name: 'Open to comment' })).toBeEnabled()
@@ -159,7 +106,7 @@ describe('what waits', () => {
   })
 
   test('with nothing waiting it says what comes next', async () => {
-    queue = []
+    queueIs()
     server.on(`GET ${TODAY}`, day({ counts: { returned: 2, to_make: 10 } }))
     open()
     expect(await screen.findByRole('heading', { name: 'Nothing to do' })).toBeVisible()
@@ -170,7 +117,7 @@ describe('what waits', () => {
     server.on('GET /v1/review-queue', () => refusal(403, 'team-needed', 'Only the team has a queue.'))
     open()
     expect(await screen.findByRole('alert')).toHaveTextContent('Only the team has a queue.')
-    server.on('GET /v1/review-queue', { items: queue, next: null })
+    server.on('GET /v1/review-queue', { items: [alternates, single], next: null })
     await userEvent.click(screen.getByRole('button', { name: 'Try again' }))
     expect(await screen.findByRole('heading', { name: 'Pick one of two for shield_hit' })).toBeVisible()
   })
@@ -180,167 +127,6 @@ describe('what waits', () => {
     await opened()
     const { violations } = await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })
     expect(violations.map(({ id, nodes }) => [id, nodes[0]?.html])).toEqual([])
-  })
-})
-
-describe('a verdict', () => {
-  test('shows at once, before the server answered, and says as what the take was seen', async () => {
-    let letGo = () => undefined as void
-    const reply = new Promise<object>((resolve) => {
-      letGo = () => resolve({})
-    })
-    server.on('POST /v1/takes/b/verdict', () => reply)
-    await opened()
-    await userEvent.keyboard('b')
-    await userEvent.keyboard('a')
-    expect(await screen.findByRole('heading', { name: 'Review version 2 of suit_hit' })).toBeVisible()
-    expect(screen.getByRole('status')).toHaveTextContent('shield_hit B approved.')
-    queue = [single]
-    letGo()
-    await waitFor(() =>
-      expect(server.of('POST /v1/takes/b/verdict')[0]?.body).toMatchObject({
-        kind: 'approve',
-        seen_state: 'conforming',
-      }),
-    )
-  })
-
-  test('u takes it back', async () => {
-    server.on('POST /v1/takes/a/verdict', {}).on('DELETE /v1/takes/a/verdict', {})
-    await opened()
-    queue = [single]
-    await userEvent.keyboard('a')
-    await screen.findByRole('heading', { name: 'Review version 2 of suit_hit' })
-    queue = [alternates, single]
-    await userEvent.keyboard('u')
-    expect(await screen.findByRole('heading', { name: 'Pick one of two for shield_hit' })).toBeVisible()
-    expect(server.of('DELETE /v1/takes/a/verdict')).toHaveLength(1)
-  })
-
-  test('what is refused comes back with its reason, and no toast says otherwise', async () => {
-    server.on('POST /v1/takes/a/verdict', () =>
-      refusal(409, 'stale-view', 'Since you looked, this version was set aside; nothing was changed.', {
-        fix: 'Load the page again.',
-      }),
-    )
-    await opened()
-    await userEvent.keyboard('a')
-    expect(await screen.findByRole('alert')).toHaveTextContent(
-      'shield_hit A is not approved. Since you looked, this version was set aside; nothing was changed. Load the page again.',
-    )
-    expect(await screen.findByRole('heading', { name: 'Pick one of two for shield_hit' })).toBeVisible()
-    expect(screen.getByRole('status')).toBeEmptyDOMElement()
-  })
-
-  test('an undo that comes too late is said', async () => {
-    server
-      .on('POST /v1/takes/a/verdict', {})
-      .on('DELETE /v1/takes/a/verdict', () => refusal(409, 'too-late-to-undo', 'The minute is over.'))
-    await opened()
-    queue = [single]
-    await userEvent.keyboard('a')
-    await userEvent.click(await screen.findByRole('button', { name: 'Undo' }))
-    expect(await screen.findByRole('alert')).toHaveTextContent(
-      'shield_hit A approved. It stays so. The minute is over.',
-    )
-  })
-
-  test('those who advise are not offered it', async () => {
-    server.on('GET /v1/me', aMe({ is_approver: false }))
-    open()
-    expect(await screen.findByText('The approver decides. You can comment.')).toBeInTheDocument()
-    expect(screen.queryByRole('button', { name: /^Approve / })).toBeNull()
-    await userEvent.keyboard('a')
-    expect(server.asked.filter(({ method }) => method === 'POST')).toEqual([])
-  })
-})
-
-describe('a change', () => {
-  test('is noted by r, a digit, a line and Enter, letters typed at once included', async () => {
-    server.on('POST /v1/takes/a/verdict', {})
-    await opened()
-    await userEvent.keyboard('r13 dB less, at bass{Enter}')
-    await waitFor(() => expect(server.of('POST /v1/takes/a/verdict')).toHaveLength(1))
-    expect(server.of('POST /v1/takes/a/verdict')[0]?.body).toMatchObject({
-      kind: 'request_change',
-      note: 'Too loud. 3 dB less, at bass',
-    })
-    await waitFor(() => expect(screen.queryByRole('form')).toBeNull())
-  })
-
-  test('says what is missing when nothing was said', async () => {
-    await opened()
-    await userEvent.keyboard('r{Enter}')
-    expect(screen.getByRole('alert')).toHaveTextContent('Choose a reason or write what to change.')
-    await userEvent.keyboard('{Escape}')
-    expect(screen.queryByRole('form')).toBeNull()
-  })
-
-  test('keeps what was typed when it is refused', async () => {
-    server.on('POST /v1/takes/a/verdict', () => refusal(409, 'cue-is-cut', 'The cue is cut.'))
-    await opened()
-    await userEvent.keyboard('rmore body{Enter}')
-    expect(await screen.findByRole('alert')).toHaveTextContent('The cue is cut.')
-    expect(screen.getByRole('textbox', { name: 'What to change in shield_hit A' })).toHaveValue('more body')
-  })
-
-  test('drafts go out together, after saying which rounds they count', async () => {
-    const drafts = [aDraft(aTake('a'), alternates.cue, 'Too loud.'), aDraft(aTake('s'), single.cue, 'More body.')]
-    server
-      .on(`GET ${DRAFTS}`, { items: drafts, next: null })
-      .on(`POST /v1/projects/${PROJECT}/feedback`, { change_requests: drafts, rounds: [], held_back: [] })
-    await opened()
-    const card = await screen.findByRole('region', { name: 'Changes to send' })
-    await userEvent.click(within(card).getByRole('button', { name: '2 changes to send' }))
-    expect(within(card).getByRole('textbox')).toHaveFocus()
-    expect(card).toHaveTextContent('This counts as one round each for shield_hit and suit_hit. You can’t undo sending.')
-    expect(server.of(`POST /v1/projects/${PROJECT}/feedback`)).toEqual([])
-    await userEvent.type(within(card).getByRole('textbox'), 'Good direction')
-    await userEvent.click(within(card).getByRole('button', { name: 'Send 2 changes to the designer' }))
-    await waitFor(() =>
-      expect(server.of(`POST /v1/projects/${PROJECT}/feedback`)[0]?.body).toEqual({ note: 'Good direction' }),
-    )
-    expect(screen.getByRole('status')).toHaveTextContent('2 changes sent.')
-  })
-
-  test('a draft can be dropped, and why it could not is said', async () => {
-    const draft = aDraft(aTake('a'), alternates.cue, 'Too loud.')
-    server
-      .on(`GET ${DRAFTS}`, { items: [draft], next: null })
-      .on('DELETE /v1/change-requests/draft-a', () => refusal(409, 'already-sent', 'It was sent meanwhile.'))
-    await opened()
-    await userEvent.click(await screen.findByRole('button', { name: 'Delete draft for shield_hit' }))
-    expect(await screen.findByRole('alert')).toHaveTextContent('It was sent meanwhile.')
-  })
-})
-
-describe('a question', () => {
-  const answering = async () => {
-    server.on(`GET ${TODAY}`, day({ questions: [question] }))
-    await opened()
-    await userEvent.click(await screen.findByRole('button', { name: /coolant_splash/ }))
-    await userEvent.keyboard('A spanner, into a tank{Enter}')
-  }
-
-  test('is answered in place', async () => {
-    server.on('POST /v1/questions/question-1/answer', {})
-    await answering()
-    await waitFor(() =>
-      expect(server.of('POST /v1/questions/question-1/answer')[0]?.body).toEqual({
-        text: 'A spanner, into a tank',
-        joins: true,
-      }),
-    )
-    expect(await screen.findByText('Answered. It was added to the description of coolant_splash.')).toBeVisible()
-  })
-
-  test('keeps the answer when it is refused', async () => {
-    server.on('POST /v1/questions/question-1/answer', () =>
-      refusal(409, 'question-answered', 'It was answered already.'),
-    )
-    await answering()
-    expect(await screen.findByRole('alert')).toHaveTextContent('It was answered already.')
-    expect(screen.getByRole('textbox', { name: 'Answer for coolant_splash' })).toHaveValue('A spanner, into a tank')
   })
 })
 
@@ -384,7 +170,7 @@ describe('the next step', () => {
     expect(within(tabs).getByRole('link', { name: /^Today\s*3/ })).toBeVisible()
   })
 
-  test('of a producer who does not judge is no sound', async () => {
+  test('of a producer who does not judge has no sound', async () => {
     const me = aMe()
     server.on('GET /v1/me', {
       ...me,
@@ -415,32 +201,4 @@ test('j and k step through what waits', async () => {
   expect(screen.getByRole('link', { name: /suit_hit/ })).toHaveFocus()
   await userEvent.keyboard('k')
   expect(screen.getByRole('link', { name: 'Pick one of two for shield_hit' })).toHaveFocus()
-})
-
-const waits = (cues: number, is_all = true) => ({ cues, is_all })
-
-test.each([
-  [{ cues: waits(0), questions: 0, drafts: 0, mayApprove: true, mayAnswer: true }, 'Nothing to do.'],
-  [
-    { cues: waits(1), questions: 0, drafts: 1, mayApprove: true, mayAnswer: true },
-    'One cue waits for you. One change is drafted and not sent yet.',
-  ],
-  [
-    { cues: waits(14), questions: 2, drafts: 0, mayApprove: false, mayAnswer: false },
-    '14 cues and two questions wait for the approver.',
-  ],
-  [
-    { cues: waits(14), questions: 2, drafts: 0, mayApprove: false, mayAnswer: true },
-    'Two questions wait for you, 14 cues for the approver.',
-  ],
-  [
-    { cues: waits(0), questions: 0, drafts: 0, mayApprove: false, mayAnswer: true, steps: 2 },
-    'Two steps are yours to take.',
-  ],
-  [
-    { cues: waits(99, false), questions: 0, drafts: 0, mayApprove: true, mayAnswer: true },
-    'More than 99 cues wait for you.',
-  ],
-])('the headline of %o', (counts, words) => {
-  expect(headline(counts)).toBe(words)
 })

@@ -1,0 +1,156 @@
+import { type Answers } from './server'
+
+export const CLAUSES = [
+  { key: 'parties', title: 'Parties', text: 'Between us.', stands: true },
+  { key: 'rounds', title: 'Rounds', text: 'It includes {rounds_included} rounds.', stands: true },
+]
+export const VERSION = {
+  number: 2,
+  note: '',
+  author: { id: 'x1', name: 'Producer' },
+  created_at: '2026-11-20T09:00:00Z',
+  sent_at: '2026-11-20T10:00:00Z',
+  text_sha256: 'a'.repeat(64),
+  pdf_sha256: 'b'.repeat(64),
+  blocks: [],
+  clauses: CLAUSES,
+  terms: { rounds_included: 2 },
+}
+export const MAY = {
+  change: false,
+  send: false,
+  recall: false,
+  request_change: false,
+  accept: false,
+  end: false,
+  amend: false,
+}
+export const CONTRACT = {
+  id: 'c1',
+  project_id: 'p1',
+  number: 1,
+  title: 'Effects for Alpha',
+  kind: 'single',
+  state: 'sent',
+  designer: { id: 'x3', name: 'Sound designer' },
+  engagement_id: 'e1',
+  framework_id: null,
+  currency: 'USD',
+  release_clause: 'per_cue',
+  deposit_bp: 2000,
+  holdback_bp: 0,
+  created_at: '2026-11-19T09:00:00Z',
+  agreed_at: null,
+  ended_at: null,
+  end_reason: null,
+  my_party: 'designer',
+  waits_for: ['studio', 'designer'],
+  studio_name: 'Shield Wing studio',
+  version: VERSION,
+  acceptances: [],
+  signers: [],
+  signs_first: null,
+  change_requested: null,
+  redlines: null,
+  signature_time: { first_sent_at: '2026-11-20T10:00:00Z', waits_since: '2026-11-20T10:00:00Z' },
+  may: { ...MAY, request_change: true },
+}
+export const same = (text: string, kind = 'text') => ({ kind, change: 'same', runs: [{ is_in: 'both', text }] })
+export const marked = (key: string, number: number | null, lines: object[], redline: object | null = null) => ({
+  key,
+  number,
+  lines,
+  counter_lines: [],
+  redline,
+})
+export const UNMARKED = [
+  marked('parties', 1, [same('Parties', 'head'), same('Between us.')]),
+  marked('rounds', 2, [same('Rounds', 'head'), same('It includes 2 rounds.')]),
+]
+export const redline = (number: number, clause: string, more: object = {}) => ({
+  number,
+  kind: 'replace',
+  clause_key: clause,
+  wording: { title: 'Rounds', text: 'It includes four rounds.', terms: {} },
+  comment: 'Two are few.',
+  answer: null,
+  ...more,
+})
+export const CHANGED = {
+  kind: 'text',
+  change: 'changed',
+  runs: [
+    { is_in: 'both', text: 'It includes ' },
+    { is_in: 'earlier', text: '2' },
+    { is_in: 'later', text: 'four' },
+    { is_in: 'both', text: ' rounds.' },
+  ],
+}
+export const ADDED = { kind: 'text', change: 'added', runs: [{ is_in: 'later', text: 'At four.' }] }
+export const round = (answers: (object | null)[] = [null, null], more: object = {}) => ({
+  number: 1,
+  version: 2,
+  sent_version: null,
+  note: 'See you.',
+  by: 'Sound designer',
+  at: '2026-11-21T10:00:00Z',
+  unanswered: answers.filter((answer) => answer === null).length,
+  clauses: [
+    UNMARKED[0],
+    marked('rounds', 2, [same('Rounds', 'head'), CHANGED], redline(1, 'rounds', { answer: answers[0] })),
+    marked('own_tea_2', null, [ADDED], {
+      ...redline(2, 'own_tea_2', { answer: answers[1] }),
+      kind: 'insert',
+      wording: { title: 'Tea', text: 'At four.', terms: {} },
+      comment: '',
+    }),
+  ],
+  ...more,
+})
+export const given = (kind: string, more: object = {}) => ({
+  kind,
+  wording: null,
+  comment: '',
+  by: 'Producer',
+  at: '2026-11-22T10:00:00Z',
+  ...more,
+})
+export const page = (of: object | null, mayAnswer = false) => ({
+  contract_id: 'c1',
+  project_id: 'p1',
+  rounds: of === null ? 0 : 1,
+  round: of,
+  may_answer: mayAnswer,
+})
+export const PROJECT = {
+  id: 'p1',
+  name: 'Shield Wing',
+  studio_id: 's1',
+  studio_name: 'Shield Wing studio',
+  part: 'designer',
+  cue_prefix: 'SW',
+  is_producer: false,
+  engagement_kind: 'contract',
+}
+export const ME = { person: { id: 'x3', name: 'Someone' }, email: 'x@sound.example', studios: [], projects: [PROJECT] }
+export const LIBRARY = {
+  kind: 'single',
+  notice: '',
+  variables: {},
+  clauses: [
+    {
+      ...{ key: 'rounds', title: 'Rounds', text: '', stands: true, why: '', music: false, instead_of: null },
+      terms: [{ name: 'rounds_included', default: 2, label: 'Rounds of changes', min: 0, max: 20, choices: [] }],
+    },
+  ],
+}
+export const redlineAnswers = (more: Answers = {}): Answers => ({
+  'GET /v1/session': { signed_in: true, demo: false, person: ME.person },
+  'GET /v1/me': ME,
+  'GET /v1/contracts/c1': CONTRACT,
+  'GET /v1/contracts/c1/redlines': page(null),
+  'POST /v1/contracts/c1/redline-preview': { clauses: UNMARKED, problems: [] },
+  'GET /v1/contract-library/single': LIBRARY,
+  ...more,
+})
+export const PAGE = '/projects/p1/contracts/c1/redlines'

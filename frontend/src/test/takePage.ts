@@ -1,0 +1,39 @@
+import { screen } from '@testing-library/react'
+import { beforeAll, beforeEach, vi } from 'vitest'
+
+import { dismissToast } from '@/app/toast'
+
+import { HandContext } from './audioContext'
+import { openApp } from './openApp'
+import { aTakeServer } from './take'
+
+export let server: ReturnType<typeof aTakeServer>
+let contexts: HandContext[]
+
+/** Before each test: the page's code, and a server with one version that came back. */
+export function serveTakePage() {
+  beforeAll(() => import('@/features/take/TakePage'))
+  beforeEach(() => {
+    dismissToast()
+    contexts = []
+    vi.stubGlobal(
+      'AudioContext',
+      class extends HandContext {
+        constructor() {
+          super()
+          contexts.push(this)
+        }
+      },
+    )
+    server = aTakeServer()
+  })
+}
+
+export const opened = async () => {
+  const app = openApp('/takes/t1')
+  await screen.findByRole('heading', { level: 1, name: 'airlock_cycle' })
+  return app
+}
+export const card = (name: string) => screen.findByRole('region', { name })
+export const lastContext = () => contexts.at(-1)
+export const lastStarted = () => lastContext()?.started.at(-1)

@@ -1,0 +1,64 @@
+import { screen } from '@testing-library/react'
+import { beforeAll, beforeEach, vi } from 'vitest'
+
+import { dismissToast } from '@/app/toast'
+import type { TodayAnswer } from '@/features/today/api'
+import type { QueueItem } from '@/judging/api'
+
+import { HandContext } from './audioContext'
+import { aMe, anItem, aPreview, aServer, aTake, PROJECT, somePeaks } from './review'
+import { openApp } from './openApp'
+
+export const TODAY = `/v1/projects/${PROJECT}/today`
+export const DRAFTS = `/v1/projects/${PROJECT}/change-requests`
+
+export const alternates = anItem({ id: 'shield', name: 'shield_hit' }, [
+  aTake('a', { number: 1 }),
+  aTake('b', { number: 2, loudness_lufs: -13.9 }),
+])
+export const single = anItem({ id: 'suit', name: 'suit_hit', label: 'SW-011' }, [aTake('s', { number: 2 })], {
+  waiting_since: '2026-11-20T11:00:00Z',
+})
+
+export function day(answer: Partial<TodayAnswer> = {}): TodayAnswer {
+  return {
+    questions: [],
+    with_others: [],
+    builds: [],
+    counts: {},
+    draft_changes: 0,
+    placeholders: 0,
+    unsent_mails: 0,
+    ...answer,
+  }
+}
+
+export let server: ReturnType<typeof aServer>
+let queue: QueueItem[]
+/** Let other cues wait. */
+export const queueIs = (...items: QueueItem[]) => (queue = items)
+
+/** Before each test: the page's code, and a server with two cues in the queue. */
+export function serveTodayPage() {
+  beforeAll(() => import('@/features/today/TodayPage'))
+  beforeEach(() => {
+    dismissToast()
+    vi.stubGlobal('AudioContext', HandContext)
+    queue = [alternates, single]
+    server = aServer()
+      .on('GET /v1/me', aMe())
+      .on('GET /v1/review-queue', () => ({ items: queue, next: null }))
+      .on('GET /v1/review-queue/count', () => ({ cues: queue.length, is_all: true }))
+      .on(`GET ${TODAY}`, day())
+      .on(`GET ${DRAFTS}`, { items: [], next: null })
+      .on('GET /v1/sounds/a/peaks.json', somePeaks)
+    for (const id of ['a', 'b', 's']) server.on(`GET /v1/sounds/${id}/preview`, aPreview)
+  })
+}
+
+export const open = () => openApp(`/projects/${PROJECT}/today`)
+export const opened = async () => {
+  const drawn = open()
+  await screen.findByRole('button', { name: /^Approve / })
+  return drawn
+}
