@@ -9,31 +9,48 @@ interface Page {
   at: string
   /** Modules that draw it. */
   modules: readonly string[]
-  /** What it asks the server for first. */
+  /** What it asks the server for first, in the words of the page's own requests: another order of parameters is another address. */
   asks: readonly string[]
 }
 
 const SIGNED_IN = ['/v1/session', '/v1/me']
 const OF_PROJECT = '^/projects/([0-9a-f-]{36})'
+const QUEUE = '/v1/review-queue?project_id={project}&own=true'
+const ofProject = (...lists: string[]) => lists.map((list) => `/v1/projects/{project}/${list}`)
 
-const PAGES: readonly Page[] = [
+export const PAGES: readonly Page[] = [
   { at: '^/sign-in$', modules: ['accounts/SignInPage'], asks: ['/v1/session'] },
   {
     at: `${OF_PROJECT}/review$`,
     modules: ['review/ReviewPage', 'review/ReviewStart'],
-    asks: [...SIGNED_IN, '/v1/review-queue?project_id={project}'],
+    asks: [...SIGNED_IN, QUEUE],
   },
   {
     at: `${OF_PROJECT}/review/`,
     modules: ['review/ReviewPage'],
-    asks: [...SIGNED_IN, '/v1/review-queue?project_id={project}'],
+    asks: [...SIGNED_IN, QUEUE],
   },
   {
     at: `${OF_PROJECT}/today$`,
     modules: ['today/TodayPage'],
-    asks: [...SIGNED_IN, '/v1/projects/{project}/today', '/v1/projects/{project}/next-steps'],
+    asks: [...SIGNED_IN, QUEUE, ...ofProject('today', 'next-steps', 'money')],
   },
-  { at: `${OF_PROJECT}/desk$`, modules: ['desk/DeskPage'], asks: [...SIGNED_IN, '/v1/projects/{project}/desk'] },
+  {
+    at: `${OF_PROJECT}/desk$`,
+    modules: ['desk/DeskPage'],
+    asks: [
+      ...SIGNED_IN,
+      ...ofProject(
+        'desk',
+        'next-steps',
+        'deliveries?limit=1',
+        'money',
+        'fixes',
+        'spec',
+        'takes?unmatched=true&limit=200',
+      ),
+    ],
+  },
 ]
 
 interface EarlyPage {
@@ -65,9 +82,14 @@ export function startPage(pages: readonly EarlyPage[]): void {
     const first = items.find(({ takes }) => takes.some(({ draft_change: draft }) => draft === null))
     if (first) void ask(`/v1/cues/${first.cue.id}/review`)
   }
+  const askForFix = async (desk: Promise<Response>) => {
+    const { came_back: cameBack } = (await (await desk).clone().json()) as { came_back: { take_id: string }[] }
+    if (cameBack[0]) void ask(`/v1/takes/${cameBack[0].take_id}/fix`)
+  }
   for (const path of page.asks) {
     const answer = ask(path.replace('{project}', project))
     if (path.startsWith('/v1/review-queue') && pathname.endsWith('/review')) askForCue(answer).catch(() => undefined)
+    if (path.endsWith('/desk')) askForFix(answer).catch(() => undefined)
   }
   for (const file of page.files) {
     const link = document.createElement('link')

@@ -41,6 +41,16 @@ test('a page known by its address has its files and its answers on their way, an
   expect(await (await taken(QUEUE))?.json()).toHaveProperty('items')
 })
 
+test('a desk has the fix of what came back first on its way', async () => {
+  vi.stubGlobal('fetch', (path: string) => {
+    asked.push(path)
+    return Promise.resolve(Response.json({ came_back: [{ take_id: 'newest' }, { take_id: 'older' }] }))
+  })
+  history.replaceState(null, '', `/projects/${PROJECT}/desk`)
+  startPage([{ at: '^/projects/([0-9a-f-]{36})/desk$', asks: ['/v1/projects/{project}/desk'], files: [] }])
+  await vi.waitFor(() => expect(asked).toEqual([`/v1/projects/${PROJECT}/desk`, '/v1/takes/newest/fix']))
+})
+
 test('an answer is taken once, by a request that only reads, while it is fresh', () => {
   history.replaceState(null, '', `/projects/${PROJECT}/review`)
   startPage(PAGES)
