@@ -18,6 +18,7 @@ import audio_checks
 from app.conformance.rules import JUDGED_IN_BROWSER, levels_in_browser
 from app.conformance.schemas import CueLength, SpecView
 from tests.support import waves
+from tests.support.browser_flacs import Case, damaged_flac_cases, flac_cases, other_containers
 
 Facts = dict[str, Any]
 STRICT = """
@@ -164,12 +165,19 @@ def damaged() -> Iterator[tuple[str, bytes, str, Facts]]:
     yield "not a number", floats(np.array([[0.5], [np.nan], [0.1]])), STRICT, {}
 
 
-def expected(content: bytes, spec: audio_checks.DeliverySpec, cue: audio_checks.CueFacts, folder: Path) -> Facts:
-    """Return what the server finds, of the checks that are made in the browser; of an unreadable file all."""
-    path = folder / "sound.wav"
-    path.write_bytes(content)
-    report = audio_checks.check_file(path, spec, cue=cue).to_dict()
-    is_unreadable = report["verdict"] == "unreadable"
+def cases() -> Iterator[Case]:
+    """Yield every file."""
+    for name, content, toml, asked in (*formats(), *levels(), *severities(), *damaged()):
+        yield Case(name, content, toml, asked, "sound.wav")
+    yield from (*flac_cases(), *damaged_flac_cases(), *other_containers())
+
+
+def expected(case: Case, spec: audio_checks.DeliverySpec, cue: audio_checks.CueFacts, folder: Path) -> Facts:
+    """Return what the server finds, of the checks that are made in the browser; all where it looks no further."""
+    path = folder / "stored"
+    path.write_bytes(case.content)
+    report = audio_checks.check_file(path, spec, cue=cue, name=case.file_name).to_dict()
+    is_unreadable = not report.get("facts")
     kept = ("code", "severity", "message", "fix", "measured", "limit", "unit", "start_s", "end_s")
     findings = [
         {key: one[key] for key in kept}
@@ -183,18 +191,19 @@ def vectors() -> str:
     """Return every sound with the view of the spec it is judged by and what is found, as JSON."""
     made = []
     with tempfile.TemporaryDirectory() as folder:
-        for name, content, toml, asked in (*formats(), *levels(), *severities(), *damaged()):
-            spec = audio_checks.parse_spec(toml).for_category("")
-            cue = audio_checks.CueFacts(number="1", **asked)
+        for case in cases():
+            spec = audio_checks.parse_spec(case.spec).for_category("")
+            cue = audio_checks.CueFacts(number="1", **case.asked)
             facts = {"category": spec.category, "accept": spec.accept, "limits": spec.limits}
             view = SpecView.model_validate(facts | {"levels": levels_in_browser(spec)})
             made.append(
                 {
-                    "name": name,
-                    "bytes": base64.b64encode(content).decode(),
+                    "name": case.name,
+                    "fileName": case.file_name,
+                    "bytes": base64.b64encode(case.content).decode(),
                     "spec": view.model_dump(mode="json"),
                     "length": CueLength.model_validate(cue).model_dump(mode="json"),
-                    "expected": expected(content, spec, cue, Path(folder)),
+                    "expected": expected(case, spec, cue, Path(folder)),
                 }
             )
     lines = ",\n".join(json.dumps(one, ensure_ascii=False) for one in made)

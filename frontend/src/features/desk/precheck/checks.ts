@@ -16,8 +16,7 @@ type Found = Partial<Finding> & Pick<Finding, 'code' | 'message' | 'fix'>
 
 interface Subject {
   layout: Layout
-  /** Null where only the header was read. */
-  peaks: Peaks | null
+  peaks: Peaks
   spec: SpecView
   length: CueLength | null
 }
@@ -31,14 +30,19 @@ const decibels = (ratio: number) => (ratio > 0 ? 20 * Math.log10(ratio) : -Infin
 const peakOf = ({ channels }: Peaks) => decibels(channels.reduce((most, one) => Math.max(most, one), 0))
 const durationOf = ({ frames, sampleRateHz }: Layout) => frames / sampleRateHz
 
+/** A container that the spec does not list. */
+export function otherThanAccepted(found: string, wanted: readonly string[], code: string): Found {
+  return {
+    code,
+    message: `container ${found.toUpperCase()}, accepted ${wanted.join(', ').toUpperCase()}`,
+    fix: `export the sound as ${(wanted[0] ?? '').toUpperCase()}`,
+  }
+}
+
 function* container({ layout, spec }: Subject): Iterable<Found> {
   const wanted = spec.accept.containers
   if (wanted === null || wanted.includes(layout.container)) return
-  yield {
-    code: 'container:not-accepted',
-    message: `container ${layout.container.toUpperCase()}, accepted ${wanted.join(', ').toUpperCase()}`,
-    fix: `export the sound as ${(wanted[0] ?? '').toUpperCase()}`,
-  }
+  yield otherThanAccepted(layout.container, wanted, 'container:not-accepted')
 }
 
 const ENCODINGS: Record<string, string> = {
@@ -226,7 +230,7 @@ function* againstRequest(length: Fraction, askedS: number, { length_locked, fram
 
 function* samplePeak({ layout, peaks, spec }: Subject): Iterable<Found> {
   const { sample_peak_dbfs: limit, tolerance_db: tolerance } = spec.limits
-  if (limit === null || peaks === null) return
+  if (limit === null) return
   const peak = peakOf(peaks)
   if (peak <= limit + tolerance) return
   const atS = peaks.frame / layout.sampleRateHz
@@ -244,7 +248,7 @@ function* samplePeak({ layout, peaks, spec }: Subject): Iterable<Found> {
 
 function* silence({ layout, peaks, spec }: Subject): Iterable<Found> {
   const { silence_below_dbfs: limit, tolerance_db: tolerance } = spec.limits
-  if (limit === null || peaks === null) return
+  if (limit === null) return
   const peak = peakOf(peaks)
   const where = { start_s: 0, end_s: durationOf(layout) }
   if (peak < limit - tolerance) {

@@ -1,34 +1,48 @@
-import { check, type CueLength, type Finding, type SpecView, whole } from './checks'
-import { peaksOf } from './peaks'
+import { check, type CueLength, type Finding, otherThanAccepted, type SpecView, whole } from './checks'
+import { peaksOf, wavSlices } from './peaks'
 import { LeftToServer, type Read, readLayout, Unreadable } from './wav'
 
 /** A file to judge, and what by. */
 export interface Judgeable {
-  file: Blob
+  file: File
   spec: SpecView
   length: CueLength | null
 }
 
 export interface Judgement {
-  /** The server could not read the file: it would say nothing else of it. */
+  /** The server would look no further into the file: it would find nothing else. */
   isUnreadable: boolean
   findings: Finding[]
 }
 
-/** Whether a file is a FLAC by its bytes and its name; one without a name is known by its bytes. */
-async function startsAsFlac(file: Blob, read: Read): Promise<boolean> {
-  const isNamed = !('name' in file) || String(file.name).toLowerCase().endsWith('.flac')
-  return isNamed && String.fromCharCode(...(await read(0, 4))) === 'fLaC'
+/** Whether a FLAC is looked into: where it is accepted, or where another container would not reject it. */
+function readsFlac({ accept: { containers }, levels }: SpecView): boolean {
+  return containers === null || containers.includes('flac') || (levels.container ?? 'error') !== 'error'
+}
+
+const isFlac = async (file: File, read: Read): Promise<boolean> =>
+  file.name.toLowerCase().endsWith('.flac') && String.fromCharCode(...(await read(0, 4))) === 'fLaC'
+
+async function findingsOfFlac({ file, spec, length }: Judgeable, read: Read): Promise<Finding[]> {
+  const { flacSlices, readFlacLayout } = await import('./flac')
+  const layout = await readFlacLayout(read, file.size)
+  return check({ layout, peaks: await peaksOf(layout, flacSlices(layout, read)), spec, length })
+}
+
+async function findingsOfWav({ file, spec, length }: Judgeable, read: Read): Promise<Finding[]> {
+  const layout = await readLayout(read, file.size)
+  return check({ layout, peaks: await peaksOf(layout, wavSlices(layout, read)), spec, length })
 }
 
 /** Judge a file as the server would, as far as its header and its peaks go; null where only the server can say. */
-export async function judgeFile({ file, spec, length }: Judgeable): Promise<Judgement | null> {
+export async function judgeFile(judgeable: Judgeable): Promise<Judgement | null> {
+  const { file, spec } = judgeable
   const read: Read = async (offset, count) => new Uint8Array(await file.slice(offset, offset + count).arrayBuffer())
   try {
-    const isFlac = await startsAsFlac(file, read)
-    const layout = isFlac ? await (await import('./flac')).readFlacLayout(read) : await readLayout(read, file.size)
-    const peaks = isFlac ? null : await peaksOf(layout, read)
-    return { isUnreadable: false, findings: check({ layout, peaks, spec, length }) }
+    if (!(await isFlac(file, read))) return { isUnreadable: false, findings: await findingsOfWav(judgeable, read) }
+    if (readsFlac(spec)) return { isUnreadable: false, findings: await findingsOfFlac(judgeable, read) }
+    const other = otherThanAccepted('flac', spec.accept.containers ?? [], 'container:flac')
+    return { isUnreadable: true, findings: [whole(other)] }
   } catch (refusal) {
     if (refusal instanceof LeftToServer) return null
     if (!(refusal instanceof Unreadable)) throw refusal

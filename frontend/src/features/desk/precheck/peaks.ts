@@ -8,6 +8,9 @@ export interface Peaks {
   frame: number
 }
 
+/** Whole frames, one slice after the other. */
+export type Slices = AsyncGenerator<Uint8Array<ArrayBuffer>>
+
 const SLICE_BYTES = 4 * 2 ** 20
 /** More than this no sound has: the server refuses such a file. */
 const MOST = 2 ** 64
@@ -40,18 +43,27 @@ function samplesOf(bytes: Uint8Array<ArrayBuffer>, { encoding, containerBits }: 
   }
 }
 
-/** Measure the peaks; throw LeftToServer for samples that are no numbers, or beyond any sound. */
-export async function peaksOf(layout: Layout, read: Read): Promise<Peaks> {
-  const { channels: count, containerBits, frames, dataOffset, encoding } = layout
-  const frameBytes = (count * containerBits) / 8
+/** The samples of a WAV file, a slice at a time. */
+export async function* wavSlices(layout: Layout, read: Read): Slices {
+  const { channels, containerBits, frames, dataOffset } = layout
+  const frameBytes = (channels * containerBits) / 8
   const atOnce = Math.max(1, Math.floor(SLICE_BYTES / frameBytes))
-  const channels = new Float64Array(count)
-  let highest = 0
-  let frame = 0
   for (let first = 0; first < frames; first += atOnce) {
     const wanted = Math.min(atOnce, frames - first) * frameBytes
     const bytes = await read(dataOffset + first * frameBytes, wanted)
     if (bytes.length < wanted) throw new LeftToServer()
+    yield bytes
+  }
+}
+
+/** Measure the peaks; throw LeftToServer for samples that are no numbers, or beyond any sound. */
+export async function peaksOf(layout: Layout, slices: Slices): Promise<Peaks> {
+  const { channels: count, containerBits, encoding } = layout
+  const channels = new Float64Array(count)
+  let highest = 0
+  let frame = 0
+  let first = 0
+  for await (const bytes of slices) {
     const samples = samplesOf(bytes, layout)
     for (let index = 0, channel = 0; index < samples.length; index++) {
       const level = Math.abs(samples[index]!)
@@ -65,6 +77,7 @@ export async function peaksOf(layout: Layout, read: Read): Promise<Peaks> {
       }
       channel = channel + 1 === count ? 0 : channel + 1
     }
+    first += samples.length / count
   }
   const scale = encoding === 'float' ? 1 : (SCALES[`pcm${containerBits}`] ?? 1)
   return { channels: channels.map((level) => level / scale), frame }

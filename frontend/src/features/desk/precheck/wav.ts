@@ -1,5 +1,7 @@
 /** The header of a WAV or RF64 file, read as the server reads it; what is odd about one is left to the server. */
 
+import { otherContainer } from './otherContainers'
+
 export interface Layout {
   container: 'wav' | 'rf64' | 'flac'
   encoding: 'pcm' | 'float'
@@ -33,6 +35,7 @@ export type Read = (offset: number, count: number) => Promise<Uint8Array<ArrayBu
 const UPLOAD_AGAIN = 'export or copy it again; the file was cut short on its way'
 const EXPORT_AGAIN = 'export it again from your audio editor as WAV'
 const EXPORT_WAV = 'export it from your audio editor as WAV (PCM); renaming a file does not convert it'
+const FETCH_FROM_LFS = 'fetch the real file with `git lfs pull`'
 const PCM = 1
 const FLOAT = 3
 const EXTENSIBLE = 0xfffe
@@ -84,6 +87,12 @@ interface Sizes64 {
 function container(start: Uint8Array, size: number): 'wav' | 'rf64' {
   const magic = text(start.subarray(0, 4))
   if (magic !== 'RIFF' && magic !== 'RF64') {
+    const other = otherContainer(start)
+    if (other !== null) {
+      const message = `the file is ${other.name}, not WAV, whatever its name ends in`
+      const fix = other.code === 'git-lfs-pointer' ? FETCH_FROM_LFS : EXPORT_WAV
+      throw new Unreadable(message, 'R11', `container:${other.code}`, fix)
+    }
     if (start.every((byte) => byte === 0)) {
       throw new Unreadable(
         'the file starts with zeros where a WAV file starts with RIFF',
@@ -92,7 +101,8 @@ function container(start: Uint8Array, size: number): 'wav' | 'rf64' {
         UPLOAD_AGAIN,
       )
     }
-    throw new LeftToServer()
+    const message = `the file starts with "${shown(start.subarray(0, 4))}"; a WAV file starts with RIFF or RF64`
+    throw new Unreadable(message, 'R11', 'container:unknown', EXPORT_WAV)
   }
   if (start.length < 12) {
     const message = `the file ends after ${size} bytes, in the middle of its header`

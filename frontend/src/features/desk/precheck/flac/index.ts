@@ -1,0 +1,2 @@
+export { readFlacLayout } from './header'
+export { flacSlices } from './samples'
