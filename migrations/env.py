@@ -14,7 +14,7 @@ from app.tables import is_ours
 def without_foreign_keys(connection: sa.Connection) -> Iterator[None]:
     """Let SQLite put a new table in an old one's place: dropping the old one would look for rows that refer to it.
 
-    SQLite takes no heed of this setting inside a transaction, and SQLAlchemy begins one before it executes anything.
+    SQLite ignores this setting inside a transaction, and SQLAlchemy begins one before it executes anything.
     """
     if connection.dialect.name != "sqlite":
         yield

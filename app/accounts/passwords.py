@@ -21,9 +21,9 @@ def hash_of(password: str) -> str:
 
 def matches(password: str, password_hash: str | None) -> bool:
     """Whether a password is the hashed one; where there is no hash, finding out takes as long."""
-    nobodys = _dummy_hash()
+    no_account = _dummy_hash()
     with _gate:
-        return _hasher.verify(_plain(password), password_hash or nobodys) and password_hash is not None
+        return _hasher.verify(_plain(password), password_hash or no_account) and password_hash is not None
 
 
 @cache

@@ -49,12 +49,12 @@ def begun_like(
     newest = newest_of(session, same_as)
     clauses = [Clause.of(row) for row in newest.clauses]
     library, defaults = clause_rules.begin(kind)
-    begins_anew = OF_ONE_CONTRACT
+    reset_names = OF_ONE_CONTRACT
     if same_as.designer_id != designer_id:
-        begins_anew |= OF_ONE_DESIGNER
+        reset_names |= OF_ONE_DESIGNER
         parties = [clause for clause in library if clause.key == PARTIES]
         clauses = [parties[0] if clause.key == PARTIES and parties else clause for clause in clauses]
     terms = {
-        name: defaults[name] if name in begins_anew & defaults.keys() else is_ for name, is_ in newest.terms.items()
+        name: defaults[name] if name in reset_names & defaults.keys() else is_ for name, is_ in newest.terms.items()
     }
     return same_as, clauses, terms

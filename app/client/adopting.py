@@ -28,7 +28,7 @@ BLOCK_BYTES = 1 << 20
 
 
 def adopt(options: argparse.Namespace) -> int:
-    """Send a folder or a ZIP, or say with `--dry-run` what would become of it; return the exit code."""
+    """Send a folder or a ZIP, or say with `--dry-run` what would happen to it; return the exit code."""
     named: Path = options.folder
     if named.is_dir():
         return _adopt(named.resolve(), named.resolve(), options)

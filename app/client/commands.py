@@ -96,7 +96,7 @@ def parser() -> argparse.ArgumentParser:
         "export_sounds.py wrote in Unreal; its texts are sent",
     )
     adopting.add_argument("--allow-http", action="store_true", help="send the token unencrypted to another machine")
-    adopting.add_argument("--dry-run", action="store_true", help="print what would become of each file; send no sound")
+    adopting.add_argument("--dry-run", action="store_true", help="print what would happen to each file; send no sound")
     importing = commands.add_parser(
         "fmod",
         help="have the FMOD Studio that runs on this machine import an unpacked pack",

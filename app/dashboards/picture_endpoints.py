@@ -11,7 +11,7 @@ from app.accounts.policies import allows
 from app.accounts.queries import picture_of
 from app.accounts.rules import Actor, Audience
 from app.dashboards.picture_queries import sees_name
-from app.kit.blob_response import FOR_EVER, WHILE_ASKED
+from app.kit.blob_response import IMMUTABLE, WHILE_ASKED
 from app.kit.db import bypass_row_policies
 from app.kit.http import DbSession, Route, Router, problems
 
@@ -40,7 +40,7 @@ def get_picture(
     if picture is None or sha256 not in (None, picture.sha256):
         raise PictureNotFound(f"no picture of a person {person_id}")
     etag = f'"{picture.sha256}"'
-    headers = {**LOCKED, "ETag": etag, "Cache-Control": FOR_EVER if sha256 else WHILE_ASKED}
+    headers = {**LOCKED, "ETag": etag, "Cache-Control": IMMUTABLE if sha256 else WHILE_ASKED}
     if etag in request.headers.get("if-none-match", ""):
         return Response(status_code=304, headers=headers)
     return Response(picture.content, media_type=MEDIA_TYPE, headers=headers)

@@ -34,7 +34,7 @@ def state_delivery_sources(session: Session, actor: Actor, delivery_id: UUID, so
             take.state is TakeState.APPROVED
             and source_queries.source_statement_of(session, delivery_id, take.id) is None
         ):
-            put_on_record(session, take)
+            record_sources(session, take)
     return delivery_sources(session, actor, delivery_id)
 
 
@@ -51,7 +51,7 @@ def state_take_sources(session: Session, actor: Actor, take_id: UUID, sources: S
     delivery, _ = delivery_for(session, actor, take.delivery_id)
     _state(session, delivery, take.id, sources)
     if is_approved:
-        put_on_record(session, take)
+        record_sources(session, take)
     return take_sources(session, actor, take_id)
 
 
@@ -133,7 +133,7 @@ def _read(statement: SourceStatement) -> SourcesRead:
     )
 
 
-def put_on_record(session: Session, take: Take) -> None:
+def record_sources(session: Session, take: Take) -> None:
     """Record the sources of an approved take in its contract; complete ones are its own from then on.
 
     Raises SourcesMissing where the contract asks for them before acceptance and they are not all stated.

@@ -11,7 +11,7 @@ from fastapi.responses import RedirectResponse, StreamingResponse
 from app.kit.storage import Store
 
 # What is stored never changes, and may be seen by authorized callers only, so no shared cache keeps it.
-FOR_EVER = "private, max-age=31536000, immutable"
+IMMUTABLE = "private, max-age=31536000, immutable"
 WHILE_ASKED = "private, no-cache"  # a file to keep: each later request is authenticated again
 WHILE_SIGNED = "private, max-age=300"  # well within the time that a signed link works
 PLAIN_NAME = re.compile(r"[A-Za-z0-9._ -]+")
@@ -39,7 +39,7 @@ def blob_response(
         if url is not None:
             return RedirectResponse(url, 307, {"Cache-Control": WHILE_SIGNED})
     etag = f'"{sha256}"'
-    kept = FOR_EVER if disposition is None else WHILE_ASKED
+    kept = IMMUTABLE if disposition is None else WHILE_ASKED
     given = {"ETag": etag, "Accept-Ranges": "bytes", "Cache-Control": kept, **(headers or {})}
     if disposition is not None:
         given["Content-Disposition"] = disposition

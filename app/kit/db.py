@@ -301,7 +301,7 @@ def bypass_row_policies(session: Session) -> Iterator[None]:
         yield
         return
     session.flush()  # what came before is held to the caller's reach
-    _tell(session.connection(), "SET LOCAL ROLE NONE")
+    _send(session.connection(), "SET LOCAL ROLE NONE")
     session.info[BYPASSED] = True
     try:
         yield
@@ -328,10 +328,10 @@ def _apply_reach(session: Session, connection: sa.Connection, *before: str) -> N
     reach: Reach = session.info[REACH]
     session.info[APPLIED_REACH] = reach
     known = ", ".join(f"'{value}'" if value else "null" for value in (reach.person_id, reach.project_id))
-    _tell(connection, *before, f"SELECT {SET_REACH}({known})", f"SET LOCAL ROLE {REQUEST_ROLE}")
+    _send(connection, *before, f"SELECT {SET_REACH}({known})", f"SET LOCAL ROLE {REQUEST_ROLE}")
 
 
-def _tell(connection: sa.Connection, *statements: str) -> None:
+def _send(connection: sa.Connection, *statements: str) -> None:
     """Send statements that answer nothing, all on one way."""
     connection.exec_driver_sql("; ".join(statements))
 

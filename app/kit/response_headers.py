@@ -7,7 +7,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 PRIVATE = ("/v1/", "/healthz", "/readyz", "/metrics")  # never kept, unless an endpoint says for how long
 HASHED = "/assets/"  # named after what is in them
-FOR_EVER = "public, max-age=31536000, immutable"
+IMMUTABLE = "public, max-age=31536000, immutable"
 NO_STORE = "no-store"
 ASK_AGAIN = "no-cache"
 API = "/v1/"
@@ -57,7 +57,7 @@ def caching(path: str, status: int) -> str:
     """Return what caches may do with an answer that does not say so itself."""
     if path.startswith(PRIVATE) or status >= 400:
         return NO_STORE
-    return FOR_EVER if path.startswith(HASHED) else ASK_AGAIN
+    return IMMUTABLE if path.startswith(HASHED) else ASK_AGAIN
 
 
 class WithResponseHeaders:

@@ -75,7 +75,7 @@ def add_comment(
     session.add(comment)
     session.flush()
     session.refresh(comment, ["author", "acknowledgements"])
-    _put_on_record(session, take, comment)
+    _record_comment(session, take, comment)
     publish_mentions(session, comment)
     if asker_id is not None and asker_id != actor.person and str(asker_id) not in comment.mentions:
         publish(session, "note.answered", studio_id=take.studio_id, comment_id=comment.id, person_id=asker_id)
@@ -99,11 +99,11 @@ def add_guest_comment(
     )
     session.add(comment)
     session.flush()
-    _put_on_record(session, take, comment)
+    _record_comment(session, take, comment)
     return comment
 
 
-def _put_on_record(session: Session, take: Take, comment: Comment) -> None:
+def _record_comment(session: Session, take: Take, comment: Comment) -> None:
     """Write a comment into the record of the contract that covers its cue, if one does."""
     if take.cue_id is not None:
         said = {"comment_id": str(comment.id), "text": comment.text}

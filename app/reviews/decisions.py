@@ -8,7 +8,7 @@ from app.agreements.deemed_acceptance import CLAUSE as SILENCE
 from app.agreements.rules import AcceptedBy
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.deliveries.sources import put_on_record
+from app.deliveries.sources import record_sources
 from app.deliveries.take_states import change_state
 from app.kit.db import new_id
 from app.kit.events import publish
@@ -56,7 +56,7 @@ class Decision:
         self._session.flush()  # the former pick gives way first: there is never more than one
         self._record(take, VerdictKind.APPROVE, self._note)
         self._session.flush()
-        put_on_record(self._session, take)
+        record_sources(self._session, take)
         self.approved.append(take)
 
     def set_aside(self, take: Take) -> None:

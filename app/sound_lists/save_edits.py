@@ -204,7 +204,7 @@ def save(session: Session, project: Project, person_id: UUID, edits: Sequence[Ed
         )
     if any(old and old["palette"] != cue.palette for old, cue in zip(before, cues, strict=True)):
         publish(session, "palette.changed", studio_id=project.studio_id, project_id=project.id)
-    _tell(session, revision, person_id, added=added, changed=changed, cut=0)
+    _publish(session, revision, person_id, added=added, changed=changed, cut=0)
     return cues
 
 
@@ -221,7 +221,7 @@ def cut(session: Session, project: Project, person_id: UUID, cue: Cue, reason: s
     revision = _new_revision(session, project, person_id, f"{label(project.cue_prefix, cue.number)} cut")
     after = {"state": CueState.CUT.value, "cut_reason": reason}
     session.execute(insert(CueChange), [_record(revision, cue, before, after)])
-    _tell(session, revision, person_id, added=0, changed=0, cut=1)
+    _publish(session, revision, person_id, added=0, changed=0, cut=1)
 
 
 def _write_cues(session: Session, project: Project, edits: Sequence[Edit]) -> list[Cue]:
@@ -283,7 +283,7 @@ def _record(revision: Revision, cue: Cue, before: Facts, after: Facts) -> dict[s
     }
 
 
-def _tell(session: Session, revision: Revision, actor_id: UUID, *, added: int, changed: int, cut: int) -> None:
+def _publish(session: Session, revision: Revision, actor_id: UUID, *, added: int, changed: int, cut: int) -> None:
     publish(
         session,
         "list.revised",

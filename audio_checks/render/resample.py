@@ -149,7 +149,7 @@ def loop_blocks(
     """
     plan = plan_for(sample_rate_hz, to_hz, frames * channels, shelf)
     lead = _frames_before(blocks, frames, plan.edge_in + -(-sample_rate_hz // to_hz) + 1)
-    reader = _Reader(_for_ever(lead, blocks), channels, start=-len(lead))
+    reader = _Reader(_cycle(lead, blocks), channels, start=-len(lead))
     stretch = _Stretch(plan, frames * to_hz, frames_out * to_hz, late * frames_out)
     yield from _drifting(plan, stretch, reader, frames_out)
 
@@ -231,7 +231,7 @@ def _frames_before(blocks: Blocks, frames: int, count: int) -> NDArray[np.float6
     return tail[np.arange(-count, 0) % len(tail)]
 
 
-def _for_ever(lead: NDArray[np.float64], blocks: Blocks) -> Iterator[NDArray[np.float64]]:
+def _cycle(lead: NDArray[np.float64], blocks: Blocks) -> Iterator[NDArray[np.float64]]:
     yield lead
     while True:
         yield from blocks()

@@ -1,4 +1,4 @@
-"""Bonuses that are reckoned: when a game shipped, the first counted round of a cue, and their lines."""
+"""Bonuses that are calculated: when a game shipped, the first counted round of a cue, and their lines."""
 
 import sqlalchemy as sa
 from alembic import op

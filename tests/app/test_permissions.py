@@ -22,7 +22,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 @pytest.fixture(autouse=True)
 def generous_umask() -> Iterator[None]:
-    """Start commands as a login shell does, where new files are readable by everybody."""
+    """Start commands as a login shell does, where new files are readable by everyone."""
     before = os.umask(0o022)
     yield
     os.umask(before)
@@ -91,7 +91,7 @@ def test_what_cannot_be_tightened_is_named():
 
 @contextmanager
 def another_user() -> Iterator[Path | None]:
-    """Be somebody else for a block where this user may; give a folder that somebody else owns where not."""
+    """Be another user for a block where this user may; give a folder that another user owns where not."""
     if os.geteuid():
         yield Path("/usr")
         return

@@ -299,7 +299,7 @@ def test_nobody_writes_another_persons_account(database: Database):
             session.execute(sa.insert(people).values(row_of(people, HERE, new_id()) | {"id": person_id}))
     for reach, own in ((Reach(person_id=DESIGNER), 1), (NOBODY, 0), (Reach(project_id=PROJECTS[HERE][0]), 0)):
         with database.writing(reach) as session:
-            assert session.scalar(sa.select(sa.func.count()).select_from(people)) >= 2, "anybody may be invited"
+            assert session.scalar(sa.select(sa.func.count()).select_from(people)) >= 2, "anyone may be invited"
             assert session.execute(sa.update(people).values(name="taken over")).rowcount == own
             assert session.execute(sa.delete(people).where(people.columns["id"] != DESIGNER)).rowcount == 0
     with database.writing(NOBODY) as session:
@@ -342,7 +342,7 @@ def test_reach_is_widened_only_for_the_named_caller(database: Database):
             assert seen(session, "projects_projects") == {HERE, THERE}
         assert seen(session, "projects_projects") == {THERE}
     with database.reading(NOBODY) as session:
-        assert seen(session, "projects_projects") == set(), "what the last one was told is forgotten"
+        assert seen(session, "projects_projects") == set(), "the reach of the last one is forgotten"
 
 
 def test_who_joins_a_studio_sees_it_at_once(database: Database):
@@ -455,8 +455,8 @@ class TestSetUp:
     @pytest.mark.usefixtures("runtime")
     def test_another_login_is_noticed(self, postgres: Postgres, tmp_path: Path):
         with postgres.superuser("set_up") as connection:
-            connection.execute("create role somebody login in role soundlist_request")
-        url = postgres.url("set_up").replace(OWNER, "somebody", 1)
+            connection.execute("create role stranger login in role soundlist_request")
+        url = postgres.url("set_up").replace(OWNER, "stranger", 1)
         other = Runtime.of(Settings(data_dir=tmp_path, database_url=url))
         with pytest.raises(NotReady, match="does not own the tables"):
             ensure_rows_are_guarded(other)

@@ -1,4 +1,4 @@
-"""Two who do the same at the same moment: one does it, the other is told, and nothing is overwritten unseen."""
+"""Two who do the same at the same moment: one does it, the other is refused, and nothing is overwritten unseen."""
 
 import threading
 from collections.abc import Callable, Iterator

@@ -1,4 +1,4 @@
-"""`make attack`: a real server under attack for minutes; what came of each attack, and exit code 1 if one succeeded."""
+"""`make attack`: a real server under attack; the result of each attack, and exit code 1 if one succeeded."""
 
 import argparse
 import sys
@@ -27,7 +27,7 @@ def main() -> int:
             folder,
             seconds=asked.seconds,
             database_url=url,
-            tell=lambda line: print(line, flush=True),  # noqa: T201
+            report=lambda line: print(line, flush=True),  # noqa: T201
         )
     sys.stdout.write(f"\nAll of it:\n\n{table(siege)}\n\n")
     sys.stdout.writelines(f"FAILED {fault}\n" for fault in siege.faults)

@@ -358,7 +358,7 @@ def hostile_zips(target: Target) -> Iterator[int]:
     yield from delivered(target, "half.zip", made.getvalue()[: len(made.getvalue()) // 2])
 
 
-# What everybody shares.
+# What all share.
 
 
 @attack("contracts: four comparisons at once by one person")

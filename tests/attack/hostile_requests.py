@@ -254,7 +254,7 @@ class _Writer:
 
 @dataclass
 class Outcome:
-    """What came of many requests."""
+    """The outcome of many requests."""
 
     statuses: Counter[int]
     failures: dict[str, tuple[int, str]]  # where the code failed → how often, and the first request

@@ -36,7 +36,7 @@ UNPACKED_WITHIN_S = 3_600.0
 
 @dataclass
 class Passage:
-    """What came of one ZIP."""
+    """The outcome of one ZIP."""
 
     zip_bytes: int
     sounds: int
@@ -71,7 +71,7 @@ class Passage:
 
 
 def pass_through(zygote: Zygote, folder: Path, zip_bytes: int, *, sound_bytes: int = SOUND_BYTES) -> Passage:
-    """Upload a ZIP of nearly this size to a new server, wait until it is unpacked, and return what came of it."""
+    """Upload a ZIP of nearly this size to a new server, wait until it is unpacked, and return its outcome."""
     made = folder / "all.zip"
     sounds = write_zip(made, zip_bytes, sound_bytes)
     passage = Passage(made.stat().st_size, sounds)
@@ -187,7 +187,7 @@ def _disk_bytes(folder: Path) -> int:
 
 
 def main() -> int:
-    """Send a ZIP, print what came of it, and return how many limits it exceeded."""
+    """Send a ZIP, print the outcome, and return how many limits it exceeded."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--bytes", type=int, default=5 << 30)
     asked = parser.parse_args()

@@ -34,7 +34,7 @@ ATTACK_LASTS_S = 20.0  # then its other requests are left out
 
 @dataclass
 class Result:
-    """What came of one attack."""
+    """The outcome of one attack."""
 
     name: str
     statuses: Counter[int] = field(default_factory=Counter)
@@ -67,7 +67,7 @@ class Run:
 
 @dataclass
 class Siege:
-    """What came of all of them."""
+    """The outcome of all of them."""
 
     results: dict[str, Result]
     visits: list[Visit] = field(default_factory=list)  # of the honest person
@@ -113,11 +113,11 @@ def lay_siege(
     seconds: float,
     database_url: str = "",
     names: Collection[str] = ATTACKS,
-    tell: Callable[[str], object] = id,
+    report: Callable[[str], object] = id,
 ) -> Siege:
-    """Attack a new server for so long, each attack at least once, and return what came of it.
+    """Attack a new server for so long, each attack at least once, and return its outcome.
 
-    `tell` is given a line for each attack that was tried alone. What an attack left the server to do may still be going
+    `report` is given a line for each attack that was tried alone. What an attack left the server to do may still go
     on in the next one, and counts there.
     """
     server = ProcessServer(zygote, folder, database_url=database_url)
@@ -136,7 +136,7 @@ def lay_siege(
                 before_mib = watched.settled_mib()
                 siege.runs.append(_attack(target, siege.results[name], watched))
                 siege.results[name].growth_mib = max(0.0, watched.peak_mib - before_mib)
-                tell(row(siege.results[name]))
+                report(row(siege.results[name]))
             _all_at_once(target, siege, watched, begun + seconds)
         siege.visits = visits(folder / NOTES)
         siege.left_mib = watched.left_mib()
@@ -181,7 +181,7 @@ class Watched:
         return sum(private_mib(pid) for pid in processes_below(self._web.pid))
 
     def settled_mib(self) -> float:
-        """Return the memory now, from where the peak is counted anew."""
+        """Return the memory now, from where the peak is counted again."""
         self.peak_mib = now = self.mib()
         return now
 
@@ -279,14 +279,14 @@ def _all_at_once(target: Target, siege: Siege, watched: Watched, until: float) -
 
 
 def row(result: Result) -> str:
-    """Return what came of one attack, as a line of a table."""
+    """Return the outcome of one attack, as a line of a table."""
     answers = ", ".join(f"{status or 'none'} × {count}" for status, count in sorted(result.statuses.items()))
     verdict = "; ".join(result.faults) or "held"
     return f"| {result.name} | {answers} | {result.slowest_s:.1f} s | +{result.growth_mib:.0f} MiB | {verdict} |"
 
 
 def table(siege: Siege) -> str:
-    """Return what came of it, an attack a line."""
+    """Return the outcomes, an attack a line."""
     lines = ["| attack | answers | slowest | memory | |", "|---|---|---|---|---|"]
     lines += map(row, siege.results.values())
     slowest = max((visit.took_s for visit in siege.visits), default=0.0)

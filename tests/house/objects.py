@@ -158,7 +158,7 @@ class House(World):
             **of,
             person_id=self.approver_id,
             deputy_id=self.producer_id,
-            from_on=date(2999, 1, 1),  # nobody stands in for anybody today
+            from_on=date(2999, 1, 1),  # no deputy is active today
             until_on=date(2999, 1, 2),
             named_by=self.producer_id,
         )

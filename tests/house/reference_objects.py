@@ -18,7 +18,7 @@ def add_reference(
     added_by: UUID,
     opened_by: UUID,
 ) -> dict[str, UUID]:
-    """Add a sound that is pinned to a cue, which somebody opened; return its ids by the names in paths."""
+    """Add a sound that is pinned to a cue, which a person opened; return its ids by the names in paths."""
     reference = Reference(**of, cue_id=cue_id, caption="Like this", terms="", newest_number=1, added_by=added_by)
     session.add(reference)
     session.flush()

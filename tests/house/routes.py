@@ -89,7 +89,7 @@ class Named:
 
 
 EXAMPLES: dict[str, Any] = {
-    "email": "somebody@example.test",
+    "email": "someone@example.test",
     "roles": ["reviewer"],
     "scopes": ["spec:read"],
     "cue_prefix": "DS",

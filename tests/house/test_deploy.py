@@ -121,7 +121,7 @@ def test_nothing_runs_with_more_rights_than_it_needs(compose: dict[str, Any]):
         if name not in ("bucket", "postgres"):  # whose image begins as root and becomes its own user
             assert service["cap_drop"] == ["ALL"], name
         for port in service.get("ports", []):
-            assert name == "proxy" or port.startswith("127.0.0.1:"), f"{name} is open to everybody"
+            assert name == "proxy" or port.startswith("127.0.0.1:"), f"{name} is open to everyone"
 
 
 def test_every_volume_and_every_service_waited_for_is_there(compose: dict[str, Any]):

@@ -100,7 +100,7 @@ def test_the_command_line_has_the_commands_it_promises():
 
 
 def commands_in_documents(program: str) -> set[str]:
-    """What the documents tell their readers to type, from the program's name to the end of the code or a comment."""
+    """The commands that the documents show, from the program's name to the end of the code or a comment."""
     documents = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *(ROOT / "docs").rglob("*.md")]
     typed = re.compile(rf"(?:`|^|[ /]){program} ([a-z][^`\n#]+)", re.MULTILINE)
     code = re.compile(r"```.*?```|`[^`\n]+`", re.DOTALL)

@@ -121,7 +121,7 @@ class TestAction:
 
 class TestInstalling:
     def test_nothing_installs_by_a_name_that_is_on_no_index(self):
-        """Anybody could take the name: pip would fetch theirs."""
+        """Anyone could take the name: pip would fetch theirs."""
         texts = [*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md"), *ROOT.glob("integrations/**/*"), ROOT / "action.yml"]
         for path in texts:
             if path.is_file() and path.suffix != ".pyc":
@@ -237,8 +237,8 @@ import marshal, pathlib, shutil, sys
 depot = pathlib.Path({depot!r})
 arguments = sys.argv[1:]
 assert arguments.pop(0) == "-G"
-def answer(**told):
-    sys.stdout.buffer.write(marshal.dumps({{key.encode(): value.encode() for key, value in told.items()}}, 0))
+def answer(**facts):
+    sys.stdout.buffer.write(marshal.dumps({{key.encode(): value.encode() for key, value in facts.items()}}, 0))
 if arguments[0] == "files":
     if not arguments[1].endswith("@=1234"):
         answer(code="error", data=arguments[1] + " - no such changelist.\\n", severity="3")

@@ -1,4 +1,4 @@
-"""Whoever looks at the jobs reads what each does, not how its function is called."""
+"""The page of jobs says what each does, not the name of its function."""
 
 import importlib
 import re

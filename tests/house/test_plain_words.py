@@ -70,12 +70,16 @@ OLD_WORDS = (
     "what came of", "comes of", "last word", "in the hand", "at the screen", "worthless", "gravest",
     "put on record", "stand-in", "stand-ins", "stands for", "stand for", "speaks for", "speak for", "decider",
     "mends", "mended", "mender", "foresees", "foreseen", "foretells", "forthwith", "heretofore", "thereof",
+    "lawful", "lawfully", "reckon", "reckons", "reckoned", "reckoning", "heed", "heeds", "heeded", "heeding", "unwise",
+    "became of", "become of", "takes hold", "took hold",
 )  # fmt: skip
 OLD = re.compile(rf"(?<![\w-])({'|'.join(map(re.escape, OLD_WORDS))})(?![\w-])", re.IGNORECASE)
 ALLOWED = re.compile(r"cannot tell", re.IGNORECASE)  # the third verdict of a judgement, a value of the API
+API_NAMES = {"LastWord", "last_word"}  # of a field that programs read
 ROOT = Path(__file__).parents[2]
 STRINGS = (tokenize.STRING, getattr(tokenize, "FSTRING_MIDDLE", tokenize.STRING))  # f-strings, from Python 3.12 on
-CODE = ("app", "audio_checks", "benchmarks", "training", "deploy", "integrations", "migrations")
+CODE = ("app", "audio_checks", "benchmarks", "training", "deploy", "integrations", "migrations", "tests")
+OWN = Path(__file__).name  # plants odd words itself
 CLAUSES = ROOT / "app" / "agreements" / "library"  # legal text, worded by its own rules
 COMMENT = re.compile(r"/\*.*?\*/|(?<![:'\"`])//[^\n]*", re.DOTALL)
 
@@ -86,6 +90,26 @@ def texts_of_python(source: str) -> Iterator[tuple[int, str]]:
         is_text = token.type in STRINGS and re.search(r"\w\s+\w", token.string)
         if token.type == tokenize.COMMENT or is_text:
             yield token.start[0], token.string
+
+
+def names_of_python(source: str) -> Iterator[tuple[int, str]]:
+    """Yield the line and words of names that a module gives: classes, functions, arguments and variables."""
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef):
+            name = node.name
+        elif isinstance(node, ast.arg):
+            name = node.arg
+        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            name = node.id
+        else:
+            continue
+        if name not in API_NAMES:
+            yield node.lineno, words_of(name)
+
+
+def words_of(name: str) -> str:
+    """Return a name in words: `takesHeard`, `TAKES_HEARD` and `takes_heard` are "takes heard"."""
+    return " ".join(re.findall(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+", name))
 
 
 def texts_of_comments(source: str) -> Iterator[tuple[int, str]]:
@@ -110,9 +134,15 @@ def old_words(path: Path, texts: Callable[[str], Iterator[tuple[int, str]]]) -> 
 
 @pytest.mark.parametrize("folder", CODE)
 def test_comments_docstrings_and_strings_use_standard_english(folder: str) -> None:
-    files = sorted((ROOT / folder).rglob("*.py"))
+    files = sorted(path for path in (ROOT / folder).rglob("*.py") if path.name != OWN)
     assert files
     assert [one for path in files for one in old_words(path, texts_of_python)] == []
+
+
+@pytest.mark.parametrize("folder", CODE)
+def test_names_use_standard_english(folder: str) -> None:
+    files = sorted(path for path in (ROOT / folder).rglob("*.py") if path.name != OWN)
+    assert [one for path in files for one in old_words(path, names_of_python)] == []
 
 
 def test_comments_of_the_frontend_use_standard_english() -> None:
@@ -142,6 +172,10 @@ def test_pages_use_standard_english() -> None:
         (texts_of_python, "x = 1  # who is told\n"),
         (texts_of_python, 'def f():\n    """Tell whether it is."""\n'),
         (texts_of_python, 'x = f"{1} is made anew"\n'),
+        (names_of_python, "def tell_runs(): ..."),
+        (names_of_python, "class ToldRuns: ..."),
+        (names_of_python, "def f(lawful): ..."),
+        (names_of_python, "UNTOLD = 1"),
         (texts_of_comments, "const a = 1 // for whoever\n/** Read\n anew. */"),
         (texts_of_page, "# A page\nAs it was told."),
     ],
@@ -153,7 +187,9 @@ def test_old_words_would_be_found(
     page = tmp_path / "page"
     page.write_text(source, encoding="utf-8")
     assert old_words(page, texts) != []
-    page.write_text(OLD.sub("notified", source), encoding="utf-8")
+    page.write_text(
+        re.sub("tell|told|untold|lawful", "notify", OLD.sub("notified", source), flags=re.I), encoding="utf-8"
+    )
     assert old_words(page, texts) == []
 
 

@@ -60,9 +60,9 @@ def names_in(operation: Operation) -> set[str]:
 
 
 def is_about_something(operation: Operation) -> bool:
-    """Whether a request names an object that somebody might not see."""
+    """Whether a request names an object that some callers may not see."""
     if operation.policy.audience is Audience.OPERATOR:
-        return False  # an operator sees every studio's; anybody else is told so, whatever the address names
+        return False  # an operator sees every studio's; anyone else is refused, whatever the address names
     return any(name.endswith("_id") for name in names_in(operation))
 
 
@@ -228,7 +228,7 @@ def is_let_in(answer: Response) -> bool:
     "operation", [pytest.param(one, id=one.name) for one in operations() if one.name not in ONLY_IN_DEMO]
 )
 def test_whom_it_is_for_is_let_in(server: RunningServer, house: House, operation: Operation) -> None:
-    """Without this, an endpoint that refuses everybody would pass all of the above."""
+    """Without this, an endpoint that refuses everyone would pass all of the above."""
     own_house = house if operation.method in SAFE_METHODS else House(server)
     answers = [ask(getattr(own_house, who), own_house, operation) for who in ADMITTED[operation.policy.audience]]
     assert any(is_let_in(answer) for answer in answers), [answer.text for answer in answers]

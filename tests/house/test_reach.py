@@ -14,7 +14,7 @@ NO_REQUEST = (
     "app/demo/*.py",
     "app/migrate.py",
 )
-BEFORE_ANYBODY_IS_KNOWN = {
+BEFORE_SIGN_IN = {
     "app/accounts/authentication.py": "finds out who comes, by the secret that was sent",
     "app/accounts/people.py": "finds whose address and password these are; people are global",
     "app/accounts/policies.py": "notes after the answer that a token was used",
@@ -51,7 +51,7 @@ def test_requests_open_the_database_for_their_caller():
     found = {
         str(path.relative_to(ROOT)) for path in ROOT.glob("app/**/*.py") if opens_as_the_server(path.read_text())
     } - outside
-    assert found == {*BEFORE_ANYBODY_IS_KNOWN, *SERVERS_OWN_TABLES}
+    assert found == {*BEFORE_SIGN_IN, *SERVERS_OWN_TABLES}
 
 
 def test_the_test_sees_it():

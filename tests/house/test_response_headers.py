@@ -1,4 +1,4 @@
-"""What every answer tells browsers and caches: asked of every route there is."""
+"""The headers for browsers and caches on every answer of every route."""
 
 from collections.abc import Iterator
 from pathlib import Path

@@ -15,7 +15,7 @@ TUS_CHUNK_BYTES = 150_000
 
 
 class Person:
-    """Somebody with a browser."""
+    """A person with a browser."""
 
     def __init__(self, server: RunningServer) -> None:
         self.server = server

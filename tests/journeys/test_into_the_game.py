@@ -51,7 +51,7 @@ class Game:
         return self.project.parent / "Originals" / "SFX"
 
     def set_volume(self, volume_db: float) -> None:
-        """Change the volume of the object, as somebody does in Wwise."""
+        """Change the volume of the object, as a person does in Wwise."""
         volume = re.compile(
             rf'(Name="{self.holder}" [^>]*>\s*<PropertyList>(?:(?!</PropertyList>).)*?<Property Name="Volume" [^>]*>\s*'
             rf"<ValueList>\s*<Value>){self.volume_db:g}(</Value>)",
@@ -164,7 +164,7 @@ class Studio:
         return {row["path"].rpartition("/")[2]: row for row in rows}
 
     def tasks(self, person: Team) -> list[dict[str, Any]]:
-        """Return the sounds to correct that somebody sees."""
+        """Return the sounds to correct that a person sees."""
         items: list[dict[str, Any]] = person.ask("GET", f"{self.path}/game-tasks")["items"]
         return items
 

@@ -160,7 +160,7 @@ class Agreement:
         return sent
 
     def change_order(self, by: Designer, changes: list[dict[str, Any]], **more: Any) -> dict[str, Any]:
-        """Propose a change order, have everybody sign it whose signature it needs, and return it."""
+        """Propose a change order, have each person sign it whose signature it needs, and return it."""
         body = {"reason": "As we said", "changes": changes, **more}
         number = by.ask("POST", f"{self.path}/change-orders", json=body)["orders"][-1]["number"]
         proposed: dict[str, Any] = by.ask("GET", f"{self.path}/change-orders")["orders"][number - 1]
@@ -174,7 +174,7 @@ class Agreement:
         return proposed
 
     def settle(self, designer: Designer) -> dict[str, Any]:
-        """Give notice as the studio, and have everybody agree to the statement whose agreement it needs."""
+        """Give notice as the studio, and have each person agree to the statement whose agreement it needs."""
         self.story.producer.ask("POST", f"{self.path}/ending/notice", json={"reason": "The game is put off."})
         for person in (designer, self.story.producer, self.story.second_producer):
             ending = person.ask("GET", f"{self.path}/ending")

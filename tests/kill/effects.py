@@ -1,4 +1,4 @@
-"""What was done to one take, counted: everything once, whoever was killed in between."""
+"""What was done to one take, counted: everything once, whichever process was killed in between."""
 
 from typing import Any
 from uuid import UUID
@@ -46,7 +46,7 @@ def rows(server: ProcessServer, table: type[Base], **facts: Any) -> int:
 
 
 def assert_done_once(server: ProcessServer, take_id: UUID) -> None:
-    """Assert that a take was checked, drawn and rendered, and its people told, once."""
+    """Assert that a take was checked, drawn and rendered, and its people notified, once."""
     with server.runtime.database.reading() as session:
         take = session.get_one(Take, take_id)
         spec = current_spec(session, take.project_id)
@@ -59,14 +59,14 @@ def assert_done_once(server: ProcessServer, take_id: UUID) -> None:
     assert rows(server, Picture) == len(sounds)
     assert sets == [(spec.id,)]
     assert jobs_written(server, "notifications.notify_checks") == 1
-    wait_until(lambda: told_of(server))  # with what else is said in the same seconds
+    wait_until(lambda: notified_of(server))  # with what else is said in the same seconds
     wait_until(lambda: is_idle(server))
-    assert told_of(server) == 1
+    assert notified_of(server) == 1
     assert nothing_failed(server)
 
 
-def told_of(server: ProcessServer) -> int:
-    """Return how often somebody was told that a sound waits to be heard."""
+def notified_of(server: ProcessServer) -> int:
+    """Return how often a person was notified that a sound waits to be heard."""
     with server.runtime.database.reading() as session:
         mails = session.scalars(select(Mail.lines)).all()
     return sum("passed the check" in line for lines in mails for line in lines)

@@ -144,7 +144,7 @@ class ProcessServer:
         self._running.clear()
 
     def close(self) -> None:
-        """End everything, at once: what a process does when it is told to end has its own test."""
+        """End everything, at once: what a process does on SIGTERM has its own test."""
         for process in self._running:
             if process.poll() is None:
                 process.send(signal.SIGKILL)

@@ -62,7 +62,7 @@ def test_a_killed_database_loses_nothing_and_stops_nobody(
         worker = server.work(point, victim=durable_postgres.pid)
         die_and_come_back(server, durable_postgres, point)
         if point.startswith("renders"):
-            wait_until(lambda: is_idle(server))  # by the same process, which was told nothing
+            wait_until(lambda: is_idle(server))  # by the same process, which was not signalled
             assert worker.poll() is None
         else:
             worker.send(signal.SIGKILL)

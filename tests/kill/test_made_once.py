@@ -1,4 +1,4 @@
-"""What a worker makes because somebody asked for it, with a kill before each is put on record."""
+"""What a worker makes on request, with a kill before each is recorded."""
 
 import hashlib
 from collections.abc import Callable

@@ -1,4 +1,4 @@
-"""A web process that is told to stop lets proxies turn away before it closes."""
+"""A web process that gets SIGTERM lets proxies turn away before it closes."""
 
 import signal
 import socket

@@ -57,7 +57,10 @@ def test_killed_web_process_loses_no_byte(server: ProcessServer, world: World) -
         send(world, location, HALF, CONTENT[HALF:])
     server.wait_for_death(web, "uploads.before_store")
 
-    for point in ("uploads.after_store", "uploads.finished"):  # whoever asks next finishes it, and dies of it
+    for point in (
+        "uploads.after_store",
+        "uploads.finished",
+    ):  # the next process finishes it, and dies of it
         web = server.serve(point)
         with pytest.raises(httpx.TransportError):
             world.designer.head(location, headers=TUS)
@@ -118,7 +121,7 @@ def server_with_bucket(zygote: Zygote, tmp_path: Path, database_to_kill: str, s3
 def test_killed_while_it_finishes_what_is_in_the_bucket(
     server_with_bucket: ProcessServer, s3: S3Server, some_of: SomeOf
 ) -> None:
-    """A file that went to the bucket in parts is whole in the end, whoever died of finishing it."""
+    """A file that went to the bucket in parts is whole in the end, whichever process died of finishing it."""
     server = server_with_bucket
     world = World(cast(RunningServer, server))
     delivery_id, location = begin(world)

@@ -81,7 +81,7 @@ class Postgres:
                 connection.execute(sql.SQL("create role {} login createrole").format(sql.Identifier(OWNER)))
 
     def stop(self) -> None:
-        """Stop without waiting for anybody."""
+        """Stop without waiting for connections."""
         if self._running is not None:
             if self._running.poll() is None:
                 self._running.send_signal(signal.SIGQUIT)
@@ -123,7 +123,7 @@ class Postgres:
         return self.url(name)
 
     def drop_database(self, name: str) -> None:
-        """Drop a database, whoever is still connected to it."""
+        """Drop a database with all its connections."""
         with self.superuser() as connection:
             connection.execute(sql.SQL("drop database if exists {} with (force)").format(sql.Identifier(name)))
 
@@ -181,7 +181,7 @@ def running_postgres(*, durable: bool = False) -> Iterator[Postgres]:
 
 
 if __name__ == "__main__":
-    # For whoever is not Python: the URL of an empty database, which is there until standard input ends.
+    # For programs that are not Python: the URL of an empty database, which is there until standard input ends.
     with running_postgres() as started:
         sys.stdout.write(started.new_database("soundlist") + "\n")
         sys.stdout.flush()

@@ -141,7 +141,7 @@ class Fault:
 
 @dataclass
 class FaultyLine:
-    """A line to an HTTP server, one request a connection, that fails as it is told."""
+    """A line to an HTTP server, one request a connection, that fails as it is set to."""
 
     server: S3Server
     endpoint: str
@@ -229,7 +229,7 @@ def faulty_line(server: S3Server) -> Iterator[FaultyLine]:
 
 
 def _head(line: socket.socket) -> tuple[bytes, bytes]:
-    """Return a message's head and what came of its body along with it."""
+    """Return a message's head and the part of its body that came with it."""
     received = b""
     while b"\r\n\r\n" not in received:
         piece = line.recv(READ_BYTES)

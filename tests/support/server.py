@@ -87,7 +87,7 @@ class RunningServer:
             sa.event.remove(engine, "before_cursor_execute", note)
 
     def forget_tries(self) -> None:
-        """Let everybody try again what was tried too often: all tests come from one place."""
+        """Let all try again what was tried too often: all tests come from one place."""
         with self.runtime.database.writing() as session:
             session.execute(sa.delete(RateLimit))
 

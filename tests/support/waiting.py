@@ -1,4 +1,4 @@
-"""Waiting for what comes about by itself, and never for ever."""
+"""Waiting for an event, with a limit."""
 
 import time
 from collections.abc import Callable

@@ -63,7 +63,7 @@ def test_trees_say_the_same_as_numbers_in_a_file():
     wet = np.nan_to_num(features[:, 0]) + np.nan_to_num(features[:, 3]) ** 2 > 0.5
     learned = HistGradientBoostingClassifier(max_iter=20, max_leaf_nodes=8, early_stopping=False).fit(features, wet)
     written = Trees(numbers_of(learned))
-    # Thresholds are values of what was learned from, and written with seven digits: other values tell.
+    # Thresholds are values of what was learned from, and written with seven digits: other values show.
     said = [written.sum(row) for row in others]
     np.testing.assert_allclose(said, learned.decision_function(others), atol=1e-3)
 

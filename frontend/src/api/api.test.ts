@@ -95,7 +95,7 @@ describe('answers', () => {
     await vi.waitFor(() => expect(connection.isAway()).toBe(false), 5_000)
   })
 
-  test('what only reads waits for the server to come back, and everybody knows meanwhile', async () => {
+  test('reads wait for the server to come back, and the page says so meanwhile', async () => {
     let isThere = false
     vi.stubGlobal('fetch', () =>
       isThere

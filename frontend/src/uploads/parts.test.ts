@@ -78,19 +78,19 @@ const transportOf = (put: Put = store.put) =>
   partsTransport({ endpoint: '/v1/uploads', metadata: () => ({ file_name: 'Bö ambience.wav' }), otherwise, put })
 
 function sent(transport: Transport, file: globalThis.File) {
-  const told: (string | number)[] = []
+  const reported: (string | number)[] = []
   let stop: (forget: boolean) => void = () => undefined
   const end = new Promise<string>((resolve) => {
     const events: TransportEvents = {
-      onProgress: (bytes) => told.push(bytes),
-      onResumed: (bytes) => told.push(`from ${bytes}`),
+      onProgress: (bytes) => reported.push(bytes),
+      onResumed: (bytes) => reported.push(`from ${bytes}`),
       onFinished: (id) => resolve(`finished ${id}`),
       onLost: () => resolve('lost'),
       onRefused: (detail) => resolve(`refused: ${detail}`),
     }
     stop = transport.start(uploadOf(file), events)
   })
-  return { told, end, stop: (forget: boolean) => stop(forget) }
+  return { reported, end, stop: (forget: boolean) => stop(forget) }
 }
 
 beforeEach(() => {
@@ -104,14 +104,14 @@ beforeEach(() => {
 afterEach(() => vi.unstubAllGlobals())
 
 test('a large file goes to the store part by part, and is finished by the server', async () => {
-  const { end, told } = sent(transportOf(), fileOf(2 * PART + 100))
+  const { end, reported } = sent(transportOf(), fileOf(2 * PART + 100))
   await expect(end).resolves.toBe('finished u-1')
   expect([...store.here]).toEqual([
     [1, PART],
     [2, PART],
     [3, 100],
   ])
-  expect(told).toEqual([PART / 2, PART, 1.5 * PART, 2 * PART, 2 * PART + 50, 2 * PART + 100])
+  expect(reported).toEqual([PART / 2, PART, 1.5 * PART, 2 * PART, 2 * PART + 50, 2 * PART + 100])
   expect(store.paths()).toEqual([
     'OPTIONS /v1/uploads',
     'POST /v1/uploads',
@@ -144,7 +144,7 @@ test('a page that cannot hash sends as it did', async () => {
   await vi.waitFor(() => expect(otherwise.start).toHaveBeenCalledTimes(1))
 })
 
-test('a file that was moved away is told in words', async () => {
+test('a file that was moved away is reported in words', async () => {
   const file = fileOf(2 * PART)
   vi.spyOn(file, 'slice').mockReturnValue({ arrayBuffer: () => Promise.reject(new Error('gone')) } as unknown as Blob)
   await expect(sent(transportOf(), file).end).resolves.toMatch(/^refused: The file can’t be read any more/)
@@ -164,9 +164,9 @@ test('a lost line goes on with the parts that are missing, also after the page w
     failing && link.url.endsWith('/2') ? Promise.resolve(0) : store.put(link, ...rest)
   await expect(sent(transportOf(put), fileOf(3 * PART)).end).resolves.toBe('lost')
   failing = false
-  const { end, told } = sent(transportOf(put), fileOf(3 * PART))
+  const { end, reported } = sent(transportOf(put), fileOf(3 * PART))
   await expect(end).resolves.toBe('finished u-1')
-  expect(told[0]).toBe(`from ${PART}`)
+  expect(reported[0]).toBe(`from ${PART}`)
   expect(store.paths().filter((asked) => asked === 'POST /v1/uploads')).toHaveLength(1)
 })
 
@@ -193,7 +193,7 @@ test('a store that is never reached is left alone: the bytes go through the serv
   expect(localStorage).toHaveLength(0)
 })
 
-test('an upload that has expired begins anew', async () => {
+test('an upload that has expired begins again', async () => {
   const put: Put = () => Promise.resolve(0)
   await sent(transportOf(put), fileOf(2 * PART)).end
   store.refuse = { path: /parts$/, status: 404, code: 'upload-not-found', times: 1 }
@@ -222,11 +222,11 @@ test('stopped for good, what was sent is taken away', async () => {
     if (link.url.endsWith('/2')) stopNow()
     return store.put(link, ...rest)
   }
-  const { stop, told } = sent(transportOf(put), fileOf(3 * PART))
+  const { stop, reported } = sent(transportOf(put), fileOf(3 * PART))
   stopNow = () => stop(true)
   await vi.waitFor(() => expect(store.paths().at(-1)).toBe('DELETE /v1/uploads/u-1'))
   expect(store.here.has(3)).toBe(false)
-  expect(told.at(-1)).toBe(1.5 * PART)
+  expect(reported.at(-1)).toBe(1.5 * PART)
   expect(localStorage).toHaveLength(0)
 })
 

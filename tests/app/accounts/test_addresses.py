@@ -65,7 +65,7 @@ def test_the_mailed_link_verifies_once(
 def test_the_link_verifies_nobody_elses_account(
     server: RunningServer, account: tuple[TestClient, str], mails: MailServer
 ) -> None:
-    """Whoever opens an account with a stranger's address gains nothing by the stranger's click."""
+    """Opening an account with a stranger's address gains nothing by the stranger's click."""
     browser, email = account
     ask_link(browser)
     path = f"/v1/email-verifications/{mails.secret_for(email)}"
@@ -147,7 +147,7 @@ def test_an_invitation_that_the_outbox_showed_verifies_nothing(world: World) -> 
     assert proof_of(world.server, email) is None
 
 
-def test_a_link_that_the_outbox_showed_is_worthless_once_it_is_mailed(world: World) -> None:
+def test_a_link_that_the_outbox_showed_is_invalid_once_it_is_mailed(world: World) -> None:
     email = address()
     invite(world, email)
     shown = secret_for(world.server, email)

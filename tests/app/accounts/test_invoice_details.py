@@ -1,4 +1,4 @@
-"""Invoice details: filled in once by each party, checked as they are typed, and nobody else's to read."""
+"""Invoice details: filled in once by each party, checked as they are typed, and read by no one else."""
 
 import pytest
 

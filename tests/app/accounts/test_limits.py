@@ -1,4 +1,4 @@
-"""Guesses are slowed down for whoever guesses, and for nobody else: behind proxies and over processes too."""
+"""Guesses are slowed down for the person who guesses, and for no one else: behind proxies and over processes too."""
 
 import dataclasses
 import time
@@ -49,7 +49,7 @@ def wrong_guesses(browser: TestClient, email: str, count: int) -> list[int]:
     return [sign_in(browser, email, f"guess {n} of many").status_code for n in range(count)]
 
 
-def test_an_attacker_behind_the_proxy_holds_up_nobody_else(server: RunningServer, account: str) -> None:
+def test_an_attacker_behind_the_proxy_holds_up_no_one_else(server: RunningServer, account: str) -> None:
     attacker = behind_proxy(server, "198.51.100.7")
     assert wrong_guesses(attacker, account, 12)[-1] == 429
     assert sign_in(behind_proxy(server, "198.51.100.8"), account).status_code == 200
@@ -62,7 +62,7 @@ def test_what_an_untrusted_peer_says_of_the_visitor_counts_for_nothing(server: R
     assert status == 429
 
 
-def test_the_own_browser_comes_through_while_everybody_guesses(server: RunningServer, account: str) -> None:
+def test_the_own_browser_may_sign_in_while_others_guess(server: RunningServer, account: str) -> None:
     own = behind_proxy(server, "198.51.100.20")
     assert sign_in(own, account).status_code == 200
     with server.runtime.database.writing() as session:

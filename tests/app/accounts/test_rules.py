@@ -32,7 +32,7 @@ def test_addresses_are_kept_in_one_form(typed: str, kept: str) -> None:
         "name@studio..example",
         "name@-studio.example",
         "two words@studio.example",
-        "name@studio.example\nBcc: everybody@studio.example",
+        "name@studio.example\nBcc: everyone@studio.example",
         "Name <name@studio.example>",
         "name@studio.example, other@studio.example",
         "näme@studio.example",

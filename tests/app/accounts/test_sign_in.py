@@ -180,10 +180,10 @@ def test_being_right_clears_the_count(server: RunningServer, account: tuple[Test
 def test_a_write_needs_the_token_of_our_page(account: tuple[TestClient, str]) -> None:
     browser, _ = account
     del browser.headers["X-CSRF-Token"]
-    answer = browser.put("/v1/me", json={"name": "Somebody else"})
+    answer = browser.put("/v1/me", json={"name": "Someone else"})
     assert (answer.status_code, answer.json()["code"]) == (403, "csrf-mismatch")
     answer = browser.put(
-        "/v1/me", json={"name": "Somebody else"}, headers={b"X-CSRF-Token": "wrong ümläut".encode("latin-1")}
+        "/v1/me", json={"name": "Someone else"}, headers={b"X-CSRF-Token": "wrong ümläut".encode("latin-1")}
     )
     assert answer.status_code == 403
 
@@ -243,7 +243,7 @@ def test_a_forgotten_password_is_reset_once_by_mail(server: RunningServer, accou
     answer = other.post(f"/v1/password-resets/{second}", json={"password": NEW_PASSWORD})
     assert answer.json()["email"] == email
     assert other.get("/v1/me").status_code == 200
-    assert browser.get("/v1/me").status_code == 401  # whoever was in before is out
+    assert browser.get("/v1/me").status_code == 401  # the person signed in before is signed out
     for used in (first, second):
         answer = server.browser().post(f"/v1/password-resets/{used}", json={"password": PASSWORD})
         assert answer.json()["code"] == "reset-not-found"

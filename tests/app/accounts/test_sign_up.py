@@ -113,7 +113,7 @@ def test_an_empty_server_takes_its_first_person(tmp_path_factory: pytest.TempPat
 
 
 def test_a_new_password_of_an_unverified_holder_is_theirs_alone(server: RunningServer) -> None:
-    """Whoever opened an account with another's address loses it to whoever reads that mail."""
+    """A person who opened an account with another's address loses it to the reader of that mail."""
     thief, email = server.browser(), address()
     assert sign_up(thief, email).status_code == 201
     with mail_server(server) as mails:

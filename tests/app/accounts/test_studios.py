@@ -163,7 +163,7 @@ def test_a_withdrawn_or_old_invitation_is_worth_nothing(server: RunningServer, w
 
 
 def test_joining_adds_to_the_roles_held(server: RunningServer, world: World) -> None:
-    """Somebody who was made a member in the meantime loses nothing by an older link."""
+    """A person who was made a member in the meantime loses nothing by an older link."""
     email = f"{world.other_designer_id}@example.test"
     invite(world, email, "reviewer")
     with server.runtime.database.writing() as session:

@@ -1,4 +1,4 @@
-"""Whoever accepts a contract has proven their address, and nobody stands on both of its sides."""
+"""Each signer of a contract has verified their address, and no one is on both of its sides."""
 
 import json
 from collections.abc import Iterator

@@ -47,7 +47,7 @@ def test_every_clause_is_in_the_table_and_no_other() -> None:
 
 
 @pytest.mark.parametrize("clause", library(), ids=lambda each: each.clause.key)
-def test_each_of_its_terms_is_carried_out_by_somebody(clause) -> None:
+def test_each_of_its_terms_is_carried_out_by_one_side(clause) -> None:
     by, ours, theirs, how = table()[clause.clause.key]
     assert by in BY
     assert how
@@ -66,7 +66,7 @@ def test_the_software_reads_no_term_that_no_clause_has() -> None:
     assert terms_of_the_code() == {name for row in table().values() for name in named(row[1])}
 
 
-def test_money_that_the_parties_reckon_says_so_in_the_text() -> None:
+def test_money_that_the_parties_calculate_says_so_in_the_text() -> None:
     """An amount without a line of its own names the change order, the plan or the account that makes it due."""
     for each in library():
         theirs = named(table()[each.clause.key][2])

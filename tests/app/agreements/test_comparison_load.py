@@ -75,7 +75,7 @@ def test_one_person_has_two_at_once_and_another_has_two_more() -> None:
         pass
 
 
-def test_twenty_comparisons_by_one_person_keep_nobody_else_waiting(world: World) -> None:
+def test_twenty_comparisons_by_one_person_keep_no_one_else_waiting(world: World) -> None:
     contract_id = world.server.in_database(lambda session: add_two_long_versions(session, world))
     url = f"/v1/contracts/{contract_id}/comparison"
     greedy, other = world.producer, world.reviewer

@@ -174,10 +174,10 @@ def test_the_designer_asks_for_a_change(world: World, contracts: Contracts):
     changed = contracts.save(draft, terms={**draft["version"]["terms"], "rounds_included": 1})
     still = contracts.ask(world.designer, "GET", f"/contracts/{sent['id']}")
     assert still["version"]["number"] == sent["version"]["number"], "the designer reads what was sent"
-    anew = contracts.send(changed)
-    assert anew["acceptances"] == [], "a yes to the text before is none to this one"
-    assert anew["change_requested"] is None
-    query = {"from_version": sent["version"]["number"], "to_version": anew["version"]["number"]}
+    resent = contracts.send(changed)
+    assert resent["acceptances"] == [], "a yes to the text before is none to this one"
+    assert resent["change_requested"] is None
+    query = {"from_version": sent["version"]["number"], "to_version": resent["version"]["number"]}
     compared = contracts.ask(world.designer, "GET", f"/contracts/{sent['id']}/comparison", params=query)
     changed_lines = [line for line in compared["lines"] if line["change"] != "same"]
     (rounds,) = changed_lines

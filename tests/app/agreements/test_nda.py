@@ -31,7 +31,7 @@ def request_nda(world: World) -> None:
     assert answer.json()["nda_needed"] is True
 
 
-def told_open(caller: TestClient) -> bool:
+def listed_open(caller: TestClient) -> bool:
     (project,) = caller.get("/v1/me").json()["projects"]
     return bool(project["nda_open"])
 
@@ -48,11 +48,11 @@ def test_what_is_closed_opens_with_the_nda(world: World, contracts: Contracts):
     assert delivered.json()["code"] == "nda-needed"
     headed = world.designer.get(f"/v1/projects/{world.project_id}").json()
     assert headed["mine"]["nda_open"] is True
-    assert [told_open(each) for each in (world.designer, world.producer)] == [True, False]
+    assert [listed_open(each) for each in (world.designer, world.producer)] == [True, False]
     nda = contracts.begin("nda", title="NDA")
     agreed = contracts.agree(nda)
     assert world.designer.get(f"/v1/projects/{world.project_id}").json()["mine"]["nda_open"] is False
-    assert told_open(world.designer) is False
+    assert listed_open(world.designer) is False
     for path in closed:
         assert world.designer.get(path).status_code == 200, path
 
@@ -76,7 +76,7 @@ def test_half_an_nda_opens_nothing(world: World, contracts: Contracts):
 def test_a_link_shows_no_list_before_the_nda(world: World):
     add(world, {"name": "Radar ping"})
     request_nda(world)
-    body = {"email": "somebody.new@example.test", "kind": "contract"}
+    body = {"email": "someone.new@example.test", "kind": "contract"}
     assert world.producer.post(f"/v1/projects/{world.project_id}/invitations", json=body).status_code == 201
     shown = world.nobody.get(f"/v1/invitations/{secret_for(world.server, body['email'])}").json()
     assert (shown["nda_needed"], shown["cues"], shown["spec"]) == (True, [], None)

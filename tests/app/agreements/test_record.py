@@ -1,4 +1,4 @@
-"""The record of a contract in the database: appended in order, and whoever alters it by hand is found."""
+"""The record of a contract in the database: appended in order, and changes by hand are found."""
 
 from collections.abc import Callable
 from itertools import pairwise

@@ -1,4 +1,4 @@
-"""`soundlist verify` finds what was done by hand, also to somebody who wrote the whole chain anew."""
+"""`soundlist verify` finds changes by hand, even where the whole chain was rewritten."""
 
 import json
 from hashlib import sha256
@@ -89,7 +89,7 @@ def test_what_was_done_by_hand_is_named(
 
 
 def rewrite(session: Session, contract_id: UUID) -> None:
-    """Do what somebody would who knows the code and owns the database: alter an entry and chain all anew."""
+    """Alter an entry and rebuild the chain, as the owner of the database could who knows the code."""
     contract = session.get_one(Contract, contract_id)
     previous = START
     for event in session.scalars(
@@ -103,7 +103,7 @@ def rewrite(session: Session, contract_id: UUID) -> None:
     contract.record_sha256 = previous
 
 
-def test_a_copy_shows_what_was_written_anew(
+def test_a_copy_shows_what_was_rewritten(
     world: World, contracts: Contracts, agreed: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):
     copy = tmp_path / "record.json"

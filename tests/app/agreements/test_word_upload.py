@@ -87,7 +87,7 @@ def test_a_document_of_an_earlier_version_names_what_changed_since(upload: Uploa
     assert (tracked["version"], tracked["changes"], tracked["findings"]) == (number, [], [])
 
 
-def test_whoever_may_not_propose_may_not_upload(upload: Upload, world: World):
+def test_who_may_not_propose_may_not_upload(upload: Upload, world: World):
     document = upload.document()
     assert upload.try_to_upload(document, world.reviewer).status_code == 404
     assert upload.try_to_upload(document, world.producer).json()["code"] == "not-your-contract"

@@ -249,7 +249,7 @@ def _an_accepted_cue_keeps_its_price(parties: Parties) -> None:
 
 
 @scene(f"{REVIEW}._problems_of_added BadChangeOrder 5")
-def _a_covered_cue_is_priced_anew(parties: Parties) -> None:
+def _a_covered_cue_is_priced_again(parties: Parties) -> None:
     agreed = parties.agreed()
     cue, milestone_id = str(parties.cues[0]), parties.milestones(agreed)["Beta"]
     add = {"kind": "add_cue", "cue_id": cue, "milestone_id": milestone_id, "price_minor": 10}

@@ -114,7 +114,7 @@ def _what_orders_work_ends_by_notice(parties: Parties) -> None:
 
 
 @scene("agreements.lifecycle._ensure_whole BadDraft")
-def _a_draft_is_mended_where_it_says(parties: Parties) -> None:
+def _a_draft_is_corrected_where_it_says(parties: Parties) -> None:
     begun = parties.planned()
     body = Contracts.draft_of(begun) | {"based_on_version": 1}
     path = f"/v1/contracts/{begun['id']}/draft"
@@ -162,7 +162,7 @@ def _an_nda_has_no_plan(parties: Parties) -> None:
 
 
 @scene("agreements.plan.save_plan BadPlan")
-def _a_plan_is_mended_where_it_says(parties: Parties) -> None:
+def _a_plan_is_corrected_where_it_says(parties: Parties) -> None:
     begun, cue = parties.planned(), parties.cue()
     wrong = milestone("Gamma", cue, amount_minor=100)
     wrong["cues"] = [{"cue_id": str(cue), "price_minor": 90}]

@@ -145,7 +145,7 @@ def test_a_round_agreed_beforehand_is_not_proposed_again(order: Order) -> None:
     for _ in range(3):
         order.draft(order.take(cue))
         order.send()
-    rounds = told_list(order.world.producer.get(f"/v1/contracts/{order.contract_id}/extra-rounds"))
+    rounds = shown_list(order.world.producer.get(f"/v1/contracts/{order.contract_id}/extra-rounds"))
     assert [(one["number"], one["state"]) for one in rounds] == [(3, "agreed")]
     assert order.owed().count(("extra_round", 4_500)) == 1
 
@@ -156,11 +156,11 @@ def test_a_third_round_is_offered_by_itself_and_a_change_order_agrees_to_it(orde
         order.draft(order.take(cue))
         order.send()
     order.in_force(about("add_round", cue))
-    rounds = told_list(order.world.producer.get(f"/v1/contracts/{order.contract_id}/extra-rounds"))
+    rounds = shown_list(order.world.producer.get(f"/v1/contracts/{order.contract_id}/extra-rounds"))
     assert [(one["number"], one["state"]) for one in rounds] == [(3, "agreed")]
 
 
-def told_list(answer: Any) -> list[dict[str, Any]]:
+def shown_list(answer: Any) -> list[dict[str, Any]]:
     assert answer.status_code == 200, answer.text
     body: list[dict[str, Any]] = answer.json()
     return body

@@ -132,7 +132,7 @@ def test_a_signature_that_is_taken_away_is_found(order: Order, second: UUID) -> 
 
 
 def faults(order: Order) -> list[str]:
-    """Return what is wrong with the contract, whose text and state no test has put on record."""
+    """Return what is wrong with the contract, whose text and state no test has recorded."""
 
     def found(session: Session) -> list[str]:
         return faults_of(session, order.world.server.runtime.store, contract_by_id(session, order.contract_id))

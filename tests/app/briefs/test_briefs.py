@@ -86,7 +86,7 @@ def test_a_question_that_follows_from_another_is_asked_only_then(world: World) -
 def test_two_people_collide_only_over_the_same_answer(world: World) -> None:
     save(world, 0, genre="A platformer", feel="Warm")
     assert save(world, 1, world.approver, feel="Cold").status_code == 200
-    assert save(world, 1, genre="A racing game").status_code == 200  # nobody else changed this one
+    assert save(world, 1, genre="A racing game").status_code == 200  # no one else changed this one
     refused = save(world, 1, feel="Loud")
     assert (refused.status_code, refused.json()["code"]) == (409, "answer-changed")
     assert refused.json()["errors"] == [{"where": "feel", "message": "Audio director changed this answer"}]

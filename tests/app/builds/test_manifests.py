@@ -102,7 +102,7 @@ def test_it_lists_the_files_of_the_pack_and_what_each_is_known_by(world: World, 
     assert all(one.fingerprint for one in approved)
 
 
-def test_approval_has_game_files_listened_to_once_and_before_anybody_asks(world: World) -> None:
+def test_approval_has_game_files_listened_to_once_and_before_any_request(world: World) -> None:
     accepted_list(world)
     assert len(kept(world)) == 6  # three sounds for two targets
     assert jobs_for(world, "builds.fingerprint_take") == [("100", "SUCCESS")] * 3

@@ -1,4 +1,4 @@
-"""Packs that are handed out: numbered, the same bytes for ever, and told apart from the one before."""
+"""Packs that are handed out: numbered, always the same bytes, and distinct from the one before."""
 
 import hashlib
 import io
@@ -96,7 +96,7 @@ def test_the_current_pack_says_what_changed_since_the_last(world: World) -> None
 
 
 def made_again(world: World, name: str, **facts: Any) -> bytes:
-    """Let a later renderer have made a file again: the same samples with another chunk, told of by these facts."""
+    """Let a later renderer have made a file again: the same samples with another chunk, as these facts say."""
     with zipfile.ZipFile(io.BytesIO(current(world))) as archive:
         content = archive.read(name)
     grown = content[:4] + (len(content) + 4).to_bytes(4, "little") + content[8:] + b"also" + (4).to_bytes(4, "little")

@@ -198,8 +198,8 @@ def broken(text: bytes, **changes: Any) -> bytes:
 @pytest.mark.parametrize(
     ("spoil", "words"),
     [
-        ("%%%", "no text in UTF-8"),
-        (b"\xff\xfe\x00", "no text in UTF-8"),
+        ("%%%", "not text in UTF-8"),
+        (b"\xff\xfe\x00", "not text in UTF-8"),
         (b"{", "is not JSON"),
         (b"[" * 100_000, "is not JSON"),
         (b"[]", "is not a manifest"),

@@ -48,7 +48,7 @@ def sounds(game: Path) -> Path:
     return game
 
 
-def test_a_dry_run_prints_what_becomes_of_each_file_and_sends_no_sound(client: Client, sounds: Path) -> None:
+def test_a_dry_run_prints_what_happens_to_each_file_and_sends_no_sound(client: Client, sounds: Path) -> None:
     assert client.adopt(sounds, "--dry-run") == 0, client.err
     lines = client.out.splitlines()
     assert lines[0] == "5 files become 4 cues in 2 categories, 1 of them sets"

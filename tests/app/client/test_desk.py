@@ -122,7 +122,7 @@ def test_a_token_by_standard_input(world: World, port: int, tmp_path: Path):
     ("address", "token", "said"),
     [
         ("http://sounds.example", "sld_x", "unencrypted"),
-        ("sounds.example", "sld_x", "no address of a server"),
+        ("sounds.example", "sld_x", "not an address of a server"),
         ("https://sounds.example", "two words", "no token"),
     ],
 )

@@ -192,7 +192,7 @@ def test_changed_files_are_locked_in_git_lfs(
     install(programs, "git", LFS)
     install(programs, "git-lfs", "")
     assert client.pull(game, "--lfs-lock") == 0, client.err
-    assert recorded(programs) == [], "nobody else has a new file"
+    assert recorded(programs) == [], "no one else has a new file"
     client.line.change_listing = other_sound
     monkeypatch.setenv("REFUSES", PATHS[2])
     before = states_of(game)

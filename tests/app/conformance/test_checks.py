@@ -105,7 +105,7 @@ def test_before_the_check_there_is_nothing_to_show(world: World) -> None:
 def test_a_file_dropped_on_a_cue_is_judged_under_the_cues_name(world: World) -> None:
     [cue] = add_cues(world, {"name": "Laser fire"})
     stray = checked(world, deliver(world, "My Laser (final).wav", tone())["id"])
-    assert (stray["state"], codes(stray)) == ("conforming", [])  # it is named once somebody says which cue it is for
+    assert (stray["state"], codes(stray)) == ("conforming", [])  # it is named once a person says which cue it is for
     dropped = checked(world, deliver(world, "My Laser (final).wav", tone(), cue_id=cue["id"])["id"])
     assert (dropped["state"], codes(dropped)) == ("conforming", [])
 

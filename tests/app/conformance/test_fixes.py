@@ -57,7 +57,7 @@ def test_what_came_back_finds_its_fix_made(world: World, take: dict[str, Any]) -
     assert max(gain["before"]["max"]) > max(gain["after"]["max"])
 
 
-def test_both_versions_can_be_heard_and_seen_by_both_sides_and_nobody_else(world: World, take: dict[str, Any]) -> None:
+def test_both_versions_can_be_heard_and_seen_by_both_sides_and_no_one_else(world: World, take: dict[str, Any]) -> None:
     sounds = world.designer.get(f"/v1/takes/{take['id']}/sounds").json()
     assert sounds["fix"]["duration_s"] == pytest.approx(0.205)
     for client in (world.designer, world.approver):
@@ -117,7 +117,7 @@ def test_consent_given_twice_is_given_once(world: World, take: dict[str, Any]) -
     assert again.json()["already_here"] is True
 
 
-def test_nobody_else_can_use_it(world: World, take: dict[str, Any]) -> None:
+def test_no_one_else_can_use_it(world: World, take: dict[str, Any]) -> None:
     for client, status in (
         (world.approver, 403),
         (world.producer, 403),

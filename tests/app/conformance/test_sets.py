@@ -79,7 +79,7 @@ def test_the_list_shows_it(world: World) -> None:
         assert row["worst_finding"]["message"].startswith("_03 is ")
 
 
-def test_a_newer_take_speaks_for_its_place(world: World) -> None:
+def test_a_newer_take_replaces_the_one_in_its_place(world: World) -> None:
     add_cues(world, {"name": "Step", "variations": 3})
     takes = deliver_set(world, {1: -20, 2: -20, 3: -16})
     again = deliver(world, "step_03.wav", burst(9, -20))

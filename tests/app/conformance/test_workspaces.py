@@ -1,4 +1,4 @@
-"""A child of the sandbox serves takes of one delivery, one after the other, and nobody else's."""
+"""A child of the sandbox serves takes of one delivery, one after the other, and of no one else."""
 
 import os
 import time

@@ -27,7 +27,7 @@ def credits_of(world: World) -> str:
 
 
 def read(world: World, by: Any) -> list[tuple[str, str]]:
-    """Return role and name of each credit that somebody sees."""
+    """Return role and name of each credit that a person sees."""
     return [(one["role"], one["name"]) for one in body_of(by.get(credits_of(world)))["credits"]]
 
 

@@ -89,7 +89,7 @@ def test_both_see_the_same_figures(world: World, agreed: Agreed) -> None:
 
 
 @pytest.mark.both_databases
-def test_nobody_else_sees_them(world: World, agreed: Agreed) -> None:
+def test_no_one_else_sees_them(world: World, agreed: Agreed) -> None:
     entry = on_file(world)
     work_three(world, agreed)
     path = f"/v1/roster/{entry}/work"

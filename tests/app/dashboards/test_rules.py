@@ -53,7 +53,7 @@ def test_variations_without_a_take_are_to_make():
         ([S.TO_MAKE], 0, False, S.TO_MAKE),
     ],
 )
-def test_a_cue_shows_what_needs_somebody(variations, questions, placeholder, status):
+def test_a_cue_shows_what_needs_a_person(variations, questions, placeholder, status):
     found = cue_status(CueState.LOCKED, variations, is_asked=bool(questions), placeholder=placeholder)
     assert found is status
 

@@ -206,7 +206,7 @@ def test_an_enormous_directory_is_not_read(tmp_path: Path) -> None:
 
 
 class Killed(BaseException):
-    """Stands for SIGKILL."""
+    """Simulates SIGKILL."""
 
 
 def test_a_second_run_goes_on_where_the_first_was_killed(world: World, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -177,7 +177,7 @@ def test_a_zip_brings_it_too(world: World) -> None:
 
 
 @pytest.mark.usefixtures("cue")
-def test_it_is_given_back_byte_for_byte_to_whoever_hears_the_take(world: World) -> None:
+def test_it_is_given_back_byte_for_byte_to_those_who_hear_the_take(world: World) -> None:
     take = deliver(world, "warp_in.wav", WET)
     give(world, take, DRY)
     path = f"/v1/takes/{take['id']}/dry-stem"

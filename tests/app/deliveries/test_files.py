@@ -83,7 +83,7 @@ def test_a_closed_delivery_takes_none(world: World) -> None:
     assert send(world.designer, delivery_id).json()["code"] == "delivery-closed"
 
 
-def test_a_delivery_of_somebody_else_is_not_there(world: World) -> None:
+def test_a_delivery_of_another_person_is_not_found(world: World) -> None:
     assert send(world.stranger, open_delivery(world)).status_code == 404
 
 

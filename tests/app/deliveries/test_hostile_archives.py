@@ -101,10 +101,10 @@ def test_an_entry_that_is_not_as_long_as_it_says_is_broken(tmp_path: Path, repor
     with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr("laser.wav", bytes(3_000_000))
     content = bytearray(made.getvalue())
-    told_bytes = struct.pack("<L", reported)
-    content[22:26] = told_bytes
+    declared_bytes = struct.pack("<L", reported)
+    content[22:26] = declared_bytes
     place = content.index(b"PK\x01\x02") + 24
-    content[place : place + 4] = told_bytes
+    content[place : place + 4] = declared_bytes
     path = tmp_path / "lies.zip"
     path.write_bytes(content)
     if reported > unzip.RATIO_COUNTS_FROM_BYTES:

@@ -129,7 +129,7 @@ def test_the_same_file_again_is_the_take_that_is_there(world: World) -> None:
     assert again["id"] == first["id"]
     elsewhere = deliver(world, "shield_hit.wav", SOUND)  # under another name
     assert (elsewhere["id"], elsewhere["cue"]["id"], elsewhere["already_here"]) == (first["id"], laser["id"], True)
-    meant = deliver(world, "shield_hit.wav", SOUND, cue_id=shield["id"])  # somebody says that it is for both
+    meant = deliver(world, "shield_hit.wav", SOUND, cue_id=shield["id"])  # a person says that it is for both
     assert (meant["id"] != first["id"], meant["already_here"]) == (True, False)
     engage(world)
     delivery_id = open_delivery(world, by=world.other_designer)
@@ -161,7 +161,7 @@ def test_what_matches_nothing_waits_with_three_guesses(world: World) -> None:
     add_cues(world, *({"name": name} for name in names))
     made = deliver(world, "final_FINAL_sting2.wav", SOUND)
     assert slot(made)[0] is None
-    assert "guesses" not in made  # whoever sends hundreds of files is not answered by a look at the list for each
+    assert "guesses" not in made  # the list is not read again for each of hundreds of files
     take = world.designer.get(f"/v1/takes/{made['id']}").json()
     assert take["guesses"][0]["name"] == "Victory sting"
     assert len(take["guesses"]) <= 3

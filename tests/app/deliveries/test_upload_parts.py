@@ -110,7 +110,7 @@ def test_through_the_server_it_goes_on_working(world: World):
 
 
 @pytest.mark.parametrize(("who", "status"), [("nobody", 401), ("stranger", 404), ("other_designer", 404)])
-def test_nobody_else_gets_a_link(world: World, who: str, status: int):
+def test_no_one_else_gets_a_link(world: World, who: str, status: int):
     location, client = begun(world), getattr(world, who)
     assert client.post(f"{location}/parts", json={"parts": [named(1)]}).status_code == status
     assert client.post(f"{location}/finish").status_code == status
@@ -193,7 +193,7 @@ def test_a_store_that_does_not_answer_is_reported_and_nothing_is_half_kept(
     assert (reported.status_code, reported.json()["code"]) == (503, "store-unavailable")
     assert int(reported.headers["retry-after"]) > 0
     assert list(server.runtime.store.blobs()) == []
-    standing = world.designer.head(location, headers=TUS)  # all bytes are here: whoever asks next finishes it
+    standing = world.designer.head(location, headers=TUS)  # all bytes are here: the next request finishes it
     assert (standing.status_code, standing.headers["upload-offset"]) == (200, "5")
     assert [blob.size_bytes for _, blob in server.runtime.store.blobs()] == [5]
 

@@ -1,4 +1,4 @@
-"""While the database is away requests are told so in words, and nothing needs a restart when it is back."""
+"""While the database is away requests are refused in words, and nothing needs a restart when it is back."""
 
 import time
 from collections.abc import Iterator
@@ -30,7 +30,7 @@ AT_IT_S = 0.3  # a request has reached the row that it waits for
 
 @pytest.fixture(scope="module")
 def own_postgres() -> Iterator[Postgres]:
-    """A server that may be killed without disturbing anybody, and still knows then who is signed in."""
+    """A server of its own that may be killed, and that still knows then who is signed in."""
     with running_postgres(durable=True) as server:
         yield server
 
@@ -165,7 +165,7 @@ def test_a_request_that_waits_too_long_for_a_slot_is_refused(world: World, monke
 
     with ThreadPoolExecutor(concurrency.MAX_CONCURRENT_OF_CALLER + 1) as crowd:
         with world.server.runtime.database.writing() as session:
-            session.execute(held, {"id": world.project_id})  # whoever has a seat waits for this row
+            session.execute(held, {"id": world.project_id})  # each request that runs waits for this row
             coming = [crowd.submit(open_one, number) for number in range(concurrency.MAX_CONCURRENT_OF_CALLER + 1)]
             turned_away = next(as_completed(coming, timeout=WITHIN_S)).result()
             assert world.designer.get("/v1/projects").status_code == 200, "who reads has other seats"
@@ -175,7 +175,7 @@ def test_a_request_that_waits_too_long_for_a_slot_is_refused(world: World, monke
     assert open_one(0).status_code == 201, "the seats are free again"
 
 
-def test_an_upload_gives_way_to_whoever_is_being_served_but_not_for_long(world: World, monkeypatch: pytest.MonkeyPatch):
+def test_an_upload_gives_way_to_other_requests_but_not_for_long(world: World, monkeypatch: pytest.MonkeyPatch):
     delivery_id = world.designer.post(f"/v1/projects/{world.project_id}/deliveries", json={}).json()["id"]
     held = sa.text("SELECT 1 FROM projects_projects WHERE id = :id FOR UPDATE")
     headers = TUS | {"Upload-Length": "3", "Upload-Metadata": metadata(delivery_id=delivery_id, file_name="a.wav")}

@@ -94,7 +94,7 @@ def test_a_stranger_is_turned_away_before_a_large_body_is_read(port: int, world:
     assert (status, problem["code"], b"100 continue" in first) == (401, "not-signed-in", False)
 
 
-def test_a_large_sheet_of_somebody_known_is_read(world: World):
+def test_a_large_sheet_of_a_signed_in_person_is_read(world: World):
     body = {"format": "csv", "text": "name\n" + "Radar ping\n" * 100_000, "dry_run": True}
     answer = world.producer.post(f"/v1/projects/{world.project_id}/sound-list/import", json=body)
     assert answer.status_code != 413

@@ -10,7 +10,7 @@ from app.kit.handshakes import stop_handshakes
 pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="only Linux can be asked for it")
 
 
-def test_who_waits_in_the_queue_is_heard_and_nobody_else_gets_in():
+def test_who_waits_in_the_queue_is_served_and_no_one_else_gets_in():
     with socket.create_server(("127.0.0.1", 0)) as listening:
         address = listening.getsockname()
         with socket.create_connection(address, timeout=10) as early:

@@ -64,7 +64,7 @@ def test_a_store_that_cannot_be_written_is_reported(runtime: Runtime):
     runtime.store.root.write_text("a file where a folder is wanted")
     _, parts = asked(runtime)
     assert parts["store"].startswith("the store cannot be written to")
-    assert str(runtime.store.root) not in parts["store"]  # anybody may ask
+    assert str(runtime.store.root) not in parts["store"]  # anyone may ask
 
 
 def test_a_missing_database_is_reported_with_what_depends_on_it(runtime: Runtime, tmp_path: Path):

@@ -1,4 +1,4 @@
-"""A saved answer is told again to whoever still may ask for it, for a while, and to nobody else."""
+"""A saved answer is repeated for a while to the caller who may still ask for it, and to no one else."""
 
 from datetime import timedelta
 from uuid import uuid4

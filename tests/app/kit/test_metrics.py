@@ -1,4 +1,4 @@
-"""What the processes count of their own work, who is told, and what the log carries on from request to job."""
+"""What the processes count of their own work, who may read it, and what the log carries on from request to job."""
 
 import contextlib
 import json

@@ -62,7 +62,7 @@ def test_input_that_ends_a_child_is_refused_with_a_reason(parsers: Parsers, func
 
 
 class _Slow:
-    """Stands for the parsers of a process, to see how many are asked at once."""
+    """Replaces the parsers of a process, to see how many are asked at once."""
 
     def __init__(self) -> None:
         self.now = self.most = 0

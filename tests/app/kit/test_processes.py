@@ -1,4 +1,4 @@
-"""Processes that serve one port together: real ones, each telling who answers."""
+"""Processes that serve one port together: real ones, each answering with its id."""
 
 import os
 import signal
@@ -31,7 +31,7 @@ def work(place):
 
 sys.exit(processes.PreforkSupervisor(work, 2).run())
 """
-TELL_WHO = """
+SEND_PID = """
     while True:
         line, _ = listening.accept()
         line.sendall(str(os.getpid()).encode())
@@ -45,7 +45,7 @@ END_AT_ONCE = """
 
 
 class Run:
-    """A program whose processes tell their ids to whoever opens a line."""
+    """A program whose processes send their ids over each connection."""
 
     def __init__(self, work: str, settled_s: float) -> None:
         program = PROGRAM.replace("{work}", work.strip())
@@ -89,7 +89,7 @@ def run() -> Iterator[Callable[..., Run]]:
 
 @pytest.mark.parametrize(("number", "ends"), [(signal.SIGTERM, -signal.SIGTERM), (signal.SIGINT, 0)])
 def test_all_answer_on_one_port_and_stop_together(run: Callable[..., Run], number: int, ends: int):
-    server = run(TELL_WHO)
+    server = run(SEND_PID)
     server.pair()
     server.process.send_signal(number)
     assert server.process.wait(WITHIN_S) == ends
@@ -97,7 +97,7 @@ def test_all_answer_on_one_port_and_stop_together(run: Callable[..., Run], numbe
 
 
 def test_one_that_dies_is_replaced(run: Callable[..., Run]):
-    server = run(TELL_WHO)
+    server = run(SEND_PID)
     dead, alive = server.pair()
     os.kill(dead, signal.SIGKILL)
     until(lambda: server.who() not in (dead, alive, None))
@@ -105,15 +105,15 @@ def test_one_that_dies_is_replaced(run: Callable[..., Run]):
 
 
 def test_none_outlives_the_first(run: Callable[..., Run]):
-    server = run(TELL_WHO)
+    server = run(SEND_PID)
     server.pair()
     server.process.kill()
     until(lambda: server.who() is None)
 
 
-def test_what_cannot_begin_is_not_begun_for_ever(run: Callable[..., Run]):
+def test_what_cannot_begin_is_not_begun_without_end(run: Callable[..., Run]):
     server = run(END_AT_ONCE, settled_s=60.0)
-    assert server.process.wait(WITHIN_S) == 2  # as whoever could not begin ended
+    assert server.process.wait(WITHIN_S) == 2  # the exit code of the process that could not begin
 
 
 def test_a_port_that_is_in_use_is_reported():

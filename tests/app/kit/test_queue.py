@@ -238,7 +238,7 @@ class WritesWhenRead:
 
 
 def test_a_pickle_that_would_run_code_is_refused_and_others_go_on(runtime: Runtime, tmp_path: Path):
-    """As whoever can write the database could store one: the row itself says how it is to be read."""
+    """As an attacker who can write to the database could store one: the row itself says how it is to be read."""
     written = tmp_path / "written"
     client = DBOSClient(system_database_url=queue.system_url(runtime.database), application_name=queue.APPLICATION)
     options: Any = {

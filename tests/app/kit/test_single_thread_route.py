@@ -1,4 +1,4 @@
-"""An endpoint has one thread, and no answer leaves before somebody looked who asks."""
+"""An endpoint has one thread, and no answer leaves before the caller is authenticated."""
 
 import threading
 from collections.abc import Iterator
@@ -18,7 +18,7 @@ THREADS: dict[str, int] = {}
 
 
 class Stranger(Refused):
-    """Nobody knows who asks."""
+    """The caller is not authenticated."""
 
     status = 401
 
@@ -44,7 +44,7 @@ def note(what: str) -> None:
     THREADS[what] = threading.get_ident()
 
 
-async def whoever(request: Request) -> LazyAuthentication:
+async def authenticated(request: Request) -> LazyAuthentication:
     def look() -> str:
         note("asking")
         if "who" not in request.query_params:
@@ -69,7 +69,7 @@ async def session() -> LazySession:
     return LazySession(slot, opened)
 
 
-Who = Annotated[str, Depends(whoever)]
+Who = Annotated[str, Depends(authenticated)]
 Opened = Annotated[str, Depends(session)]
 
 
@@ -84,9 +84,9 @@ def client() -> TestClient:
 
     @router.get("/streamed")
     async def stream(
-        asking: Annotated[LazyAuthentication, Depends(whoever)], *, forgets: bool = False
+        authenticate: Annotated[LazyAuthentication, Depends(authenticated)], *, forgets: bool = False
     ) -> dict[str, str]:
-        return {"who": "anybody" if forgets else asking()}
+        return {"who": "anyone" if forgets else authenticate()}
 
     app = FastAPI()
     app.include_router(router)

@@ -193,7 +193,9 @@ class TestBucket:
         source = tmp_path / "large"
         source.write_bytes(LARGE)
         store.multipart.send_file(store.key(STUDIO, LARGE_SHA256), source)
-        assert not store._sent(store.key(STUDIO, LARGE_SHA256), source)  # whoever looked before the other was done
+        assert not store._sent(
+            store.key(STUDIO, LARGE_SHA256), source
+        )  # a caller that looked before the other was done
         assert store.read(STUDIO, LARGE_SHA256) == LARGE
         assert list(store.multipart.unfinished("")) == []
 

@@ -1,4 +1,4 @@
-"""A line to the bucket that fails: asked again where that can help, told in words where not, nothing half-kept."""
+"""A connection to the bucket that fails: retried where that can help, refused in words where not, nothing half-kept."""
 
 import hashlib
 import time

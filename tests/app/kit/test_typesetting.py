@@ -58,7 +58,7 @@ def test_more_documents_than_children_wait_and_are_refused(monkeypatch: pytest.M
 
 
 def test_a_third_document_is_refused_at_once(monkeypatch: pytest.MonkeyPatch):
-    """A document that waits keeps a slot of the four that read, which everybody else needs."""
+    """A document that waits keeps one of the four slots that read, which others need."""
     monkeypatch.setattr(typesetting, "_in_hand", threading.BoundedSemaphore(2))
     monkeypatch.setattr(typesetting, "MAX_WAIT_S", 60.0)
     with typesetting._in_hand, typesetting._in_hand, pytest.raises(TypesettingBusy):

@@ -36,7 +36,7 @@ ALL = [1, 2, 3]
 
 
 class Killed(BaseException):
-    """Stands for SIGKILL: nothing after it runs, but what `finally` does to open files, as the kernel would."""
+    """Simulates SIGKILL: nothing after it runs, but what `finally` does to open files, as the kernel would."""
 
 
 @pytest.fixture(autouse=True)
@@ -117,7 +117,7 @@ def test_parts_become_the_file_that_was_sent(s3, bucket, store, incoming, send):
     assert (incoming.parts(upload, {}).here, incoming.offset(upload)) == ([1, 2], 2 * PART_BYTES)
     upload = send(upload, [3])
     assert incoming.offset(upload) == len(CONTENT)
-    assert upload.sha256 is None  # until somebody read it
+    assert upload.sha256 is None  # until it was read
     upload = incoming.finish_parts(upload)
     assert (upload.sha256, incoming.offset(upload), incoming.expires_at(upload)) == (SHA256, len(CONTENT), None)
     assert store.read(STUDIO, SHA256) == CONTENT
@@ -206,7 +206,7 @@ def test_other_bytes_than_announced_are_not_kept(s3, bucket, incoming, send):
 @pytest.mark.parametrize(
     "point", ["uploads.made_whole", "uploads.before_store", "uploads.after_store", "uploads.finished"]
 )
-def test_killed_anywhere_it_is_finished_by_whoever_asks_next(
+def test_killed_anywhere_it_is_finished_by_the_next_request(
     s3, bucket, incoming, send, store, database, monkeypatch, point
 ):
     hits = []
@@ -301,13 +301,13 @@ def test_the_sweep_takes_what_expired_and_nothing_else(s3, bucket, incoming, sen
     expires_at = incoming.expires_at(fresh)
     assert expires_at is not None
     assert abs(expires_at - clock.now() - staged.KEPT_FOR) < timedelta(minutes=1)
-    nobodys = store.direct.begin(new_id(), len(CONTENT))  # its process died before it wrote the row
+    unowned = store.direct.begin(new_id(), len(CONTENT))  # its process died before it wrote the row
     half_sent = store.multipart.begin(f"sounds/{STUDIO}/ab/{SHA256}")
     monkeypatch.setattr(staged, "KEPT_FOR", timedelta(seconds=-60))
     assert incoming.sweep() >= 2
     left = [(each.key, each.multipart_id) for each in store.multipart.unfinished("")]
     assert left == [(f"sounds/{STUDIO}/ab/{SHA256}", half_sent)]
-    assert nobodys.multipart_id not in str(left)
+    assert unowned.multipart_id not in str(left)
     with pytest.raises(UploadNotFound):
         found(incoming, fresh)
     monkeypatch.setattr(staged, "ORPHANED_AFTER", timedelta(seconds=-60))

@@ -58,7 +58,7 @@ class TimerLoop(asyncio.SelectorEventLoop):
 
 
 class Killed(BaseException):
-    """Stands for SIGKILL: nothing after it runs, but what `finally` does to open files, as the kernel would."""
+    """Simulates SIGKILL: nothing after it runs, but what `finally` does to open files, as the kernel would."""
 
 
 @pytest.fixture
@@ -289,7 +289,7 @@ def test_a_file_other_than_announced_starts_again(incoming: Uploads, store: Fold
 @pytest.mark.parametrize(
     "point", ["uploads.received", "uploads.before_store", "uploads.after_store", "uploads.finished"]
 )
-def test_killed_anywhere_it_is_finished_by_whoever_asks_next(
+def test_killed_anywhere_it_is_finished_by_the_next_request(
     incoming: Uploads, store: FolderStore, database: Database, monkeypatch: pytest.MonkeyPatch, point: str
 ) -> None:
     hits: list[str] = []
@@ -312,7 +312,7 @@ def test_killed_anywhere_it_is_finished_by_whoever_asks_next(
     assert staged(store) == []
 
 
-def test_what_belongs_to_somebody_else_is_not_there(incoming: Uploads, database: Database) -> None:
+def test_what_belongs_to_another_person_is_not_found(incoming: Uploads, database: Database) -> None:
     upload = send(incoming, begun(incoming), 0, CONTENT)
     with pytest.raises(UploadNotFound):
         incoming.find(upload.id, owner_id=new_id())

@@ -95,7 +95,7 @@ class Agreed(Stage):
         self.world.server.in_database(both)
 
     def ledger(self, by: Any = None) -> dict[str, Any]:
-        """Return the ledger as the producer, or somebody else, reads it."""
+        """Return the ledger as the producer, or another person, reads it."""
         answer = (by or self.world.producer).get(f"/v1/contracts/{self.contract_id}/ledger")
         assert answer.status_code == 200, answer.text
         body: dict[str, Any] = answer.json()

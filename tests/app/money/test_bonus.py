@@ -26,7 +26,7 @@ def agreed_with(world: World, when: str, **more: Any) -> Agreed:
 
 
 def bonus(agreed: Agreed, by: Any = None) -> tuple[str, str]:
-    """Return what happened to the bonus, and why, as the producer or somebody else reads it."""
+    """Return what happened to the bonus, and why, as the producer or another person reads it."""
     found = agreed.ledger(by)["bonus"]
     return found["state"], found["because"]
 

@@ -238,7 +238,7 @@ def test_the_pdf_has_the_xml_inside(world: World) -> None:
     assert "/OutputIntents" in reader.trailer["/Root"]
 
 
-def test_nobody_else_takes_it(world: World) -> None:
+def test_no_one_else_takes_it(world: World) -> None:
     agreed = taxed(world)
     fill_in(world)
     issued = agreed.invoice()

@@ -66,7 +66,7 @@ def test_tax_of_each_rate_is_rounded_once(world: World) -> None:
     ]
     assert issued["total_minor"] == 10_003 + 10_050 + 704 + 1_901
     figures = agreed.figures()
-    assert figures["due_minor"] == 20_053  # without tax, which the ledger tells apart
+    assert figures["due_minor"] == 20_053  # without tax, which the ledger keeps separate
     assert agreed.ledger()["open_tax_minor"] == 2_605
 
 

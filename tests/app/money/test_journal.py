@@ -12,7 +12,7 @@ from tests.support.server import World
 
 
 def read(by: Any, world: World, **days: str) -> list[dict[str, str]]:
-    """Return the bookings as somebody reads them."""
+    """Return the bookings as a person reads them."""
     answer = by.get(f"/v1/projects/{world.project_id}/journal.csv", params=days)
     assert answer.status_code == 200, answer.text
     assert answer.headers["content-type"] == "text/csv; charset=utf-8"

@@ -37,7 +37,7 @@ PERSON = uuid4()
 
 
 def written(entry: Entry, **more: UUID | None) -> Line:
-    """Write an entry as the service does: with an id and whoever caused it."""
+    """Write an entry as the service does: with an id and the person who caused it."""
     return Line(**vars(entry), id=uuid4(), person_id=PERSON, **more)
 
 

@@ -185,8 +185,8 @@ def test_a_round_too_many_is_priced_and_due_once_agreed(agreed: Agreed) -> None:
 def test_a_round_whose_price_has_become_nothing_is_agreed_without_a_charge(agreed: Agreed) -> None:
     missile = two_milestones(agreed)[3]
     extra = three_rounds(agreed, missile)
-    priced_anew = sa.update(ContractCue).where(ContractCue.cue_id == missile).values(amount_minor=1)
-    agreed.world.server.in_database(lambda session: session.execute(priced_anew))
+    priced_again = sa.update(ContractCue).where(ContractCue.cue_id == missile).values(amount_minor=1)
+    agreed.world.server.in_database(lambda session: session.execute(priced_again))
     assert body_of(agreed.world.producer.post(f"/v1/extra-rounds/{extra}/agree"))["state"] == "agreed"
     assert agreed.owed()[1:] == []
 
@@ -215,5 +215,5 @@ def test_another_designers_take_owes_this_designer_nothing(agreed: Agreed) -> No
 def test_every_line_stands_in_the_record(agreed: Agreed) -> None:
     cue, *_ = two_milestones(agreed)
     agreed.approve(agreed.take(cue))
-    told_of = agreed.world.server.in_database(lambda session: list(events_of(session, agreed.contract_id)))
-    assert [one.kind for one in told_of] == ["planned", "due", "judged", "accepted", "due"]
+    notified_of = agreed.world.server.in_database(lambda session: list(events_of(session, agreed.contract_id)))
+    assert [one.kind for one in notified_of] == ["planned", "due", "judged", "accepted", "due"]

@@ -1,4 +1,4 @@
-"""Money is seen by those between whom it changes hands: who speaks for the studio, and the designer it is owed to."""
+"""Money is seen by those between whom it changes hands: those who act for the studio, and the designer who earns it."""
 
 from typing import Any
 
@@ -73,7 +73,7 @@ def test_how_late_a_designer_is_the_two_parties_see_alone(invoiced: tuple[Agreed
     assert seen["figures"]["due_minor"] == 18_000
 
 
-def test_a_calendar_is_empty_once_its_holder_no_longer_speaks_for_the_team(
+def test_a_calendar_is_empty_once_its_holder_no_longer_acts_for_the_team(
     invoiced: tuple[Agreed, dict[str, Any]],
 ) -> None:
     world = invoiced[0].world

@@ -1,4 +1,4 @@
-"""Mails: told once, gathered by topic, kept until a real SMTP server has them."""
+"""Mails: sent once, gathered by topic, kept until a real SMTP server has them."""
 
 import asyncio
 import re
@@ -106,7 +106,7 @@ def test_once_a_server_is_set_what_waited_goes_out_once(world: World, mailbox: M
     mail_jobs.send_pending(runtime)
     (text,) = mailbox.texts_for(address)
     (mailed,) = re.findall(r"http\S+/invitation/[\w-]+", text.replace("=\r\n", "").replace("=3D", "="))
-    assert mailed != shown, "a link that somebody saw proves nothing about the address"
+    assert mailed != shown, "a link that was seen elsewhere proves nothing about the address"
     statuses = [
         world.server.browser().get(f"/v1/invitations/{link.rpartition('/')[2]}").status_code for link in (mailed, shown)
     ]
@@ -170,7 +170,7 @@ def of_checks(world: World) -> list[dict[str, object]]:
 
 
 def notify_checks(world: World) -> list[dict[str, object]]:
-    """Tell what checks said, as their job does some seconds later; return the mails that do."""
+    """Notify of what checks said, as their job does some seconds later; return the mails."""
     world.server.wait_for_jobs()
     jobs.notify_checks(world.server.runtime, {"project_id": str(world.project_id), "event_id": str(uuid4())})
     return of_checks(world)
@@ -287,7 +287,7 @@ def test_mail_about_an_account_goes_to_its_owner_only(world: World):
 def test_two_jobs_that_notify_at_the_same_moment_write_one_mail(world: World):
     database, topic = world.server.runtime.database, f"approved:{uuid4()}"
 
-    def tell(session: Session, event_id: str) -> None:
+    def notify(session: Session, event_id: str) -> None:
         service.write_mail(
             session,
             event_id=event_id,
@@ -301,13 +301,13 @@ def test_two_jobs_that_notify_at_the_same_moment_write_one_mail(world: World):
 
     def second() -> None:
         with database.writing() as session:
-            tell(session, "second")
+            notify(session, "second")
 
     with ThreadPoolExecutor(1) as other:
         with database.writing() as session:
-            tell(session, "first")
-            telling = other.submit(second)
+            notify(session, "first")
+            sending = other.submit(second)
             time.sleep(0.3)  # the second looks for an open mail, and finds none that is committed
-        telling.result(timeout=20)
+        sending.result(timeout=20)
     (mail,) = [each for each in outbox(world) if each["recipient"] == "maker@example.test"]
     assert str(mail["text"]).startswith("first\n\nsecond")

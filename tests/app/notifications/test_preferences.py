@@ -185,7 +185,7 @@ def test_what_waits_is_dropped_once_it_is_turned_off(world: World, mails: MailSe
         assert session.get(Mail, waiting.id) is None
 
 
-def test_nobody_else_can_make_a_link(world: World):
+def test_no_one_else_can_make_a_link(world: World):
     secret = world.server.runtime.settings.secret_key.get_secret_value()
     good = preferences.link_token(secret, world.designer_id, News.TALK)
     forged = (

@@ -1,4 +1,4 @@
-"""Who sees which jobs and what is kept, and that a job that gave up runs again when somebody says so."""
+"""Who sees which jobs and what is kept, and that a failed job runs again on request."""
 
 import threading
 from collections.abc import Callable
@@ -115,7 +115,7 @@ def test_nobody_sees_or_moves_another_studios_jobs(world: World) -> None:
     assert body_of(world.producer.post(of_studio(world, f"jobs/{key}/retry")))
 
 
-def test_work_on_nobodys_behalf_is_the_operators_alone(world: World, operator: TestClient) -> None:
+def test_work_for_no_person_is_the_operators_alone(world: World, operator: TestClient) -> None:
     key = parked(world, studio_id=None)
     assert world.producer.post(of_studio(world, f"jobs/{key}/retry")).status_code == 404
     broken["is"] = False

@@ -19,7 +19,7 @@ SOUND = b"no sound, but bytes"
 
 
 @pytest.fixture(autouse=True)
-def _counted_anew(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+def _counted_again(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     monkeypatch.setattr(upload_quotas, "COUNTED_EVERY_S", -1.0)
     yield
     upload_quotas._counted.clear()

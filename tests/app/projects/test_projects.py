@@ -25,11 +25,11 @@ def add_project(world: World, **changes: object) -> Response:
     return world.producer.post("/v1/projects", json=body)
 
 
-def test_a_project_opens_with_a_spec_and_somebody_who_decides(world: World) -> None:
+def test_a_project_opens_with_a_spec_and_an_approver(world: World) -> None:
     project = add_project(world, description="A station under the ice.", preset="48k").json()
     assert (project["name"], project["cue_prefix"], project["spec_version"]) == ("Deep Station", "DS", 1)
     assert project["studio"] == {"id": str(world.studio_id), "name": "Test studio"}
-    assert project["approver"]["name"] == "Producer"  # whoever opened it, until somebody is named
+    assert project["approver"]["name"] == "Producer"  # the person who opened it, until another is named
     assert project["mine"] == {
         "is_team": True,
         "is_producer": True,
@@ -221,7 +221,7 @@ def test_who_decides_stays_a_liaison(world: World) -> None:
     assert world.producer.delete(path).json()["code"] == "liaison-is-approver"
 
 
-def test_who_left_the_studio_speaks_for_it_no_longer(world: World) -> None:
+def test_who_left_the_studio_no_longer_acts_for_it(world: World) -> None:
     assert world.producer.delete(f"/v1/studios/{world.studio_id}/people/{world.approver_id}").status_code == 204
     assert world.producer.get(project_path(world)).json()["liaisons"] == []
     assert world.approver.get(project_path(world)).status_code == 404

@@ -29,14 +29,14 @@ def save(world: World, toml: str, based_on_version: int = 1) -> Response:
 
 @pytest.fixture
 def published(monkeypatch: pytest.MonkeyPatch) -> list[tuple[str, dict[str, Any]]]:
-    """What the room told the others; it is still told."""
+    """The events that the room published; they are still published."""
     reported: list[tuple[str, dict[str, Any]]] = []
 
-    def tell(session: Session, event: str, **facts: Any) -> UUID:
+    def record_event(session: Session, event: str, **facts: Any) -> UUID:
         reported.append((event, facts))
         return publish(session, event, **facts)
 
-    monkeypatch.setattr(service, "publish", tell)
+    monkeypatch.setattr(service, "publish", record_event)
     return reported
 
 
@@ -67,7 +67,7 @@ def test_the_designer_reads_it_and_does_not_write_it(world: World) -> None:
     body = {"toml": current(world)["toml"], "based_on_version": 1}
     assert world.designer.put(spec_path(world), json=body).json()["code"] == "team-needed"
     assert world.reviewer.put(spec_path(world), json=body).json()["code"] == "team-needed"
-    assert world.approver.put(spec_path(world), json=body).status_code == 200  # a liaison speaks for the team
+    assert world.approver.put(spec_path(world), json=body).status_code == 200  # an audio lead acts for the team
     for browser in (world.stranger, world.other_designer):
         assert browser.get(spec_path(world)).status_code == 404
         assert browser.put(spec_path(world), json=body).status_code == 404

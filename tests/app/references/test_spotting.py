@@ -107,7 +107,7 @@ def test_only_a_clip_is_spotted(world: World) -> None:
         assert (refused.status_code, refused.json()["code"]) == (422, "reference-invalid")
 
 
-def test_the_team_spots_and_nobody_else(world: World, clip: dict[str, Any]) -> None:
+def test_the_team_spots_and_no_one_else(world: World, clip: dict[str, Any]) -> None:
     assert make(world, clip, DOOR, by=world.approver).status_code == 201
     for client in (world.reviewer, world.designer):
         assert make(world, clip, SHOT, by=client).status_code == 403

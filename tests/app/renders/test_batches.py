@@ -1,4 +1,4 @@
-"""Everything made anew in one action: planned at once, made one by one, ended when asked, both sets kept."""
+"""Everything re-rendered in one action: planned at once, made one by one, ended when asked, both sets kept."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager

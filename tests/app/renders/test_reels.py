@@ -1,4 +1,4 @@
-"""All takes of a cue in a row, made by the real worker, for whoever sees all of them."""
+"""All takes of a cue in a row, made by the real worker, for people who see all of them."""
 
 import hashlib
 import io

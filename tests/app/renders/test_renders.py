@@ -19,7 +19,7 @@ from app.conformance.models import CheckRun
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit import kill_points
-from app.kit.blob_response import FOR_EVER
+from app.kit.blob_response import IMMUTABLE
 from app.kit.db import new_id
 from app.kit.queue import queue_of
 from app.projects.models import Spec
@@ -119,7 +119,7 @@ def test_a_light_preview_is_as_long_as_the_sound_and_a_small_sound_is_sent_as_it
     short_id = deliver_sound(world, "tick.wav", sine(hz=1_000, dbfs=-6, seconds=0.1))
     exact_url, short_url = (sounds(world, one)["master"]["preview_url"] for one in (long_id, short_id))
     exact, light = world.reviewer.get(exact_url), world.reviewer.get(f"{exact_url}?light=true")
-    assert (light.headers["content-type"], light.headers["cache-control"]) == ("audio/ogg", FOR_EVER)
+    assert (light.headers["content-type"], light.headers["cache-control"]) == ("audio/ogg", IMMUTABLE)
     assert len(light.content) < len(exact.content) / 4
     heard, _ = soundfile.read(io.BytesIO(light.content))
     played, rate_hz = soundfile.read(io.BytesIO(exact.content))
@@ -318,7 +318,7 @@ def test_a_spec_that_moved_on_meanwhile_leaves_the_set_open(world: World) -> Non
 
 
 class Interrupted(Exception):
-    """Stands for a worker that dies."""
+    """Simulates a worker that dies."""
 
 
 def test_a_job_that_dies_after_the_verdict_draws_when_it_comes_again(
@@ -435,7 +435,7 @@ def test_a_picture_that_an_earlier_version_asked_for_is_drawn(world: World) -> N
         )
     server.wait_for_jobs()
     unfinished = server.runtime.queue.unfinished(studio_id=world.studio_id)
-    assert "renders.draw_take" not in {job.name for job in unfinished}  # news of the check may wait to be told
+    assert "renders.draw_take" not in {job.name for job in unfinished}  # notices of the check may wait
     assert count(server, Picture.studio_id == world.studio_id) == 3
     assert sounds(world, take["id"])["master"]["state"] == "drawn"
 

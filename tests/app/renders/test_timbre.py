@@ -72,7 +72,7 @@ def test_takes_are_heard_once_there_is_a_palette(world: World, sandbox: InPlaceO
     assert (heard(world), sandbox.calls) == ([HEARD["timbre"]] * 2, 2)
 
 
-def test_a_sound_that_cannot_be_heard_is_not_tried_for_ever(world: World, sandbox: InPlaceOfLibrosa) -> None:
+def test_a_sound_that_cannot_be_heard_is_not_tried_without_end(world: World, sandbox: InPlaceOfLibrosa) -> None:
     sandbox.breaks = True
     add_cue(world, "odd", palette=True)
     beep(world, "odd")

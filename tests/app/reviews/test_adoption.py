@@ -108,7 +108,7 @@ def test_a_build_of_the_adopted_folder_is_the_same(world: World, tmp_path: Path)
     assert [one["status"] for one in json.loads(ran.stdout)["files"]] == ["same"] * 5
 
 
-def test_the_dry_run_says_what_becomes_of_each_file_and_writes_nothing(world: World) -> None:
+def test_the_dry_run_says_what_happens_to_each_file_and_writes_nothing(world: World) -> None:
     add_cues(world, {"name": "Click"})
     files = {**FILES, "music/theme.wma": b"0&", "ui/again.wav": FILES["ui/Menu Open.wav"], "read me.txt": b"x"}
     answer = plan(world, files)
@@ -152,7 +152,7 @@ def test_nothing_is_adopted_before_every_file_is_there(world: World) -> None:
     assert cues_of(world) == []
 
 
-def test_the_same_bytes_are_sent_once_and_stand_for_every_file(world: World) -> None:
+def test_the_same_bytes_are_sent_once_and_count_for_every_file(world: World) -> None:
     content = FILES["ui/click.wav"]
     files = {"ui/click.wav": content, "menu/click.wav": content}
     assert opened(world, files)["missing"] == ["menu/click.wav"]

@@ -150,7 +150,7 @@ def test_what_is_no_project_is_refused_and_nothing_is_written(world: World, proj
     assert world.server.in_database(lambda session: session.scalars(rows).all()) == []
 
 
-def test_nobody_else_has_a_project_read(world: World) -> None:
+def test_no_one_else_has_a_project_read(world: World) -> None:
     for client, status in ((world.designer, 403), (world.reviewer, 403), (world.stranger, 404)):
         assert client.post(f"/v1/projects/{world.project_id}/adoption-plan", json=body()).status_code == status
 

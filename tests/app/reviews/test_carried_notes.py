@@ -1,4 +1,4 @@
-"""Notes move on to the next version, until somebody says that they are done."""
+"""Notes move on to the next version, until a person marks them as done."""
 
 from typing import Any
 from uuid import UUID, uuid4

@@ -1,4 +1,4 @@
-"""Which versions a person has heard: their own record, a filter of the queue, and nobody else's business."""
+"""Which versions a person has heard: their own record, a filter of the queue, private to them."""
 
 from typing import Any
 from uuid import UUID

@@ -159,7 +159,7 @@ def test_the_queue_costs_the_same_however_long_it_is(stage: Stage) -> None:
             stage.take(cue, variation)
             stage.draft(stage.take(cue, variation))
     assert fetch(49) == for_one
-    assert for_one <= 24  # on PostgreSQL two of them say who asks
+    assert for_one <= 24  # on PostgreSQL two of them set the caller
 
 
 def test_cues_are_counted_and_not_takes_and_up_to_a_bound(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -198,7 +198,7 @@ def test_to_count_costs_the_same_however_many_wait(stage: Stage, monkeypatch: py
     for number in range(20):
         stage.take(stage.cue(f"cue_{number}"))
     assert statements() == for_one
-    assert for_one <= 9  # on PostgreSQL two of them say who asks
+    assert for_one <= 9  # on PostgreSQL two of them set the caller
 
 
 def test_who_may_count_the_queue(stage: Stage) -> None:

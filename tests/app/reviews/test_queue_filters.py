@@ -45,7 +45,7 @@ def test_facts_of_the_cue_leave_cues_in_order_and_combine(stage: Stage) -> None:
     assert names(stage, category="weapon", need="wish") == []
 
 
-def test_a_set_alternates_and_single_versions_are_told_apart(stage: Stage) -> None:
+def test_a_set_alternates_and_single_versions_are_distinguished(stage: Stage) -> None:
     single, several, whole = stage.cue("single"), stage.cue("several"), stage.cue("whole", variations=2)
     for place, cue_id in enumerate((single, several, several, whole)):
         stage.take(cue_id, state_since=START + timedelta(hours=place))

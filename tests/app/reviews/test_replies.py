@@ -1,4 +1,4 @@
-"""Replies stand below the note that they answer, and reach whoever wrote it."""
+"""Replies are below the note that they answer, and notify its author."""
 
 from typing import Any
 from uuid import uuid4

@@ -52,7 +52,7 @@ class MovedClock:
         jobs.apply_deemed_acceptance(self.agreed.world.server.runtime, {})
 
     def mails(self) -> list[tuple[str, str, str]]:
-        """Return who was reminded or told of silence, under which subject, and what was said."""
+        """Return who was reminded or notified of silence, under which subject, and with which text."""
         world = self.agreed.world
         world.server.wait_for_jobs()
         mails = body_of(world.producer.get(f"/v1/studios/{world.studio_id}/outbox"))["mails"]
@@ -174,8 +174,8 @@ def test_when_the_days_are_over_the_cue_is_accepted_as_by_an_approval(moved: Mov
     assert verdict["note"] == "Auto-accepted: no response within 10 working days, until 2026-12-04 (Effects)"
     history = world.designer.get(f"/v1/takes/{take}/history").json()
     assert [(one["kind"], one["by"], one["by_deemed_acceptance"]) for one in history][-1] == ("approve", None, True)
-    told_of = {recipient for recipient, subject, _ in moved.mails() if "sounds auto-accepted" in subject}
-    assert told_of == {str(world.designer_id), str(world.approver_id), str(world.producer_id)}
+    notified_of = {recipient for recipient, subject, _ in moved.mails() if "sounds auto-accepted" in subject}
+    assert notified_of == {str(world.designer_id), str(world.approver_id), str(world.producer_id)}
 
 
 def test_a_verdict_in_time_leaves_nothing_to_silence(moved: MovedClock) -> None:
@@ -465,7 +465,7 @@ def test_without_the_sources_that_the_contract_wants_it_does_not_wait(
     assert moved.agreed.review(cue)["accepted_after"] is not None
 
 
-def test_the_library_leaves_it_out_until_somebody_wants_it() -> None:
+def test_the_library_leaves_it_out_until_it_is_wanted() -> None:
     clauses, terms = begin(ContractKind.SINGLE)
     assert [clause.stands for clause in clauses if clause.key == "silence"] == [False]
     assert DeemedAcceptance.of(terms_in_force(clauses, terms)) is None

@@ -141,7 +141,7 @@ def test_a_version_that_is_not_approved_or_of_another_project_is_no_bed(world: W
     assert put(world, role="music", take_id=str(other)).status_code == 422
 
 
-def test_those_who_speak_for_the_team_set_beds(world: World, stage: Stage):
+def test_those_who_act_for_the_team_set_beds(world: World, stage: Stage):
     _, engine = approved(stage, "engine_loop")
     body = {"role": "music", "take_id": str(engine)}
     assert [put(world, by, **body).status_code for by in (world.reviewer, world.designer, world.stranger)] == [

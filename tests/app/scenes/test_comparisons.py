@@ -1,4 +1,4 @@
-"""A version against another sound: who asks, what is found, and the track that is played."""
+"""A version against another sound: who may ask, what is found, and the track that is played."""
 
 from typing import Any
 

@@ -250,7 +250,7 @@ def test_palette_and_approved_sounds_are_those_that_were_approved(world: World) 
     assert [one["name"] for one in opened(world, secret)[1]["sounds"]] == ["waiting"]
 
 
-def test_who_speaks_for_the_team_makes_links_and_no_one_else(world: World) -> None:
+def test_who_acts_for_the_team_makes_links_and_no_one_else(world: World) -> None:
     cue_id, _ = sound(world)
     assert make(world, world.approver, cue_ids=[cue_id]).status_code == 201
     for client in (world.reviewer, world.designer):

@@ -81,7 +81,7 @@ def test_each_person_goes_on_where_they_stopped(world: World) -> None:
     assert refused.json()["code"] == "playlist-invalid"
 
 
-def test_only_who_speaks_for_the_team_changes_one_and_no_stranger_sees_it(world: World) -> None:
+def test_only_who_acts_for_the_team_changes_one_and_no_stranger_sees_it(world: World) -> None:
     _, take_id = sound(world)
     url = f"/v1/playlists/{playlist(world, take_id)['id']}"
     assert world.reviewer.get(url).status_code == 200

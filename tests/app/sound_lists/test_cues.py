@@ -266,7 +266,7 @@ def test_without_sight_there_is_no_list(world: World, who: str, status: int) -> 
 
 
 @pytest.mark.parametrize("who", ["designer", "reviewer"])
-def test_only_those_who_speak_for_the_team_change_the_list(world: World, who: str) -> None:
+def test_only_those_who_act_for_the_team_change_the_list(world: World, who: str) -> None:
     (cue,) = add(world, {"name": "Door"})
     client: TestClient = getattr(world, who)
     project = f"/v1/projects/{world.project_id}"

@@ -1,4 +1,4 @@
-"""The mailed link shows the list at once, to whoever holds it."""
+"""The mailed link shows the list at once, to anyone who has it."""
 
 from tests.app.sound_lists.lists import add, cut
 from tests.support.links import secret_for

@@ -16,7 +16,7 @@ FINDING = Finding("true-peak:over", "found", "lower it", measured=-math.inf)
 
 
 def anything():
-    """Stand for a function that declares nothing."""
+    """Replace a function that declares nothing."""
 
 
 def answered(value, kind=RETURNED, function=anything):

@@ -22,7 +22,7 @@ needs_landlock = pytest.mark.skipif(not landlock.version(), reason="; ".join(con
 needs_seccomp = pytest.mark.skipif(not seccomp.is_available(), reason="; ".join(confinement_gaps()))
 
 
-# x86_64 and aarch64, as in the tables of `syscalls`; the child is told none of them.
+# x86_64 and aarch64, as in the tables of `syscalls`; the child is given none of them.
 NUMBERS = {
     "ptrace": (101, 117), "process_vm_readv": (310, 270), "process_vm_writev": (311, 271), "pidfd_open": (434, 434),
     "bpf": (321, 280), "keyctl": (250, 219), "userfaultfd": (323, 282), "io_uring_setup": (425, 425),
@@ -204,7 +204,7 @@ class TestProcesses:
         assert sandbox.call(errno_of, number, os.getpid()) == 1
 
     @pytest.mark.parametrize("of", ["os.getppid()", "CALLER", "-1", "1"])
-    def test_nobody_else_is_signalled(self, refused, of):
+    def test_no_one_else_is_signalled(self, refused, of):
         refused(f"import os; CALLER = {os.getpid()}; os.kill({of}, 0)")
         refused(f"import os; CALLER = {os.getpid()}; os.kill({of}, {int(signal.SIGKILL)})")
 

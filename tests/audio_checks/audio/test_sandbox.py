@@ -40,7 +40,7 @@ def sandbox():
 
 
 def faults_of_samples_taken_again():
-    """Pages that this process is given anew for a block of samples as large as one it has just let go of."""
+    """New pages that this process is given for a block of samples as large as one it has just let go of."""
     block = np.ones(1 << 20)
     del block
     before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
@@ -48,7 +48,7 @@ def faults_of_samples_taken_again():
     return resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before
 
 
-@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="only glibc is told how to hold memory")
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="only glibc can be set up to keep memory")
 def test_a_child_keeps_the_memory_that_it_was_given(sandbox):
     pages = (8 << 20) // resource.getpagesize()
     assert sandbox.call(faults_of_samples_taken_again) < pages / 100
@@ -395,7 +395,7 @@ def faults_of_blocks(count):
     return resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before
 
 
-@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="other allocators are told nothing")
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="other allocators are not set up")
 def test_memory_that_was_let_go_of_is_used_again(sandbox):
     assert sandbox.call(faults_of_blocks, 20) < 2 * (8 << 20) / resource.getpagesize()
 

@@ -71,7 +71,7 @@ def test_variations_are_not_the_same(family):
 
 
 def test_a_footstep_on_the_same_floor_is_another():
-    # The same bands and the same envelope: only the noise was drawn anew.
+    # The same bands and the same envelope: only the noise was drawn again.
     fall = np.exp(-np.arange(9_600) / 1_500)[:, np.newaxis]
     one, other = (np.random.default_rng(seed).standard_normal((9_600, 1)) * 0.1 * fall for seed in (1, 2))
     assert not likeness(waves(one), waves(other)).is_same_sound

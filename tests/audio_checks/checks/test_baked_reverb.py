@@ -39,7 +39,7 @@ def test_only_where_the_spec_asks(codes_of, tables, codes):
 @pytest.mark.parametrize(
     ("word", "codes"), [(None, HEARD), ("dry", HEARD), ("separate-tail", HEARD), ("designed-tail", [])]
 )
-def test_the_list_is_heeded(codes_of, word, codes):
+def test_the_list_is_respected(codes_of, word, codes):
     assert codes_of("baked-reverb", WET, ADDS, cue=CueFacts("SW-001", reverb=word)) == codes
 
 

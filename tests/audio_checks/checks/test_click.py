@@ -88,7 +88,7 @@ def test_a_splice_in_a_whistle(codes_of):
 
 
 def test_ticks_that_are_the_sound_itself(codes_of):
-    # Every other one is a quarter louder, and none is foreseen by the 12 ms beside it; but there are others nearby.
+    # Every other one is a quarter louder, and none is predicted from the 12 ms beside it; but there are others nearby.
     ticks = noise(seconds=0.5, dbfs=-45)
     for number, at in enumerate(range(2_400, 21_600, 672)):  # 14 ms apart
         ticks[at : at + 40, 0] += (0.4 + 0.1 * (number % 2)) * np.hanning(40) * np.sin(1.3 * np.arange(40))

@@ -72,7 +72,7 @@ def test_what_is_rendered_passes_its_check_and_is_made_once(folder, run):
     assert "container FLAC, accepted OGG" in out
 
 
-def test_an_audit_knows_a_coded_file_again_and_one_encoded_anew(folder, run):
+def test_an_audit_recognises_a_coded_file_and_one_encoded_again(folder, run):
     run("render", "--spec", "spec.toml", "--target", "game", "--out", "game", "masters")
     assert run("manifest", "game/game", "--out", "approved.json")[0] == 0
     code, out, _ = run("audit", "--manifest", "approved.json", "--format", "json", "game/game")

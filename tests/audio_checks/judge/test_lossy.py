@@ -1,4 +1,4 @@
-"""`lossy`: what is judged of what real encoders coded, of what only looks so, and of what cannot be told."""
+"""`lossy`: what is judged of what real encoders coded, of what only looks so, and of what cannot be decided."""
 
 import shutil
 

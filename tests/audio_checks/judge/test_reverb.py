@@ -1,4 +1,4 @@
-"""`reverb`: what is judged of dry hits, of the same in a room, and of what cannot be told."""
+"""`reverb`: what is judged of dry hits, of the same in a room, and of what cannot be decided."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""`upsampled`: what is judged of noise at its own rate, of the same brought up, and of what cannot be told."""
+"""`upsampled`: what is judged of noise at its own rate, of the same brought up, and of what cannot be decided."""
 
 import numpy as np
 import pytest

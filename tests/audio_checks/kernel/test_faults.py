@@ -284,8 +284,8 @@ def rests(row: NDArray[np.float64], first: int, end: int, order: int, weighed: s
     return np.array([abs(row[at] - coefficients @ row[at - order : at][::-1]) for at in range(first, end)])
 
 
-def how_hard_to_tell(row: NDArray[np.float64], order: int) -> tuple[float, float]:
-    """How many times as badly the middle is told as the sound on either side, the lesser, and as any place around."""
+def how_hard_to_predict(row: NDArray[np.float64], order: int) -> tuple[float, float]:
+    """How many times as badly the middle is predicted as the sound on either side (the lesser), or any place near."""
     start, end, span, length = MIDDLE * SIZE, (MIDDLE + PLACE) * SIZE, SPAN * SIZE, len(row)
     beside = []
     for turned, first in ((row, start), (row[::-1], length - end)):
@@ -314,7 +314,7 @@ def test_what_can_be_predicted_neither_way(seed: int, order: int, click: float, 
     row = np.sin(rng.uniform(0.05, 1) * times) + 0.02 * rng.standard_normal(len(times))
     at = (MIDDLE + 1) * SIZE + 3
     row[at : None if is_step else at + 1] += click
-    beside, around = how_hard_to_tell(row, order)
+    beside, around = how_hard_to_predict(row, order)
     assert both_ways(row, order, beside * 0.999, around * 0.999)
     assert not both_ways(row, order, beside * 1.001, around * 0.999)
     assert not both_ways(row, order, beside * 0.999, around * 1.001)

@@ -79,12 +79,12 @@ def figures_of(kernel: ModuleType, samples: np.ndarray, rate: int) -> list[np.nd
         unforeseen,
         np.empty(2, np.int64),
     )
-    untold = np.full((2, 40), -1)
+    unpredicted = np.full((2, 40), -1)
     starts = np.linspace(2_000, frames - 4_000, 40).astype(np.int64)
     windows = np.hanning(480), np.hanning(83 * 20)
-    kernel.unforeseen_both_ways(samples[0], 1, starts, *windows, 20, 20, 3, 0.8, 0.8, untold[0])
+    kernel.unforeseen_both_ways(samples[0], 1, starts, *windows, 20, 20, 3, 0.8, 0.8, unpredicted[0])
     thinned = np.hanning(144), np.hanning(83 * 6)
-    kernel.unforeseen_both_ways(samples[0], 3, starts, *thinned, 20, 6, 3, 0.8, 0.8, untold[1])
+    kernel.unforeseen_both_ways(samples[0], 3, starts, *thinned, 20, 6, 3, 0.8, 0.8, unpredicted[1])
     even = channels + channels % 2
     energies = np.empty(frames * 100 // rate + 2)
     kernel.hop_energies(
@@ -113,7 +113,7 @@ def figures_of(kernel: ModuleType, samples: np.ndarray, rate: int) -> list[np.nd
     kernel.shape_points(samples, np.arange(300) * frames // 300, *points)
     by_spectra = [decay, pitch, points]
     found_in_doubles = [silent, rows, sums, *surveyed, decoded, products, *cells, sums_of_cells, stereo, unforeseen]
-    by_clicks = [untold, standing, bent, burst, powers]
+    by_clicks = [unpredicted, standing, bent, burst, powers]
     return [*found_in_doubles, *whole, sixteen, hops, energies, of_windows, again, *by_clicks, *by_spectra]
 
 

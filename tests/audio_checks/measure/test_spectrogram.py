@@ -63,7 +63,7 @@ def test_a_click_in_a_long_sound_is_seen_where_it_is() -> None:
 def test_a_click_in_a_short_sound_is_brightest_where_it_is(seconds: float, share: float) -> None:
     shown = levels(click(at_s=share * seconds, dbfs=0, seconds=seconds))
     columns = shown.shape[1]
-    assert columns >= seconds / 0.043 * 4  # time is told finer than a window is long
+    assert columns >= seconds / 0.043 * 4  # the resolution in time is finer than a window is long
     assert np.argmax(shown[row_of(5_000)]) + 0.5 == pytest.approx(share * columns, abs=1)
 
 

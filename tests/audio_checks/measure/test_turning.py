@@ -21,7 +21,7 @@ def test_a_reversed_sound_has_the_opposite_features():
     forwards, backwards = features_of(decay_of(samples)), features_of(decay_of(samples[::-1]))
     known = ~np.isnan(forwards)
     assert np.array_equal(known, ~np.isnan(backwards))
-    # Of four equal knocks the first one met is the top: where that lies in time is not told by a turn.
+    # Of four equal knocks the first one met is the top: a turn does not show where that lies in time.
     known &= ~np.isin(np.arange(len(known)), [11, 12, 24, 25, 37, 38])
     off = np.abs(forwards + backwards)[known] / (np.abs(forwards - backwards)[known] / 2 + 0.5)
     assert off.max() < 0.5

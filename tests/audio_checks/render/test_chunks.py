@@ -147,7 +147,7 @@ def test_what_became_untrue_is_taken_back(tmp_path):
     assert b"<project>Shield Wing</project>" in reported
 
 
-def loudness_told(tmp_path, samples, levels):
+def loudness_written(tmp_path, samples, levels):
     made, kept = rendered(tmp_path, samples=samples, chunks={"before": [bext(0, levels)]})
     return made.measurements, struct.unpack_from("<5h", one(kept, "bext"), 412)
 
@@ -155,14 +155,14 @@ def loudness_told(tmp_path, samples, levels):
 def test_loudness_is_stated_as_it_is_now_where_it_was_stated(tmp_path):
     # A tone of 997 Hz at -20 dBFS reads -23.01 LUFS in mono (BS.1770), at any rate: the master lied.
     tone = sine(hz=997, dbfs=-20, rate=RATE, seconds=4)
-    figures, levels = loudness_told(tmp_path, tone, (-1000, 500, 0x7FFF, -900, -800))
+    figures, levels = loudness_written(tmp_path, tone, (-1000, 500, 0x7FFF, -900, -800))
     assert levels == (-2301, 0, 0x7FFF, -2301, -2301)
-    assert figures["true_peak_dbtp"] == pytest.approx(-20, abs=0.1)  # known, and yet not told: nobody had asked
-    assert loudness_told(tmp_path, tone, (0x7FFF,) * 5)[1] == (0x7FFF,) * 5
+    assert figures["true_peak_dbtp"] == pytest.approx(-20, abs=0.1)  # known, but not written: it was not asked for
+    assert loudness_written(tmp_path, tone, (0x7FFF,) * 5)[1] == (0x7FFF,) * 5
 
 
 def test_loudness_of_silence_is_not_stated(tmp_path):
-    _, levels = loudness_told(tmp_path, silence(seconds=1, rate=RATE), (-1000, 500, -100, -900, -800))
+    _, levels = loudness_written(tmp_path, silence(seconds=1, rate=RATE), (-1000, 500, -100, -900, -800))
     assert levels == (0x7FFF,) * 5
 
 

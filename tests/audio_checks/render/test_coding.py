@@ -276,7 +276,7 @@ def test_any_sound_is_rendered_or_refused(tmp_path, seed):
         assert len(samples_of(rendered.path)[0]) == rendered.frames
 
 
-def test_pages_of_long_comments_go_on_and_are_numbered_anew(tmp_path):
+def test_pages_of_long_comments_go_on_and_are_numbered_again(tmp_path):
     """Comments longer than one page, so that the codec's own header has to move; a decoder reads the same sound."""
     samples = noise(seconds=0.3, dbfs=-20)[:, 0]
     for encoding, subtype in (("vorbis", "VORBIS"), ("opus", "OPUS")):

@@ -36,7 +36,7 @@ def test_a_loop_of_whole_turns_is_the_tone_itself(tmp_path, start):
 
 @pytest.mark.parametrize("to_hz", [48_000, 44_100, 22_050, 11_025])
 @pytest.mark.parametrize("frames", [641, 9_601, 40_003])
-def test_it_is_what_turning_for_ever_sounds_like(tmp_path, to_hz, frames):
+def test_it_is_what_endless_turning_sounds_like(tmp_path, to_hz, frames):
     # The loop of the file against the loop alone, which is filtered in a circle: the same Fourier series.
     start = 9_600
     sound = noise(dbfs=-20, seconds=1, rate=96_000)

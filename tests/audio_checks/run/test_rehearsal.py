@@ -1,4 +1,4 @@
-"""Children of a sandbox find what they need: loading it anew took longer than the checks."""
+"""Children of a sandbox find what they need: loading it again took longer than the checks."""
 
 from collections.abc import Iterator
 from pathlib import Path

@@ -44,7 +44,7 @@ def test_a_flac_target_has_a_depth_and_dither_as_a_wav_has():
         ),
         (VORBIS + "quality = 7\n", "quality", "7 is outside 0 to 1"),
         (VORBIS.replace("vorbis", "flac"), "bit_depth", "a target must say it"),
-        (VORBIS.replace("vorbis", "flac") + "bit_depth = 32\n", "bit_depth", "no depth for flac; it can be 16, 24"),
+        (VORBIS.replace("vorbis", "flac") + "bit_depth = 32\n", "bit_depth", "not a depth for flac; it can be 16, 24"),
         (
             VORBIS.replace("vorbis", "flac") + "bit_depth = 16\nquality = 0.5\n",
             "quality",

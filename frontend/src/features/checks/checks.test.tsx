@@ -11,7 +11,7 @@ import { blocksOf, inlineOf } from './markdown'
 
 afterEach(() => vi.unstubAllGlobals())
 
-test('heads, paragraphs, lists and code are told apart; comments are left out', () => {
+test('heads, paragraphs, lists and code are distinguished; comments are left out', () => {
   expect(blocksOf('<!-- made -->\n\n# name\n\nOne\nline of `code`.\n\n- a\n- b\n  goes on\n\n## Why\n')).toEqual([
     { kind: 'head', level: 1, text: 'name' },
     {
@@ -42,7 +42,7 @@ test.each(CHECKS)('%s is written in forms that the page can draw', (name) => {
   expect(drawn.join(' ')).not.toMatch(/\*\*|\]\(|^\||```/m)
 })
 
-test('a check’s page is there for whoever has the link', async () => {
+test('a check’s page is there for anyone with the link', async () => {
   serve({})
   openApp('/checks/sample-peak')
   expect(await screen.findByRole('heading', { level: 1, name: 'sample-peak' })).toBeInTheDocument()

@@ -35,7 +35,7 @@ interface DeliveryCardProps {
   children: ReactNode
 }
 
-/** Where files go in: what is on its way, what became of it, and the note that goes with it. */
+/** Where files go in: what is on its way, what happened to it, and the note that goes with it. */
 export function DeliveryCard({
   projectId,
   uploads,

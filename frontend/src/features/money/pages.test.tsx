@@ -118,7 +118,7 @@ describe('the page of a milestone', () => {
     expect(estimates.queryByRole('form')).toBeNull()
   })
 
-  test('tells a liaison nothing of lateness and estimates', async () => {
+  test('shows an audio lead neither lateness nor estimates', async () => {
     await opened(aSheet({ slip: null, slips: [], slip_growth_days: null, estimates: null }))
     expect(screen.queryByRole('region', { name: 'Late' })).toBeNull()
     expect(screen.queryByRole('region', { name: 'Estimates' })).toBeNull()

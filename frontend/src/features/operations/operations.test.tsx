@@ -196,7 +196,7 @@ test('the states filter what is asked for', async () => {
   expect(asked.some(({ path, query }) => path.endsWith('/jobs') && query.get('state') === 'parked')).toBe(true)
 })
 
-test('who neither produces nor runs the server is told whose it is', async () => {
+test('others see who runs the server', async () => {
   serve(as({ ...ME, studios: [{ ...STUDIO, roles: ['reviewer'] }] }, {}))
   openApp('/operations')
   expect(await screen.findByText('Only producers can see jobs and storage')).toBeVisible()

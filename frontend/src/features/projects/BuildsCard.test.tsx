@@ -19,7 +19,7 @@ describe('builds', () => {
       'GET /v1/builds/b482': { report: REPORT },
     })
 
-  test('the squares are told in words; the latest names what it refuses, and a waived file is none of it', async () => {
+  test('the squares are described in words; the latest names what it refuses, and a waived file is none of it', async () => {
     serve(withBuilds())
     openApp('/projects/p1')
     expect(await screen.findByRole('img', { name: '3 builds: 1 passed, 1 with warnings, 1 refused' })).toBeVisible()

@@ -15,7 +15,7 @@ describe('projects', () => {
     return { ...answers, 'GET /v1/me': { ...(answers['GET /v1/me'] as object), projects: [] } }
   }
 
-  test('a producer without a project begins by opening one, and is told why', async () => {
+  test('a producer without a project begins by creating one, and sees why', async () => {
     serve(firstTime())
     const { at } = openApp('/projects')
     expect(await screen.findByRole('heading', { name: 'New project' })).toBeVisible()
@@ -77,14 +77,14 @@ describe('projects', () => {
     expect(screen.getByLabelText(/Description/)).toHaveValue('A game of rivers')
   })
 
-  test('who opens no projects is told who does', async () => {
+  test('people who create no projects see who does', async () => {
     serve(inProject('reviewer'))
     openApp('/projects/new')
     expect(await screen.findByRole('heading', { name: 'Only producers create projects' })).toBeVisible()
     expect(screen.queryByRole('button', { name: 'Create project' })).toBeNull()
   })
 
-  test('the list tells of each what one is in it; those put away stand apart', async () => {
+  test('the list shows one’s role in each; archived ones are separate', async () => {
     const { asked } = serve({
       ...inProject(),
       'GET /v1/projects': ({ query }: Asked) => ({

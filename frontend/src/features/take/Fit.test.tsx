@@ -43,7 +43,7 @@ const forTheTeam = (fit: object) => aTakeServer().on('GET /v1/me', aMe()).on('GE
 const card = () => screen.findByRole('region', { name: 'Match with the palette' })
 
 describe('a version among the approved sounds', () => {
-  test('is drawn by every measure, and told as a table', async () => {
+  test('is drawn by every measure, and shown as a table', async () => {
     forTheTeam({})
     openApp('/takes/t1')
     const shown = await card()
@@ -105,7 +105,7 @@ describe('a delivery beside the work before', () => {
     return openApp('/deliveries/d1/fit')
   }
 
-  test('is told as a whole and sound by sound', async () => {
+  test('is described as a whole and sound by sound', async () => {
     opened(aDelivery())
     await screen.findByRole('heading', { level: 1, name: 'Delivery 4 compared with earlier work' })
     const whole = screen.getByRole('table', { name: 'The delivery overall' })
@@ -120,7 +120,7 @@ describe('a delivery beside the work before', () => {
     expect(await screen.findByText('No sound by another designer is approved in this project.')).toBeInTheDocument()
   })
 
-  test('of somebody else is not here', async () => {
+  test('of another person is not here', async () => {
     opened(refusal(404, 'delivery-not-found', 'no delivery d1'))
     expect(await screen.findByText('Delivery not found')).toBeInTheDocument()
     expect(screen.getByRole('link', { name: 'Go to the start page' })).toBeInTheDocument()

@@ -216,7 +216,7 @@ describe('as TOML', () => {
     return toml.includes('true_peak ') ? badSpec('limits.true_peak', MESSAGE) : tried(toml)
   }
 
-  test('an unknown key is told at its line, and put right by one press', async () => {
+  test('an unknown key is reported at its line, and corrected by one press', async () => {
     const { text } = await openToml({ [TRY]: tryToml })
     type(text, WRONG)
     expect(await screen.findByText('limits.true_peak')).toBeVisible()
@@ -287,7 +287,7 @@ describe('as TOML', () => {
   })
 })
 
-describe('when somebody else saved', () => {
+describe('when another person saved', () => {
   const THEIRS = TOML.replace('head_silence_ms = 5', 'head_silence_ms = 8')
   const MINE = TOML.replace('-1.0 ', '-2.0 ')
   const moved = refusal(409, 'spec-changed', 'Audio director saved version 4; yours began from version 3')
@@ -380,7 +380,7 @@ describe('versions', () => {
   })
 })
 
-test('a reviewer changes nothing, and is told who does', async () => {
+test('a reviewer changes nothing, and sees who does', async () => {
   serve(inProject('reviewer'))
   openApp('/projects/p1/spec')
   expect(await screen.findByRole('heading', { name: 'Only producers and audio leads can edit the spec' })).toBeVisible()

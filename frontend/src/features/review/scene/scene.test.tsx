@@ -147,7 +147,7 @@ test('a lane that is muted covers nothing: the figure is asked for without it', 
   await waitFor(() => expect(asked().at(-1)).toEqual(['sound:0', 'music:-18']))
 })
 
-test('what is done to a bed is kept for everybody, once the level rests', async () => {
+test('changes to a bed are saved for everyone, once the level rests', async () => {
   server.on('PATCH /v1/beds/bed-1', music.bed)
   const { scene } = await openScene()
   const level = scene.getByRole('slider', { name: 'Level of Battle 2' })

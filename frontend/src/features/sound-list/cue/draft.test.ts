@@ -16,7 +16,7 @@ test('figures are read with a point or a comma, and an empty one is none', () =>
   expect(readDraft(EMPTY_DRAFT).faults).toEqual({ name: 'Enter a name.' })
 })
 
-test('only what was typed is sent, and it stays on top of what somebody else changed', () => {
+test('only what was typed is sent, and it stays on top of what another person changed', () => {
   const base = aCue(1, 'a', { use: 'Door', duration_s: 1 })
   const draft = { ...draftOf(base), duration_s: '1,2' }
   expect(changedFacts(base, draft)).toEqual({ duration_s: 1.2 })

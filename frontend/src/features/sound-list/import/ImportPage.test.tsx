@@ -133,7 +133,7 @@ test('a file that is too large is not sent', async () => {
   expect(sent()).toEqual([])
 })
 
-test('a designer is told who changes the list', async () => {
+test('a designer sees who changes the list', async () => {
   const server = new ListServer([], {}, 'designer')
   server.answers[`GET ${server.at}/desk`] = { came_back: [], unmatched: 0, checking: 0 }
   openApp(`${server.path}/import`)

@@ -38,7 +38,7 @@ const WORDS = {
   same: { word: 'Same', icon: 'tick' },
 } as const
 
-/** What would become of every row. */
+/** What would happen to every row. */
 export function ImportRows({ read }: { read: ImportRead }) {
   const all = useMemo(() => sheetRows(read), [read])
   const wrong = all.filter(({ faults }) => faults.length > 0).length

@@ -214,10 +214,10 @@ describe('editing', () => {
     )
   })
 
-  test('somebody else’s change is said, and what was typed stays on top of it', async () => {
+  test('another person’s change is shown, and what was typed stays on top of it', async () => {
     const server = three()
     const { id } = server.cue('shield_hit')
-    server.answers[`PATCH /v1/cues/${id}`] = refusal(409, 'cue-changed', 'somebody else changed this cue')
+    server.answers[`PATCH /v1/cues/${id}`] = refusal(409, 'cue-changed', 'someone else changed this cue meanwhile')
     await edited(server)
     const length = await put('Length, s', '0.9')
     Object.assign(server.cue('shield_hit'), { use: 'A shot meets a hull', edition: 5 })
