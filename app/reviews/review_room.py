@@ -27,7 +27,6 @@ from app.projects.errors import TeamNeeded
 from app.projects.models import Spec
 from app.projects.service import project_access
 from app.renders.service import sound_places
-from app.renders.shown_renders import ShownPicture
 from app.reviews import queries, queue_queries, take_queries
 from app.reviews.approval_blocks import blocked_takes
 from app.reviews.carried_notes import carried_notes
@@ -194,7 +193,7 @@ def review_take(one: TakeOnReview, prefix: str, words: dict[UUID, SetFinding]) -
     measurements = report.get("measurements") or {}
     findings = _findings(one, report)
     return ReviewTake(
-        **_sound(one, one.picture),
+        **sound_places(one.picture, one.thumb),
         id=take.id,
         variation=take.variation,
         number=take.number or 0,
@@ -220,7 +219,7 @@ def review_take(one: TakeOnReview, prefix: str, words: dict[UUID, SetFinding]) -
         fix_of_id=take.fix_of_id,
         renders=[
             ReviewRender(
-                **_sound(one, render.picture if render else None),
+                **sound_places(render.picture if render else None, None),
                 id=render.id if render else None,
                 target=target,
                 state=render.state.value if render else "waiting",
@@ -235,10 +234,6 @@ def review_take(one: TakeOnReview, prefix: str, words: dict[UUID, SetFinding]) -
         open_comments=one.open_comments,
         is_heard=one.is_heard,
     )
-
-
-def _sound(one: TakeOnReview, picture: ShownPicture | None) -> dict[str, Any]:
-    return sound_places(picture, one.thumbs.get(picture.id) if picture else None)
 
 
 def _findings(one: TakeOnReview, report: dict[str, Any]) -> list[FindingRead]:

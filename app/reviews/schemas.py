@@ -12,7 +12,7 @@ from app.conformance.schemas import FindingRead
 from app.deliveries.rules import TakeState
 from app.kit.http import Schema
 from app.renders.rules import RenderState
-from app.renders.schemas import SoundBrief
+from app.renders.schemas import SoundBrief, ThumbRead
 from app.reviews.checklist_schemas import BlockedTake, CueChecklist
 from app.reviews.rules import QueueKind, VerdictKind
 from app.sound_lists.rules import CueState, Reverb
@@ -51,6 +51,7 @@ class ReviewCue(Schema):
 class ReviewRender(SoundBrief):
     """One game file of a take, or why there is none."""
 
+    thumb: ThumbRead | None = Field(description="Always null: its peaks have the shape, and no list draws it.")
     id: UUID | None
     target: str
     state: RenderState | Literal["waiting"]

@@ -40,7 +40,7 @@ class TakeOnReview:
     waiver: Waiver | None
     draft: ChangeRequest | None
     renders: dict[str, ShownRender | None]
-    thumbs: dict[UUID, Thumb]  # of all pictures here
+    thumb: Thumb | None
     open_comments: int
     is_heard: bool  # by the caller
 
@@ -96,8 +96,9 @@ def _with_what_is_shown(session: Session, rows: Sequence[Row[*tuple[Any, ...]]])
     masters = {row[0].id: ShownPicture.read(*row[6:]) for row in rows}
     specs = newest_specs(session, {take.project_id for take in takes})
     renders = shown_renders(session, specs, takes)
-    files = [render.picture for made in renders.values() for render in made.values() if render]
-    drawn = thumbs(session, [picture.id for picture in (*masters.values(), *files) if picture])
+    # A game file's is in no list, and was a third of what the queue's answer weighed.
+    drawn = thumbs(session, [picture.id for picture in masters.values() if picture])
+    shapes = {take_id: drawn.get(picture.id) for take_id, picture in masters.items() if picture}
     drafted = [take.id for take, _, is_drafted, *_ in rows if is_drafted]
     drafts = {draft.take_id: draft for draft in open_drafts(session, drafted)} if drafted else {}
     waived = [take.id for take, _, _, is_waived, *_ in rows if is_waived]
@@ -111,7 +112,7 @@ def _with_what_is_shown(session: Session, rows: Sequence[Row[*tuple[Any, ...]]])
             waiver=waivers.get(take.id),
             draft=drafts.get(take.id),
             renders=renders[take.id],
-            thumbs=drawn,
+            thumb=shapes.get(take.id),
             open_comments=comments,
             is_heard=is_heard,
         )

@@ -20849,6 +20849,7 @@ export interface components {
             picture_id: string | null;
             /** Duration S */
             duration_s: number | null;
+            /** @description Always null: its peaks have the shape, and no list draws it. */
             thumb: components["schemas"]["ThumbRead"] | null;
             /** Preview Url */
             preview_url: string | null;

@@ -40,6 +40,7 @@ def test_a_real_take_waits_with_all_that_its_card_shows(world: World) -> None:
     assert take["thumb"]["points"] == 160
     for address in (take["preview_url"], take["peaks_url"], take["spectrum_url"]):
         assert world.reviewer.get(address).status_code == 200
+    assert [one["thumb"] for one in take["renders"]] == [None, None]
     assert [(one["target"], one["state"]) for one in take["renders"]] == [("game", "made"), ("handheld", "made")]
     assert all(world.reviewer.get(one["preview_url"]).status_code == 200 for one in take["renders"])
     assert [one["loudness_lufs"] for one in take["renders"]] == pytest.approx([-9.0, -9.0], abs=0.1)
