@@ -19,6 +19,7 @@ from tests.app.builds.approved import accepted_list
 from tests.app.money.agreed import Agreed, milestone
 from tests.app.reviews.making import Stage, body_of, refused
 from tests.support.deliver import add_cues, deliver, open_delivery
+from tests.support.pdfs import letters_of
 from tests.support.server import World
 from tests.support.waves import sine, wav_bytes
 
@@ -233,7 +234,10 @@ def test_the_clearance_sheet_of_a_pack_says_what_a_lawyer_asks(world: World) -> 
     assert first["performers"] == "A. Voice, release: signed 3 May 2026"
     assert (first["open_points"], first["approved_by"]) == ("", "Audio director")
     assert second["open_points"] == single["open_points"] == "its sources are not stated"
-    assert world.producer.get(f"{path}.pdf").content.startswith(b"%PDF")
+    text = letters_of(world.producer.get(f"{path}.pdf").content)
+    for said in ("laser_fire_01.wav", "Sounddesigner", "MetalImpacts2", "StableAudio2", "A.Voice", "Audiodirector"):
+        assert said in text
+    assert text.count("itssourcesarenotstated") == 2
     key = world.producer.get(f"/v1/projects/{world.project_id}/documentation-key.xlsx").content
     assert [bool(one["sources"]) for one in sheet_of(key)] == [True, False, False]
     for person in (world.reviewer, world.approver):
@@ -248,7 +252,8 @@ def test_a_sealed_pack_has_its_clearance_sheet(world: World) -> None:
     world.server.wait_for_jobs()
     rows = sheet_of(world.producer.get(f"/v1/packs/{sealed['id']}/clearance-sheet.xlsx").content)
     assert len(rows) == 3
-    assert world.producer.get(f"/v1/packs/{sealed['id']}/clearance-sheet.pdf").content.startswith(b"%PDF")
+    text = letters_of(world.producer.get(f"/v1/packs/{sealed['id']}/clearance-sheet.pdf").content)
+    assert [row["file"] for row in rows if row["file"] not in text] == []
 
 
 def test_the_same_file_in_another_project_of_the_studio_is_reported(world: World) -> None:
