@@ -1,5 +1,6 @@
 import { QueryClient } from '@tanstack/react-query'
 
+import { boundCache } from './boundedCache'
 import { ApiProblem } from './problem'
 
 /** Asking again helps when nothing was answered or the server broke, never when it refused. */
@@ -14,3 +15,5 @@ export const queryClient = new QueryClient({
     mutations: { retry: false },
   },
 })
+
+boundCache(queryClient)
