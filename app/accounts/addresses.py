@@ -1,4 +1,4 @@
-"""Mail addresses, and the links by which their holders show that they read them."""
+"""Email addresses, and the links by which their holders verify them."""
 
 from datetime import timedelta
 from uuid import UUID

@@ -80,7 +80,7 @@ def signature_part(one: Signed, zone: ZoneInfo) -> CertificatePart:
     code = f"{BY_CODE} {in_both(one.code_entered_at, zone)}" if one.code_entered_at else WITHOUT_CODE
     facts = [
         f"- Signed {in_both(one.accepted_at, zone)}",
-        f"- Mail address: {literal(one.email)}, {PROOF_WORDS[one.email_proof]}",
+        f"- Email: {literal(one.email)}, {PROOF_WORDS[one.email_proof]}",
         f"- Code: {literal(code)}",
         f"- Network address: {literal(one.address) or 'unknown'}",
         f"- Browser: {literal(one.agent) or 'unknown'}",

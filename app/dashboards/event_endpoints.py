@@ -63,7 +63,7 @@ def _authenticate(request: Request, ask: LazyAuthentication) -> tuple[Viewer, Pe
     viewer = Viewer(person_id, None if is_demo else sha256_of(request.cookies.get(SESSION_COOKIE, "")))
     sight = sights_of(database_of(request), {viewer}).get(viewer)
     if sight is None:
-        raise NotSignedIn("sign in first")
+        raise NotSignedIn("you are not signed in; sign in to continue")
     return viewer, sight
 
 

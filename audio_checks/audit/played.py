@@ -154,7 +154,7 @@ def _louder(play: Play) -> str:
         for part in moved
     )
     where = f": {parts}" if parts else f": {play.sound.object_path}"
-    return f"the game plays it {abs(drift_db):.1f} dB {'louder' if drift_db > 0 else 'softer'}{where}"
+    return f"the game plays it {abs(drift_db):.1f} dB {'louder' if drift_db > 0 else 'quieter'}{where}"
 
 
 def _names(sounds: Sequence[PlayedSound]) -> str:

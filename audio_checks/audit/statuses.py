@@ -78,7 +78,7 @@ def compare(approved: FingerprintedFile, built: FingerprintedFile, like: Likenes
         )
     least_db = LEAST_GAIN_RECODED_DB if recoded or resampled or trimmed or tilted else LEAST_GAIN_DB
     if louder := abs(like.gain_db) >= least_db:
-        words.append(f"{abs(like.gain_db):.1f} dB {'louder' if like.gain_db > 0 else 'softer'}")
+        words.append(f"{abs(like.gain_db):.1f} dB {'louder' if like.gain_db > 0 else 'quieter'}")
     if built.codec is not None:
         words.append(f"coded as {built.codec}")
     elif built.bit_depth != approved.bit_depth and approved.bit_depth is not None:

@@ -4,7 +4,7 @@ Why: crests pressed flat against one level mean that something clipped: at full 
 when the level was lowered afterwards, or softly in a saturator. In guns and explosions they can be
 style, so this warns, and is for an ear to judge.
 How to fix: listen at the marked places. If it is a fault, lower the gain before the stage that
-clips, and export again; lowering the file's level leaves the flat tops in.
+clips, and export again; lowering the file's level leaves the clipping in.
 Source: practice in the field. At full scale three samples in a row count. Under it, three crests at
 the file's own ceiling, each with three samples or more on one level and a corner at both ends. Soft
 tops count where most of the highest crests, and eight or more, are half as round as a wave's.

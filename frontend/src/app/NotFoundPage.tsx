@@ -3,7 +3,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { ShellLink } from './shell/ShellLink'
 import { useTitle } from './title'
 
-/** Nothing stands at this address, or nothing that this person may see: the two look alike. */
+/** No page has this address, or none that this person may see: the two look alike. */
 export function NotFoundPage() {
   useTitle('Page not found')
   return (

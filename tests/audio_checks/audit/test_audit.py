@@ -46,7 +46,7 @@ def test_gain(folders, sound, audit, put_db):
     entry = only(entries)
     assert (code, entry["status"]) == (1, "gain")
     assert entry["gain_db"] == pytest.approx(put_db, abs=0.05)
-    assert "louder" in entry["message"] if put_db > 0 else "softer" in entry["message"]
+    assert "louder" in entry["message"] if put_db > 0 else "quieter" in entry["message"]
 
 
 def test_trimmed(folders, sound, audit):
@@ -58,7 +58,7 @@ def test_trimmed(folders, sound, audit):
     assert entry["status"] == "trimmed"
     assert entry["offset_s"] == pytest.approx(0.1, abs=1e-3)
     assert entry["gain_db"] == pytest.approx(-6.0, abs=0.2)
-    assert entry["message"] == "0.100 s cut off its start, 0.050 s cut off its end, 6.0 dB softer"
+    assert entry["message"] == "0.100 s cut off its start, 0.050 s cut off its end, 6.0 dB quieter"
 
 
 def test_resampled(folders, sound, audit):
@@ -199,7 +199,7 @@ def test_formats_and_schemas(folders, sound, audit, run):
     jsonschema.validate(json.loads(Path("approved.json").read_text()), json.loads(run("schema", "manifest")[1]))
     assert manifest.schema()["properties"]["schema_version"] == {"const": 1}
     code, out, _ = run("audit", "--manifest", "approved.json", "--format", "text", "build")
-    assert (code, out) == (1, "a.wav  gain (-6.0 dB): 6.0 dB softer\n1 sounds: 1 gain\n")
+    assert (code, out) == (1, "a.wav  gain (-6.0 dB): 6.0 dB quieter\n1 sounds: 1 gain\n")
     assert 'type="audit:gain"' in run("audit", "--manifest", "approved.json", "--format", "junit", "build")[1]
     assert "::error file=a.wav" in run("audit", "--manifest", "approved.json", "--format", "github", "build")[1]
 

@@ -105,7 +105,7 @@ def test_a_file_and_a_property_are_both_named(game, sound):
     entry = entries["snd_0000.wav"]
     assert entry["status"] == "gain"
     assert entry["gain_db"] == pytest.approx(0.0, abs=0.1)
-    assert "6.0 dB softer" in entry["message"]
+    assert "6.0 dB quieter" in entry["message"]
     assert "6.0 dB louder" in entry["message"]
 
 

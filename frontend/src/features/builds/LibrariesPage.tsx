@@ -79,7 +79,7 @@ function Libraries({ libraries }: { libraries: SoundLibrary[] }) {
                           {`Remove ${name} and what was found`}
                         </Button>
                         <Button variant="quiet" onClick={() => setAsked(null)}>
-                          Keep it
+                          Cancel
                         </Button>
                       </span>
                     ) : (

@@ -322,8 +322,8 @@ test('what happened to a sound is never called the same where the game changes i
   const of = (status: AuditedSound['status'], more: Partial<AuditedSound> = {}) =>
     whatOf({ status, played_status: 'same', gain_db: null, ...more })
   expect(of('depends', { depends: ['Menu open'] })).toBe('Depends on Menu open')
-  expect(of('gain', { gain_db: -3 })).toBe('Softer')
-  expect(of('trimmed', { gain_db: -1.5, played_status: 'gain' })).toBe('Cut or padded, softer')
+  expect(of('gain', { gain_db: -3 })).toBe('Quieter')
+  expect(of('trimmed', { gain_db: -1.5, played_status: 'gain' })).toBe('Cut or padded, quieter')
   expect(of('same')).toBe('As approved')
 })
 

@@ -24,7 +24,7 @@ const STATUS_WORDS: Record<AuditedSound['status'], string> = {
   depends: 'Depends on the game',
 }
 
-/** What happened to a sound, in words: "Louder", "Softer", "Missing in the build"; "as approved" only where it is sure. */
+/** What happened to a sound, in words: "Louder", "Quieter", "Missing in the build"; "as approved" only where it is sure. */
 export function whatOf({
   status,
   played_status,
@@ -32,7 +32,7 @@ export function whatOf({
   depends = [],
 }: Pick<AuditedSound, 'status' | 'played_status' | 'gain_db'> & { depends?: readonly string[] }): string {
   const also = played_status !== 'same' && played_status !== status && status !== 'same' ? played_status : null
-  const moved = gain_db !== null && Math.abs(gain_db) >= 0.1 ? (gain_db > 0 ? 'Louder' : 'Softer') : null
+  const moved = gain_db !== null && Math.abs(gain_db) >= 0.1 ? (gain_db > 0 ? 'Louder' : 'Quieter') : null
   const first = status === 'gain' && moved ? moved : STATUS_WORDS[status]
   const second = also === null ? null : also === 'gain' && moved ? moved : STATUS_WORDS[also]
   const words = [first, second?.toLowerCase()].filter(Boolean).join(', ')
@@ -90,7 +90,7 @@ export interface Saying {
 
 export const SAYINGS: readonly Saying[] = [
   { said: 'too-loud', word: 'Too loud', keys: '1', icon: 'level' },
-  { said: 'too-soft', word: 'Too soft', keys: '2', icon: 'lines' },
+  { said: 'too-soft', word: 'Too quiet', keys: '2', icon: 'lines' },
   { said: 'too-long', word: 'Too long', keys: '3', icon: 'right' },
   { said: 'too-short', word: 'Too short', keys: '4', icon: 'clock' },
   { said: 'wrong', word: 'Wrong', keys: '5', icon: 'cross' },
@@ -105,7 +105,7 @@ export const SAID_WORDS: Record<HeardAs, string> = {
 
 export const TASK_WORDS: Record<GameTask['kind'], string> = {
   'too-loud': 'Too loud',
-  'too-soft': 'Too soft',
+  'too-soft': 'Too quiet',
   'too-long': 'Too long',
   'too-short': 'Too short',
   wrong: 'Wrong',

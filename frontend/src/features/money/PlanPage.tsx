@@ -199,7 +199,7 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
   )
 }
 
-/** How the price comes about, as the draft's terms say it. */
+/** The pricing model, as the draft's terms say it. */
 function modeInWords({ version, currency }: Contract): string {
   const { price_mode: mode, day_rate_minor: rate, days_cap: cap } = version.terms
   if (mode === 'day_rate') {

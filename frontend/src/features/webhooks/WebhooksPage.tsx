@@ -135,7 +135,7 @@ function WebhookRow({ webhook }: { webhook: Webhook }) {
           <>
             <Button onClick={() => remove.mutate(webhook)}>Delete it and its log</Button>
             <Button variant="quiet" onClick={() => setSure(false)}>
-              Keep it
+              Cancel
             </Button>
           </>
         ) : (
