@@ -133,7 +133,11 @@ def _add_desk(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -
         allow_abbrev=False,
     )
     own.set_defaults(run=desk.desk)
-    own.add_argument("--format", choices=("text", "json"), default="text", help="a table, or JSON for programs")
+    how = own.add_mutually_exclusive_group()
+    how.add_argument("--format", choices=("text", "json"), default="text", help="a table, or JSON for programs")
+    how.add_argument(
+        "--page", nargs="?", const="", metavar="FILE", help="a page in one file, opened; with FILE it is written there"
+    )
     own.add_argument("--server", metavar="NAME", help="only this server")
     actions = own.add_subparsers(dest="action")
     adding = actions.add_parser("add", help="keep a server with your token", allow_abbrev=False)

@@ -6,13 +6,16 @@ import json
 import os
 import shutil
 import sys
+import webbrowser
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from datetime import date, datetime
+from pathlib import Path
 from typing import Any
-from urllib.parse import urlsplit
+from urllib.parse import quote, urlsplit
 
+from app.client.desk_page import Line, cache_path, html_of, write_page
 from app.client.desk_servers import DeskServer, file_path, read_servers, write_servers
 from app.client.errors import DONE, REFUSED, UNREACHABLE, Refusal, ServerUnreachable
 from app.client.server import Server
@@ -59,7 +62,16 @@ def desk(options: argparse.Namespace) -> int:
             raise Refusal(f'no server is called "{options.server}"; soundlist desk list names them')
     with ThreadPoolExecutor(AT_ONCE) as pool:
         answers = list(pool.map(_ask, servers))
-    _report(answers, as_json=options.format == "json")
+    cues = sorted(
+        (cue for answer in answers for cue in answer.cues),
+        key=lambda cue: (cue["due_on"] or NO_DAY, cue["server"], cue["project"], cue["cue"]),
+    )
+    if options.page is None:
+        _report(answers, cues, as_json=options.format == "json")
+    else:
+        _show_page(answers, cues, options.page)
+    for remark in _remarks(answers):
+        warn(remark)
     codes = {answer.code for answer in answers}
     return REFUSED if REFUSED in codes else UNREACHABLE if UNREACHABLE in codes else DONE
 
@@ -153,15 +165,22 @@ def _cue(server: DeskServer, said: Any) -> dict[str, Any]:
         "said_last": None if last is None else str(last["text"]),
         "said_by": None if last is None or last["by"] is None else str(last["by"]),
         "said_at": None if last is None else str(last["at"]),
-        "page": f"{server.address}/projects/{said['project_id']}/desk",
+        "page": f"{server.address}/projects/{quote(str(said['project_id']), safe='')}/desk",
     }
 
 
-def _report(answers: Sequence[Answer], *, as_json: bool) -> None:
-    cues = sorted(
-        (cue for answer in answers for cue in answer.cues),
-        key=lambda cue: (cue["due_on"] or NO_DAY, cue["server"], cue["project"], cue["cue"]),
-    )
+def _show_page(answers: Sequence[Answer], cues: Sequence[dict[str, Any]], wanted: str) -> None:
+    """Write the page where it is wanted; without such a place, into the cache, and open it."""
+    path = Path(wanted) if wanted else cache_path()
+    if not wanted:
+        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+    lines = [Line(_row(cue), cue["page"], _is_late(cue)) for cue in cues]
+    write_page(path, html_of(HEADS, lines, _remarks(answers), datetime.now().astimezone()))
+    is_open = not wanted and webbrowser.open(path.absolute().as_uri())
+    say(f"{shown(str(path))} is {'open in your browser' if is_open else 'written'}")
+
+
+def _report(answers: Sequence[Answer], cues: Sequence[dict[str, Any]], *, as_json: bool) -> None:
     if as_json:
         servers = [
             {
@@ -179,17 +198,27 @@ def _report(answers: Sequence[Answer], *, as_json: bool) -> None:
         _print_table([_row(cue) for cue in cues])
     elif any(answer.problem is None for answer in answers):
         say("Nothing is owed.")
+
+
+def _remarks(answers: Sequence[Answer]) -> list[str]:
+    """Return which servers are left out, or not shown in full, and why."""
+    remarks = []
     for answer in answers:
         name = shown(answer.server.name)
         if answer.problem is not None:
-            warn(f"{name} is left out: {shown(answer.problem)}")
+            remarks.append(f"{name} is left out: {shown(answer.problem)}")
         elif not answer.is_whole:
-            warn(f"{name}: only the first {len(answer.cues)} cues are shown; open the desk in the browser for the rest")
+            rest = "open the desk in the browser for the rest"
+            remarks.append(f"{name}: only the first {len(answer.cues)} cues are shown; {rest}")
+    return remarks
+
+
+def _is_late(cue: dict[str, Any]) -> bool:
+    return cue["due_on"] is not None and cue["due_on"] < datetime.now().astimezone().date().isoformat()
 
 
 def _row(cue: dict[str, Any]) -> list[str]:
-    is_late = cue["due_on"] is not None and cue["due_on"] < datetime.now().astimezone().date().isoformat()
-    due = f"{cue['due_on']} late" if is_late else cue["due_on"] or "no day"
+    due = f"{cue['due_on']} late" if _is_late(cue) else cue["due_on"] or "no day"
     said = " ".join((cue["said_last"] or "").split())
     if cue["said_by"]:
         said = f"{cue['said_by']}: {said}"

@@ -5,8 +5,9 @@ from pathlib import Path
 
 import pytest
 
+from app.client.commands import main
 from tests.app.builds.approved import accepted_list
-from tests.app.client.served import Client, client_of
+from tests.app.client.served import Client, RunDesk, client_of
 from tests.support.server import RunningServer, World
 
 
@@ -31,3 +32,18 @@ def game(tmp_path: Path) -> Path:
     folder = tmp_path / "game"
     folder.mkdir()
     return folder
+
+
+@pytest.fixture
+def run_desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> RunDesk:
+    """`soundlist desk`, with a folder for settings of its own."""
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+    monkeypatch.setattr("app.client.desk.RETRY_DELAYS_S", ())
+
+    def run(*arguments: str, token: str | None = None) -> tuple[int, str, str]:
+        monkeypatch.setenv("SOUNDLIST_TOKEN", token or "")
+        capsys.readouterr()
+        code = main(["desk", *arguments])
+        return code, *capsys.readouterr()
+
+    return run

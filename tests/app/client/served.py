@@ -13,6 +13,7 @@ from tests.app.builds.test_builds import token
 from tests.support.listening import listening
 from tests.support.server import World
 
+RunDesk = Callable[..., tuple[int, str, str]]  # arguments of `soundlist desk`; its code, output and errors
 PATHS = ["laser_fire_01.wav", "laser_fire_02.wav", "ui_confirm.wav"]
 
 

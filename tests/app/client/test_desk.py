@@ -5,24 +5,22 @@ import os
 import socket
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from datetime import date
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from app.client.commands import main
 from app.kit.runtime import Runtime
 from app.main import create_app
 from app.migrate import migrate
 from app.settings import Settings
+from tests.app.client.served import RunDesk
 from tests.app.dashboards.test_own_desk import make_token, set_due
 from tests.app.reviews.making import Stage
 from tests.support.listening import listening
 from tests.support.server import RunningServer, World
-
-Run = Callable[..., tuple[int, str, str]]
 
 
 @pytest.fixture
@@ -37,21 +35,6 @@ def other(tmp_path: Path, server: RunningServer) -> Iterator[World]:
 
 
 @pytest.fixture
-def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Run:
-    """The command, with a folder for settings of its own."""
-    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
-    monkeypatch.setattr("app.client.desk.RETRY_DELAYS_S", ())
-
-    def run(*arguments: str, token: str | None = None) -> tuple[int, str, str]:
-        monkeypatch.setenv("SOUNDLIST_TOKEN", token or "")
-        capsys.readouterr()
-        code = main(["desk", *arguments])
-        return code, *capsys.readouterr()
-
-    return run
-
-
-@pytest.fixture
 def port(world: World) -> Iterator[int]:
     with listening(world.server.application, lifespan="off", log_level="critical") as port:
         yield port
@@ -61,7 +44,7 @@ def kept(tmp_path: Path) -> Path:
     return tmp_path / "config" / "soundlist" / "desk.json"
 
 
-def test_two_servers_and_a_dead_one(world: World, other: World, port: int, run: Run, tmp_path: Path):
+def test_two_servers_and_a_dead_one(world: World, other: World, port: int, run_desk: RunDesk, tmp_path: Path):
     for studio, name, day in ((world, "laser", "2026-12-02"), (other, "engine", "2026-12-01")):
         cue_id = Stage(studio).cue(name)
         set_due(studio, cue_id, date.fromisoformat(day))
@@ -69,43 +52,43 @@ def test_two_servers_and_a_dead_one(world: World, other: World, port: int, run: 
         dead_port = closed.getsockname()[1]
     with listening(other.server.application, lifespan="off", log_level="critical") as other_port:
         for name, at, studio in (("one", port, world), ("two", other_port, other)):
-            code, out, err = run("add", f"http://127.0.0.1:{at}", "--name", name, token=make_token(studio)[1])
+            code, out, err = run_desk("add", f"http://127.0.0.1:{at}", "--name", name, token=make_token(studio)[1])
             assert code == 0, err
             assert "signed in as Sound designer" in out
-        assert run()[0] == 0
+        assert run_desk()[0] == 0
         said = json.loads(kept(tmp_path).read_text())
         said["servers"]["three"] = {"address": f"http://127.0.0.1:{dead_port}", "token": "sld_x"}
         kept(tmp_path).write_text(json.dumps(said))
-        code, out, err = run()
+        code, out, err = run_desk()
         assert code == 3
         assert "three is left out: cannot be reached" in err
         head, first, second = out.splitlines()
         assert head.split() == ["due", "cue", "name", "state", "project", "studio", "server", "said", "last"]
         assert first.split()[::2][:2] == ["2026-12-01", "engine"]
         assert second.split()[::2][:2] == ["2026-12-02", "laser"]
-        code, out, _ = run("--format", "json")
+        code, out, _ = run_desk("--format", "json")
         answer = json.loads(out)
         assert [(one["server"], one["name"]) for one in answer["cues"]] == [("two", "engine"), ("one", "laser")]
         assert [one["problem"] is None for one in answer["servers"]] == [True, True, False]
-        code, out, _ = run("--server", "one")
+        code, out, _ = run_desk("--server", "one")
         assert code == 0
         assert "engine" not in out
 
 
-def test_the_token_is_kept_for_its_owner_and_never_printed(world: World, port: int, run: Run, tmp_path: Path):
+def test_the_token_is_kept_for_its_owner_and_never_printed(world: World, port: int, run_desk: RunDesk, tmp_path: Path):
     secret = make_token(world)[1]
-    printed = [run("add", f"http://127.0.0.1:{port}", "--name", "one", token=secret), run("list"), run()]
-    printed.append(run("--format", "json"))
+    printed = [run_desk("add", f"http://127.0.0.1:{port}", "--name", "one", token=secret), run_desk("list"), run_desk()]
+    printed.append(run_desk("--format", "json"))
     assert secret not in str(printed)
     assert kept(tmp_path).stat().st_mode & 0o777 == 0o600
     kept(tmp_path).chmod(0o644)
-    code, _, err = run()
+    code, _, err = run_desk()
     assert code == 2
     assert "chmod 600" in err
     kept(tmp_path).chmod(0o600)
-    assert run("remove", "one")[0] == 0
+    assert run_desk("remove", "one")[0] == 0
     assert secret not in kept(tmp_path).read_text()
-    assert run("remove", "one")[0] == 2
+    assert run_desk("remove", "one")[0] == 2
 
 
 def test_a_token_by_standard_input(world: World, port: int, tmp_path: Path):
@@ -126,27 +109,29 @@ def test_a_token_by_standard_input(world: World, port: int, tmp_path: Path):
         ("https://sounds.example", "two words", "no token"),
     ],
 )
-def test_what_is_no_server_or_token_is_not_asked(run: Run, tmp_path: Path, address: str, token: str, said: str):
-    code, _, err = run("add", address, token=token)
+def test_what_is_no_server_or_token_is_not_asked(
+    run_desk: RunDesk, tmp_path: Path, address: str, token: str, said: str
+):
+    code, _, err = run_desk("add", address, token=token)
     assert code == 2
     assert said in err
     assert not kept(tmp_path).exists()
 
 
-def test_an_unknown_token_is_refused_and_nothing_is_kept(port: int, run: Run, tmp_path: Path):
-    code, _, err = run("add", f"http://127.0.0.1:{port}", token="sld_unknown")
+def test_an_unknown_token_is_refused_and_nothing_is_kept(port: int, run_desk: RunDesk, tmp_path: Path):
+    code, _, err = run_desk("add", f"http://127.0.0.1:{port}", token="sld_unknown")
     assert code == 2
     assert "does not know this token" in err
     assert not kept(tmp_path).exists()
 
 
-def test_a_revoked_token_is_named_and_the_rest_is_shown(world: World, port: int, run: Run):
+def test_a_revoked_token_is_named_and_the_rest_is_shown(world: World, port: int, run_desk: RunDesk):
     Stage(world).cue("laser")
     revoked_id, revoked = make_token(world)
-    run("add", f"http://127.0.0.1:{port}", "--name", "one", token=make_token(world)[1])
-    run("add", f"http://127.0.0.1:{port}", "--name", "two", token=revoked)
+    run_desk("add", f"http://127.0.0.1:{port}", "--name", "one", token=make_token(world)[1])
+    run_desk("add", f"http://127.0.0.1:{port}", "--name", "two", token=revoked)
     world.designer.delete(f"/v1/me/desk-tokens/{revoked_id}")
-    code, out, err = run()
+    code, out, err = run_desk()
     assert code == 2
     assert "laser" in out
     assert "two is left out: the server does not know this token" in err
@@ -164,24 +149,24 @@ async def _nonsense(scope: Any, _receive: Any, send: Any) -> None:
 
 
 @pytest.mark.parametrize(("application", "said"), [(_elsewhere, "redirects"), (_nonsense, "not understood")])
-def test_a_server_that_answers_as_no_soundlist_does(run: Run, application: Any, said: str):
+def test_a_server_that_answers_as_no_soundlist_does(run_desk: RunDesk, application: Any, said: str):
     with listening(application, lifespan="off", log_level="critical") as port:
-        code, _, err = run("add", f"http://127.0.0.1:{port}", token="sld_x")
+        code, _, err = run_desk("add", f"http://127.0.0.1:{port}", token="sld_x")
     assert code == 2
     assert said in err
 
 
-def test_what_a_server_says_does_not_control_the_terminal(world: World, port: int, run: Run):
+def test_what_a_server_says_does_not_control_the_terminal(world: World, port: int, run_desk: RunDesk):
     Stage(world).cue("laser\x1b[2J")
-    run("add", f"http://127.0.0.1:{port}", token=make_token(world)[1])
-    assert "\x1b" not in run()[1]
+    run_desk("add", f"http://127.0.0.1:{port}", token=make_token(world)[1])
+    assert "\x1b" not in run_desk()[1]
 
 
-def test_without_a_server_it_names_the_next_step(run: Run):
-    code, _, err = run()
+def test_without_a_server_it_names_the_next_step(run_desk: RunDesk):
+    code, _, err = run_desk()
     assert code == 2
     assert "soundlist desk add" in err
-    assert run("list") == (0, "", "")
+    assert run_desk("list") == (0, "", "")
 
 
 def test_it_loads_nothing_of_the_server():
