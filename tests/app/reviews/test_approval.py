@@ -1,6 +1,5 @@
 """Who may approve: the project's approver, approvers of categories, and deputies from one day to another."""
 
-import json
 from collections.abc import Callable
 from datetime import datetime, time, timedelta
 from typing import Any
@@ -14,13 +13,11 @@ from sqlalchemy.orm import joinedload
 
 from app.agreements.facts import facts_of
 from app.agreements.models import Contract
-from app.agreements.queries import events_of
 from app.kit import clock
 from app.notifications import jobs
 from app.notifications.models import Mail
-from app.projects.models import Deputy, Project
-from app.projects.rules import ApprovalRights
-from tests.app.money.agreed import Agreed, milestone
+from app.projects.models import Project
+from tests.app.money.agreed import Agreed
 from tests.app.reviews.making import Stage, body_of, refused
 from tests.support.server import World
 
@@ -130,66 +127,6 @@ def test_a_set_a_waiver_a_cut_and_a_comment_ask_the_same_rule(stage: Stage) -> N
     assert world.reviewer.post(f"/v1/cues/{cue}/cut", json={"reason": "Gone."}).status_code == 200
 
 
-@pytest.mark.parametrize(
-    ("at", "may"),
-    [
-        (local(FIRST) - SECOND, False),
-        (local(FIRST), True),
-        (local(LAST, days=1) - SECOND, True),
-        (local(LAST, days=1), False),
-    ],
-    ids=["the day before", "first day", "last day", "the day after"],
-)
-def test_a_deputy_approves_from_the_first_day_to_the_last_in_the_studios_time_zone(
-    stage: Stage, monkeypatch: pytest.MonkeyPatch, at: datetime, may: bool
-) -> None:
-    world = stage.world
-    calendar = {"time_zone": ZONE.key, "holidays": []}
-    assert world.producer.put(f"/v1/studios/{world.studio_id}/calendar", json=calendar).status_code == 200
-    name_deputy(world, world.approver_id, world.producer_id)
-    take, cue = stage.take(cue_id := stage.cue()), cue_id
-    deputy, approver = world.producer, world.approver
-    moment(monkeypatch, at)
-    review = body_of(deputy.get(f"/v1/cues/{cue}/review"))
-    assert review["may_approve"] is may
-    assert [one["name"] for one in review["deputies"]] == (["Producer"] if may else [])
-    assert review["approver"]["name"] == "Audio director"
-    assert (review["on_behalf_of"] or {}).get("name") == ("Audio director" if may else None)
-    assert approves(deputy, take) is may
-    assert approves(approver, stage.take(cue)), "the approver may approve all the time"
-
-
-def test_the_verdict_of_a_deputy_says_for_whom_it_was_given(stage: Stage) -> None:
-    world = stage.world
-    name_deputy(world, world.approver_id, world.producer_id, *today_and_on(world))
-    cue = stage.cue()
-    first, second = stage.take(cue), stage.take(cue)
-    assert approves(world.producer, first)
-    body = {"kind": "approve", "seen_state": "set_aside"}
-    assert world.approver.post(f"/v1/takes/{second}/verdict", json=body).status_code == 200
-    said = [
-        (one["kind"], one["given_by"]["name"], one["on_behalf_of"] and one["on_behalf_of"]["name"])
-        for one in stage.review(cue)["verdicts"]
-        if one["kind"] == "approve"
-    ]
-    assert said == [("approve", "Producer", "Audio director"), ("approve", "Audio director", None)]
-    (approved,) = [one for one in world.designer.get(f"/v1/takes/{first}/history").json() if one["kind"] == "approve"]
-    assert (approved["by"]["name"], approved["on_behalf_of"]["name"]) == ("Producer", "Audio director")
-
-
-def test_the_record_of_a_contract_says_for_whom_a_deputy_decided(world: World) -> None:
-    agreed = Agreed(world)
-    cue = agreed.cue()
-    agreed.agree(milestone("Alpha", cue, amount_minor=18_000))
-    assert world.producer.put(path(world, f"/liaisons/{world.reviewer_id}")).status_code == 200
-    name_deputy(world, world.approver_id, world.reviewer_id, *today_and_on(world))
-    assert approves(world.reviewer, agreed.take(cue))
-    events = world.server.in_database(lambda session: [*events_of(session, agreed.contract_id)])
-    (judged,) = [json.loads(event.payload) for event in events if event.kind == "judged"]
-    assert (judged["by"], judged["on_behalf_of"]) == ("Composer", "Audio director")
-    assert judged["role"].startswith("deputy of the approver")
-
-
 def test_the_contract_names_the_approvers_of_categories(world: World) -> None:
     agreed = Agreed(world)
 
@@ -201,41 +138,6 @@ def test_the_contract_names_the_approvers_of_categories(world: World) -> None:
     assert approver() == "Audio director"
     name_for(world, "ui", world.producer_id)
     assert approver() == "Audio director (for ui Producer)"
-
-
-def test_a_deputy_of_a_categorys_approver_decides_there_alone(stage: Stage) -> None:
-    world = stage.world
-    name_for(world, "ui", world.reviewer_id)
-    name_deputy(world, world.reviewer_id, world.producer_id, *today_and_on(world))
-    click, shot = (stage.take(stage.cue(name, category=name)) for name in ("ui", "weapon"))
-    assert not approves(world.producer, shot)
-    assert approves(world.producer, click)
-
-
-def test_a_deputy_has_no_deputy() -> None:
-    one, two, three = uuid4(), uuid4(), uuid4()
-    rights = ApprovalRights(one, {}, {one: [two], two: [three]})
-    assert rights.people_for("ui") == [one, two]
-    assert not rights.scope_of(three).is_any
-
-
-def test_rights_end_with_a_withdrawal_and_with_the_membership(stage: Stage) -> None:
-    world = stage.world
-    name_for(world, "ui", world.reviewer_id)
-    withdrawn = name_deputy(world, world.approver_id, world.producer_id, *today_and_on(world))
-    assert world.producer.delete(path(world, f"/deputies/{withdrawn}")).status_code == 204
-    assert refused(world.producer.delete(path(world, f"/deputies/{withdrawn}"))) == (404, "deputy-not-found")
-    click, shot = (stage.take(stage.cue(name, category=name)) for name in ("ui", "weapon"))
-    assert not approves(world.producer, shot)
-
-    name_deputy(world, world.reviewer_id, world.producer_id, *today_and_on(world))
-    assert world.producer.delete(f"/v1/studios/{world.studio_id}/people/{world.reviewer_id}").status_code == 204
-    assert world.reviewer.get(f"/v1/takes/{click}/history").status_code == 404
-    project = body_of(world.producer.get(path(world, "")))
-    assert project["category_approvers"] == []
-    assert body_of(world.producer.get(path(world, "/deputies")))["deputies"] == []
-    assert not approves(world.producer, click), "the deputy of a person who left decides nothing"
-    assert approves(world.approver, click), "the category is the project's approver's again"
 
 
 @pytest.mark.parametrize("outsider", ["designer_id", "stranger_id"])
@@ -272,23 +174,6 @@ def test_the_approver_of_a_category_stays_an_audio_lead(stage: Stage) -> None:
     assert refused(world.producer.delete(lead)) == (409, "liaison-is-approver")
     name_for(world, "ui", None)
     assert world.producer.delete(lead).status_code == 200
-
-
-@pytest.mark.parametrize(
-    ("change", "where"),
-    [
-        ({"until_on": str(FIRST - timedelta(days=1))}, "until_on"),
-        ({"from_on": "2020-01-01", "until_on": "2020-01-02"}, "until_on"),
-        ({"deputy_id": None}, "deputy_id"),
-    ],
-    ids=["ends before it begins", "over", "oneself"],
-)
-def test_a_deputy_needs_days_to_come_and_another_person(stage: Stage, change: dict[str, Any], where: str) -> None:
-    world = stage.world
-    body = days_of(world.approver_id, world.producer_id) | change
-    body["deputy_id"] = body["deputy_id"] or str(world.approver_id)
-    answer = world.producer.post(path(world, "/deputies"), json=body)
-    assert (refused(answer), answer.json()["errors"][0]["where"]) == ((422, "bad-deputy"), where)
 
 
 def test_producers_name_and_the_team_reads(stage: Stage) -> None:
@@ -400,12 +285,3 @@ def test_mails_of_sounds_to_review_go_to_who_may_approve_them(stage: Stage) -> N
         str(world.producer_id): (True, False),
         str(world.approver_id): (False, True),
     }
-
-
-def test_days_are_kept_by_the_database(stage: Stage) -> None:
-    world = stage.world
-    name_deputy(world, world.approver_id, world.producer_id, FIRST, FIRST)
-    kept = world.server.in_database(
-        lambda session: [(one.from_on, one.until_on) for one in session.scalars(select(Deputy))]
-    )
-    assert (FIRST, FIRST) in kept

@@ -1,42 +1,27 @@
 """What a verdict does, what it leaves alone, and what two tabs at once come to."""
 
-from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
-from datetime import timedelta
 from typing import Any
 from uuid import UUID
 
 import pytest
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
 from sqlalchemy import func, select, update
 from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
-from app.accounts.queries import actor_for_person
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit import clock
 from app.kit.db import new_id
-from app.kit.errors import Conflict
 from app.projects.models import ApproverChange
-from app.reviews import feedback, service
-from app.reviews.models import ChangeRequest, Verdict
+from app.reviews.models import Verdict
 from app.reviews.queries import accepted_takes
-from app.reviews.rules import VerdictKind
-from tests.app.reviews.making import Stage, add_cue, add_take, body_of, refused
+from tests.app.reviews.making import Stage, add_take, body_of, refused
 from tests.support.server import World
 
 
 @pytest.fixture
 def stage(world: World) -> Stage:
     return Stage(world)
-
-
-def later(seconds: float, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let time pass."""
-    now = clock.now()
-    monkeypatch.setattr(clock, "now", lambda: now + timedelta(seconds=seconds))
 
 
 def test_approving_an_alternate_sets_the_others_aside(stage: Stage) -> None:
@@ -226,67 +211,6 @@ def test_a_change_noted_on_another_alternate_is_kept(stage: Stage) -> None:
     assert [one["text"] for one in stage.send()["change_requests"]] == ["shorter"]
 
 
-def test_undo_brings_everything_back(stage: Stage) -> None:
-    cue = stage.cue()
-    former = stage.take(cue)
-    stage.approve(former)
-    picked, other = stage.take(cue), stage.take(cue)
-    stage.draft(picked, "brighter", start_s=0.2)
-    stage.draft(other, "shorter")
-    before = {take["id"]: (take["state"], take["state_since"]) for take in stage.review(cue)["takes"]}
-    stage.approve(picked)
-    undone = body_of(stage.undo(picked))
-    assert undone["draft_dropped"] is False
-    after = stage.review(cue)["takes"]
-    assert {take["id"]: (take["state"], take["state_since"]) for take in after} == before
-    drafts = {take["id"]: take["draft_change"] for take in after if take["draft_change"]}
-    assert drafts[str(picked)]["text"] == "brighter"
-    assert drafts[str(picked)]["start_s"] == 0.2
-    assert drafts[str(other)]["text"] == "shorter"
-    assert [one["kind"] for one in stage.review(cue)["verdicts"] if one["withdrawn"]] == ["set_aside"] * 2 + ["approve"]
-
-
-def test_undo_is_for_a_minute(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
-    early, late = stage.take(stage.cue("early")), stage.take(stage.cue("late"))
-    drafted = stage.take(stage.cue("drafted"))
-    stage.approve(early)
-    stage.approve(late)
-    stage.draft(drafted)
-    later(55, monkeypatch)
-    assert stage.undo(early).status_code == 200
-    later(10, monkeypatch)
-    assert refused(stage.undo(late)) == (409, "too-late-to-undo")
-    assert refused(stage.undo(drafted)) == (409, "too-late-to-undo")
-    assert stage.states(early, late) == ["conforming", "approved"]
-
-
-def test_undo_drops_a_fresh_draft(stage: Stage) -> None:
-    take = stage.take(stage.cue())
-    stage.approve(take)
-    stage.draft(take, "on second thoughts, duller", seen_state="approved")
-    assert body_of(stage.undo(take)) == {
-        "takes": [{"id": str(take), "variation": 1, "state": "approved"}],
-        "draft_dropped": True,
-    }
-    assert body_of(stage.undo(take))["takes"][0]["state"] == "conforming"
-    assert refused(stage.undo(take)) == (409, "nothing-to-undo")
-
-
-def test_undo_stops_where_something_later_stands(stage: Stage) -> None:
-    cue = stage.cue()
-    a, b = stage.take(cue), stage.take(cue)
-    stage.approve(a)
-    stage.approve(b, seen_state="set_aside")
-    assert body_of(stage.undo(a))["takes"]  # what set `a` aside was the pick of `b`: one click, taken back whole
-    assert stage.states(a, b) == ["approved", "set_aside"]
-    stage.draft(a, "softer", seen_state="approved")
-    assert refused(stage.undo(b)) == (409, "verdict-since")
-    stage.send()
-    assert refused(stage.undo(a)) == (409, "nothing-to-undo")
-    assert refused(stage.undo(b)) == (409, "verdict-since")
-    assert stage.states(a, b) == ["change_requested", "set_aside"]
-
-
 def test_a_set_is_accepted_at_once_and_taken_back_at_once(stage: Stage) -> None:
     cue = stage.cue(variations=3)
     older = stage.take(cue, 1)
@@ -347,80 +271,3 @@ def test_what_is_accepted_is_known_to_packs(stage: Stage) -> None:
         ("whole", 1, picked[1]),
         ("whole", 2, picked[0]),
     ]
-
-
-ACTIONS = ("approve", "request_change", "set_aside", "undo", "send", "accept_set", "new_take")
-
-
-@settings(max_examples=25, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
-@given(actions=st.lists(st.tuples(st.sampled_from(ACTIONS), st.integers(0, 7)), min_size=1, max_size=14))
-def test_whatever_is_decided_at_most_one_take_is_approved(stage: Stage, actions: Sequence[tuple[str, int]]) -> None:
-    with stage.world.server.runtime.database.writing() as session:
-        Deciding(session, stage).run(actions)
-        session.rollback()
-
-
-class Deciding:
-    """An approver who tries anything, valid or not, on a set of two with alternates."""
-
-    def __init__(self, session: Session, stage: Stage) -> None:
-        self.session = session
-        self.stage = stage
-        self.actor = actor_for_person(session, stage.world.approver_id)
-        self.cue_id = add_cue(session, stage.world, "steps", variations=2)
-        self.takes = [self.new_take(variation) for variation in (1, 1, 2, 2)]
-
-    def new_take(self, variation: int) -> UUID:
-        return add_take(self.session, self.stage.world, self.stage.delivery_id, self.cue_id, variation)
-
-    def run(self, actions: Sequence[tuple[str, int]]) -> None:
-        for action, number in actions:
-            before = self.standing()
-            try:
-                with self.session.begin_nested():
-                    self.do(action, number)
-            except Conflict:
-                self.session.expire_all()
-                assert self.standing() == before, f"{action} was refused and changed something"
-            self.ensure_valid()
-
-    def do(self, action: str, number: int) -> None:
-        take = self.session.get_one(Take, self.takes[number % len(self.takes)])
-        if action == "new_take":
-            self.takes.append(self.new_take(1 + number % 2))
-        elif action == "undo":
-            service.undo_verdict(self.session, self.actor, take.id)
-        elif action == "send":
-            feedback.send_changes(self.session, self.actor, self.stage.world.project_id)
-        elif action == "accept_set":
-            service.accept_set(self.session, self.actor, self.cue_id)
-        else:
-            kind = VerdictKind(action)
-            service.give_verdict(self.session, self.actor, take.id, kind=kind, note="duller", seen_state=take.state)
-
-    def standing(self) -> list[tuple[Any, ...]]:
-        self.session.flush()
-        rows = self.session.execute(
-            select(Take.variation, Take.number, Take.state).where(Take.cue_id == self.cue_id).order_by(Take.id)
-        )
-        return [tuple(row) for row in rows]
-
-    def ensure_valid(self) -> None:
-        states = self.standing()
-        for variation in (1, 2):
-            assert sum(one[0] == variation and one[2] is TakeState.APPROVED for one in states) <= 1
-        drafts = select(Take.state).join(ChangeRequest, ChangeRequest.take_id == Take.id)
-        for state in self.session.scalars(
-            drafts.where(Take.cue_id == self.cue_id, ChangeRequest.feedback_id.is_(None))
-        ):
-            assert state in (TakeState.CONFORMING, TakeState.APPROVED, TakeState.SET_ASIDE)
-
-
-def test_an_approval_taken_back_has_not_happened_lately(stage: Stage) -> None:
-    stays, goes = stage.take(stage.cue("laser_fire")), stage.take(stage.cue("shield_hit"))
-    for take in (stays, goes):
-        stage.approve(take)
-    assert stage.undo(goes).status_code == 200
-    overview = body_of(stage.world.producer.get(f"/v1/projects/{stage.world.project_id}/overview"))
-    approved = [each["text"] for each in overview["lately"] if each["kind"] == "approved"]
-    assert approved == ["approved laser_fire, version 1"]

@@ -3,7 +3,6 @@
 import io
 import json
 import os
-import re
 import subprocess
 import sys
 import tomllib
@@ -11,41 +10,15 @@ import tomllib
 import jsonschema_rs
 import pytest
 
-from audio_checks import TOOL_VERSION, check_file, is_placeholder
 from audio_checks.checks import all_checks
 from audio_checks.cli import main, reporters
-from audio_checks.report.findings import schema as report_schema
 from audio_checks.run import runner
-from audio_checks.spec.delivery_spec import new_spec, parse_spec
-from tests.support.waves import join, placeholder_mark, silence, sine, write_wav
+from audio_checks.spec.delivery_spec import new_spec
+from tests.support.waves import join, silence, sine, write_wav
 
 GOOD = sine(hz=1_000, dbfs=-6, seconds=0.2)
 LATE = join(silence(seconds=0.02), GOOD)
 LOUD = sine(hz=1_000, dbfs=0.0, seconds=0.2)
-
-
-@pytest.fixture
-def folder(tmp_path, monkeypatch):
-    """A folder to work in, with a spec beside the sounds that is found only when it is named."""
-    work = tmp_path / "work"
-    work.mkdir()
-    monkeypatch.chdir(work)
-    (tmp_path / "spec.toml").write_text(new_spec(name="Shield Wing"), encoding="utf-8")
-    return work
-
-
-@pytest.fixture
-def run(capsys):
-    """Run a command; return its exit code and what it printed to stdout and stderr."""
-
-    def run(*arguments):
-        code = main([str(one) for one in arguments])
-        captured = capsys.readouterr()
-        return code, captured.out, captured.err
-
-    return run
-
-
 SPEC = ("--spec", "../spec.toml")
 
 
@@ -264,180 +237,6 @@ class TestFiles:
         run("check", *SPEC, ".")
         run("measure", ".")
         assert (path.read_bytes(), path.stat().st_mtime_ns) == before
-
-
-class TestReports:
-    def test_several_formats_at_once(self, folder, run):
-        write_wav(folder / "laser.wav", LOUD)
-        code, out, _ = run(
-            "check", *SPEC, "--format", "text", "--format", "json:report.json", "--format", "jsonl:l.jsonl", "."
-        )
-        report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
-        assert code == 1
-        assert "rejected" in out
-        assert report["spec"]["name"] == "Shield Wing"
-        assert report["tool"] == {"name": "audio-checks", "version": TOOL_VERSION}
-        assert [json.loads((folder / "l.jsonl").read_text(encoding="utf-8"))] == report["files"]
-        jsonschema_rs.validator_for(report_schema()).validate(report)
-
-    def test_text_is_grouped_with_the_worst_first(self, folder, run):
-        write_wav(folder / "a_late.wav", LATE)
-        write_wav(folder / "b_loud.wav", LOUD)
-        (folder / "c_broken.wav").write_bytes(b"RIFF")
-        write_wav(folder / "d_good.wav", GOOD)
-        out = run("check", *SPEC, ".")[1]
-        assert [line.split()[0] for line in out.splitlines() if line.startswith("./")] == [
-            "./c_broken.wav",
-            "./b_loud.wav",
-            "./a_late.wav",
-        ]
-        assert "4 files: 2 conforming, 1 rejected, 1 unreadable; 2 errors, 2 warnings" in out
-        figure, fix = out[out.index("sample peak") :].splitlines()[:2]
-        assert figure.endswith("sample-peak:over")
-        assert fix.strip() == "fix: lower the level by 0.10 dB or more"
-
-    def test_colour_only_where_it_is_wanted(self, folder, monkeypatch):
-        class Terminal(io.StringIO):
-            def isatty(self):
-                return True
-
-        write_wav(folder / "laser.wav", LOUD)
-        for variable, coloured in (("", True), ("1", False)):
-            terminal = Terminal()
-            monkeypatch.setattr("sys.stdout", terminal)
-            monkeypatch.setenv("TERM", "xterm")
-            monkeypatch.setenv("NO_COLOR", variable)
-            main(["check", *SPEC, "."])
-            assert ("\x1b[" in terminal.getvalue()) is coloured
-
-    def test_the_progress_line_can_be_left_out(self, folder, monkeypatch):
-        class Terminal(io.StringIO):
-            def isatty(self):
-                return True
-
-        for name in ("a.wav", "b.wav"):
-            write_wav(folder / name, GOOD)
-        for extra, shown in (([], True), (["--no-progress"], False)):
-            terminal = Terminal()
-            monkeypatch.setattr("sys.stderr", terminal)
-            main(["check", *SPEC, *extra, "."])
-            assert ("1/2" in terminal.getvalue()) is shown
-
-    def test_processes_change_nothing(self, folder, run):
-        for number in range(4):
-            write_wav(folder / f"laser_{number}.wav", LOUD if number % 2 else GOOD)
-        assert run("check", *SPEC, "--format", "json", "-j", "2", ".") == run("check", *SPEC, "--format", "json", ".")
-
-
-class TestBaseline:
-    def test_waived_findings_stay_but_do_not_fail(self, folder, run):
-        path = write_wav(folder / "laser.wav", LOUD)
-        spec = parse_spec(new_spec())
-        waived = {"pcm_sha256": check_file(path, spec).pcm_sha256, "codes": ["sample-peak:over"], "reason": "style"}
-        (folder / "baseline.json").write_text(json.dumps({"format": 1, "waived": [waived]}), encoding="utf-8")
-        code, out, _ = run("check", *SPEC, "--baseline", "baseline.json", "--format", "json", ".")
-        (entry,) = json.loads(out)["files"]
-        assert code == 0
-        assert entry["verdict"] == "rejected"
-        assert [one.get("waived", False) for one in entry["findings"]] == [True, False]
-        code, out, _ = run("check", *SPEC, "--baseline", "baseline.json", "--fail-level", "warning", ".")
-        assert (code, "1 waived" in out) == (1, True)
-
-    @pytest.mark.parametrize(
-        "content",
-        ["", "[]", '{"format": 2, "waived": []}', '{"format": 1, "waived": [{"pcm_sha256": "x", "codes": []}]}'],
-    )
-    def test_what_is_no_baseline(self, folder, run, content):
-        write_wav(folder / "laser.wav", GOOD)
-        (folder / "baseline.json").write_text(content, encoding="utf-8")
-        assert run("check", *SPEC, "--baseline", "baseline.json", ".")[0] == 2
-
-
-class TestMeasure:
-    def test_figures_without_a_verdict(self, folder, run):
-        write_wav(folder / "laser.wav", GOOD)
-        (folder / "broken.wav").write_bytes(b"RIFF")
-        code, out, err = run("measure", "--category", "weapon", "--format", "json", ".")
-        broken, laser = json.loads(out)["files"]
-        assert code == 1
-        assert "broken.wav" in err
-        assert broken["facts"] is None
-        assert laser["category"] == "weapon"
-        assert laser["measurements"]["sample_peak_dbfs"] == pytest.approx(-6.0, abs=0.01)
-        assert "verdict" not in laser
-        assert "findings" not in laser
-
-    def test_as_text(self, folder, run):
-        write_wav(folder / "laser.wav", silence(seconds=0.1))
-        code, out, _ = run("measure", "laser.wav")
-        assert code == 0
-        assert re.search(r"true peak +-\n", out)
-
-
-class TestRender:
-    def test_masters_become_game_files(self, folder, run):
-        (folder / "in" / "deep").mkdir(parents=True)
-        write_wav(folder / "in" / "deep" / "laser__alt2.wav", GOOD, rate=48_000)
-        code, out, _ = run("render", *SPEC, "--out", "out", "in")
-        assert code == 0, out
-        for target, rate in (("game", 44_100), ("handheld", 22_050)):
-            entry = check_file(folder / "out" / target / "deep" / "laser.wav", parse_spec(new_spec()), target=target)
-            assert (entry.verdict, entry.facts["sample_rate_hz"]) == ("conforming", rate)
-            assert f"in/deep/laser__alt2.wav -> {target}:" in out
-
-    def test_one_target_and_what_is_refused(self, folder, run):
-        write_wav(folder / "low.wav", sine(hz=440, rate=22_050, seconds=0.2), rate=22_050)
-        (folder / "broken.wav").write_bytes(b"RIFF")
-        code, out, _ = run("render", *SPEC, "--target", "game", "--out", "out", "low.wav", "broken.wav")
-        assert code == 1
-        assert out.count("refused") == 2
-        assert not list(folder.glob("out/**/*.wav"))
-
-    def test_two_alternates_do_not_overwrite_each_other(self, folder, run):
-        for name in ("laser__alt1.wav", "laser__alt2.wav"):
-            write_wav(folder / name, GOOD)
-        code, out, _ = run("render", *SPEC, "--target", "game", "--out", "out", ".")
-        assert (code, out.count("refused")) == (1, 1)
-
-    def test_a_render_never_replaces_an_earlier_one_unasked(self, folder, run):
-        write_wav(folder / "laser.wav", GOOD)
-        asked = ("render", *SPEC, "--target", "game", "--out", "out", "laser.wav")
-        made = folder / "out" / "game" / "laser.wav"
-        assert run(*asked)[0] == 0
-        first, stamp = made.read_bytes(), made.stat().st_mtime_ns
-        code, out, _ = run(*asked)
-        assert (code, out.rstrip().endswith("; as before"), made.stat().st_mtime_ns) == (0, True, stamp)
-        write_wav(folder / "laser.wav", 0.5 * GOOD)
-        code, out, _ = run(*asked)
-        assert (code, "is there already, and differs" in out, made.read_bytes() == first) == (1, True, True)
-        assert run(*asked, "--replace")[0] == 0
-        assert made.read_bytes() != first
-        assert [path.name for path in made.parent.iterdir()] == ["laser.wav"]
-
-    def test_a_placeholder_is_replaced(self, folder, run):
-        write_wav(folder / "laser.wav", GOOD)
-        (folder / "out" / "game").mkdir(parents=True)
-        write_wav(folder / "out" / "game" / "laser.wav", 0.5 * GOOD, after=[placeholder_mark("SW-014")])
-        assert run("render", *SPEC, "--target", "game", "--out", "out", "laser.wav")[0] == 0
-        assert not is_placeholder(folder / "out" / "game" / "laser.wav")
-
-    def test_the_loss_reports_as_json(self, folder, run):
-        write_wav(folder / "laser.wav", GOOD)
-        (folder / "broken.wav").write_bytes(b"RIFF")
-        code, out, _ = run("render", *SPEC, "--format", "json", "--out", "out", "laser.wav", "broken.wav")
-        game, handheld, *broken = json.loads(out)["renders"]
-        assert code == 1
-        assert (game["target"], game["path"], game["is_new"]) == ("game", "out/game/laser.wav", True)
-        assert handheld["loss"]["above_nyquist_db"] is None or handheld["loss"]["above_nyquist_db"] < 0
-        assert [one["refused"]["code"] for one in broken] == ["structure:truncated"] * 2
-
-    def test_a_master_is_never_overwritten(self, folder, run):
-        (folder / "game").mkdir()
-        path = write_wav(folder / "game" / "laser.wav", GOOD)
-        before = path.read_bytes()
-        code, out, _ = run("render", *SPEC, "--target", "game", "--out", ".", "game/laser.wav")
-        assert (code, "overwrite its master" in out) == (1, True)
-        assert path.read_bytes() == before
 
 
 class TestPlain:

@@ -3,12 +3,10 @@
 import hashlib
 import json
 
-import jsonschema_rs
 import pytest
 
 from audio_checks.errors import SpecError
-from audio_checks.spec import keys as spec_keys
-from audio_checks.spec.delivery_spec import Range, Target, load_spec, new_spec, parse_spec, schema
+from audio_checks.spec.delivery_spec import Range, Target, load_spec, new_spec, parse_spec
 from audio_checks.spec.name_tokens import Token
 
 GAME = """
@@ -336,115 +334,6 @@ class TestIdentity:
         text = "format = 1\nnaming.pattern = '''a'\\d+'''\n[files]\n'a \"b\"/**' = 'vo'\n[categories.x]"
         spec = parse_spec(text)
         assert parse_spec(spec.to_toml()).tables == spec.tables
-
-
-class TestPresets:
-    @pytest.mark.parametrize("preset", ["44k1", "48k"])
-    def test_defaults_of_the_field(self, preset):
-        spec = parse_spec(new_spec(preset, name="Shield Wing"))
-        assert (spec.name, spec.warnings, spec.not_run) == ("Shield Wing", (), ())
-        limits = spec.limits
-        assert (limits.sample_peak_dbfs, limits.true_peak_dbtp, limits.tolerance_db) == (-0.1, -1.0, 0.05)
-        assert (limits.head_silence_ms, limits.tail_silence_ms, limits.silence_below_dbfs) == (5.0, 100.0, -90.0)
-        assert spec.accept.duration_s.max == 30.0
-        assert spec.for_category("ambience").accept.duration_s.max == 300.0
-        assert spec.for_category("music").accept.duration_s.max == 300.0
-        voice = spec.for_category("vo")
-        assert (voice.limits.head_silence_ms, voice.limits.tail_silence_ms) == (50.0, 150.0)
-        warned = [name for name in ("true-peak", "head-silence", "tail-silence") if spec.checks[name] == "warning"]
-        assert len(warned) == 3
-        assert {name for name in spec.categories if spec.for_category(name).checks["true-peak"] == "error"} == {
-            "music",
-            "cinematic",
-            "vo",
-            "narration",
-        }
-
-    def test_targets(self):
-        spec = parse_spec(new_spec("44k1"))
-        assert spec.targets["game"] == Target("game", 44_100, 16)
-        assert spec.targets["handheld"] == Target("handheld", 22_050, 16, channels=1)
-        assert parse_spec(new_spec("48k")).targets == {"game": Target("game", 48_000, 16)}
-
-    def test_an_unknown_preset(self):
-        with pytest.raises(ValueError, match="44k1, 48k"):
-            new_spec("96k")
-
-
-def test_a_rate_below_a_target_is_warned_about(spec):
-    assert spec.warnings == ()
-    low = parse_spec(GAME.replace("[44100, ", "[22050, 44100, "))
-    (warning,) = low.warnings
-    assert "22050 Hz" in warning
-    assert "target game is 44100 Hz" in warning
-
-
-class TestSchema:
-    @pytest.mark.parametrize("text", [GAME, new_spec("44k1"), new_spec("48k")])
-    def test_valid_specs_pass(self, text):
-        jsonschema_rs.validator_for(schema()).validate(parse_spec(text).tables)
-
-    @pytest.mark.parametrize(
-        "tables",
-        [
-            {"name": "no format"},
-            {"format": 1, "limits": {"true_peak": -1}},
-            {"format": 1, "accept": {"channels": []}},
-            {"format": 1, "targets": {"PC": {"sample_rate_hz": 48000, "bit_depth": 16}}},
-            {"format": 1, "naming": {"grammar": "latin"}},
-            {"format": 1, "naming": {"tokens": [{"digits": 2}]}},
-            {"format": 1, "metadata": {"required": ["Originator"]}},
-            {"format": 1, "targets": {"pc": {"sample_rate_hz": 48000}}},
-        ],
-    )
-    def test_invalid_specs_fail(self, tables):
-        assert not jsonschema_rs.validator_for(schema()).is_valid(tables)
-
-    def test_every_key_of_the_format_is_read(self):
-        assert set(schema()["properties"]) == set(spec_keys.SPEC.keys)
-
-
-class TestTargetKeys:
-    TARGET = "format = 1\n[targets.pc]\nsample_rate_hz = 48000\nbit_depth = 16\n"
-
-    def test_what_is_absent_changes_nothing_of_a_render(self):
-        target = parse_spec(self.TARGET).targets["pc"]
-        assert (target.mono_gains, target.chunks, target.shelf_db) == ((0.5, 0.5), "sound", 0.0)
-        assert (target.trim_below_dbfs, target.fade_in_ms, target.fade_out_ms) == (None, 0.0, 0.0)
-        assert (target.budget_bytes, target.codec_ratio, target.streamed) == (None, 1.0, False)
-
-    def test_what_is_said_is_read_and_written_again(self):
-        said = (
-            'mono_gains = [0.7, 0.3]\nchunks = "all"\nshelf_db = "auto"\ntrim_below_dbfs = -60\nfade_in_ms = 1\n'
-            "fade_out_ms = 5\nbudget_bytes = 8000000\ncodec_ratio = 4\nstreamed = true\nstream_buffer_bytes = 4096\n"
-        )
-        spec = parse_spec(self.TARGET + said)
-        target = spec.targets["pc"]
-        assert (target.mono_gains, target.chunks, target.shelf_db) == ((0.7, 0.3), "all", "auto")
-        assert (target.trim_below_dbfs, target.fade_in_ms, target.fade_out_ms) == (-60.0, 1.0, 5.0)
-        assert (target.budget_bytes, target.codec_ratio) == (8_000_000, 4.0)
-        assert (target.streamed, target.stream_buffer_bytes) == (True, 4_096)
-        assert parse_spec(spec.to_toml()).sha256 == spec.sha256
-
-    def test_a_category_lifts_what_the_target_cuts(self):
-        spec = parse_spec(self.TARGET + 'trim_below_dbfs = -60\n[categories.amb]\ntargets.pc.trim_below_dbfs = "any"\n')
-        assert spec.for_category("amb").targets["pc"].trim_below_dbfs is None
-
-    @pytest.mark.parametrize(
-        ("line", "key", "words"),
-        [
-            ("mono_gains = [0.5]", "mono_gains", "two numbers"),
-            ('shelf_db = "any"', "shelf_db", 'a number or "auto"'),
-            ("shelf_db = 12", "shelf_db", "outside 0 to 6"),
-            ('chunks = "none"', "chunks", "one of sound, all"),
-            ("codec_ratio = 0.5", "codec_ratio", "outside 1 to 100"),
-            ('fade_in_ms = "any"', "fade_in_ms", "wanted a number, found"),
-        ],
-    )
-    def test_what_is_refused(self, line, key, words):
-        with pytest.raises(SpecError, match=words) as wrong:
-            parse_spec(self.TARGET + line)
-        assert wrong.value.where == f"spec.toml: targets.pc.{key}"
 
 
 class TestFolders:
