@@ -23,7 +23,6 @@ import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { Face } from '@/ui/Face'
 import { ago, length } from '@/ui/format'
-import { Icon } from '@/ui/Icon'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { State } from '@/ui/State'
 
@@ -31,6 +30,7 @@ import { type CameBack, type Change, type Finding, useRecheck } from './api'
 import { Conversation } from './Conversation'
 import { FixAll } from './FixAll'
 import classes from './CameBack.module.css'
+import { FindingRow } from './FindingRow'
 import type { DeskList } from './pages'
 
 interface CameBackProps {
@@ -287,38 +287,6 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
       )}
       <Refusal error={recheck.error} />
     </article>
-  )
-}
-
-function FindingRow({ finding, onHear }: { finding: Finding; onHear?: () => void }) {
-  const { head, rest, where } = wordsOf(finding)
-  const isError = finding.severity === 'error'
-  return (
-    <li className={`${classes.finding} tone-${isError ? 'bad' : 'warn'}`}>
-      <span className={classes.icon}>
-        <Icon name={isError ? 'back' : 'triangle'} />
-      </span>
-      <span className="strong toned">
-        <span className="visually-hidden">{isError ? 'Error: ' : 'Warning: '}</span>
-        {head}
-      </span>
-      <span className={`mid ${classes.rest}`}>
-        {rest}{' '}
-        {where !== '' &&
-          (onHear ? (
-            <button type="button" className={`link mono small ${classes.where}`} onClick={onHear}>
-              <span className="visually-hidden">Play from </span>
-              {where}
-            </button>
-          ) : (
-            <span className="mono small nowrap">{where}</span>
-          ))}
-      </span>
-      <a className="link small mid" href={`/checks/${finding.check}`} target="_blank" rel="noreferrer">
-        {finding.check}
-        <span className="visually-hidden">, about this check, in a new tab</span>
-      </a>
-    </li>
   )
 }
 

@@ -1,11 +1,13 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { describe, expect, test } from 'vitest'
+import { beforeAll, describe, expect, test } from 'vitest'
 
 import { atDesk, CHANGED, CUE, DESK, FINDINGS, RETURNED, UNMATCHED, WARP } from '@/test/desk'
 import { openApp } from '@/test/openApp'
 import { answer, type Answers, serve, wrote } from '@/test/server'
 import { aFix, someSounds } from '@/test/take'
+
+beforeAll(() => import('./DeskPage'))
 
 describe('what came back', () => {
   test('stands with its findings, errors first, each with figure, limit, what to do and its page', async () => {

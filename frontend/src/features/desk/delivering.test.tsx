@@ -2,11 +2,13 @@ import { File as NodeFile } from 'node:buffer'
 
 import { fireEvent, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { describe, expect, test } from 'vitest'
+import { beforeAll, describe, expect, test } from 'vitest'
 
 import { atDesk, CUE, DELIVERY, UNMATCHED, WARP } from '@/test/desk'
 import { openApp } from '@/test/openApp'
 import { answer, refusal, serve } from '@/test/server'
+
+beforeAll(() => import('./DeskPage'))
 
 const choose = (label: string, files: NodeFile[]) => {
   const field = screen.getByLabelText(label)

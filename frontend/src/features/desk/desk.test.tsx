@@ -1,10 +1,12 @@
 import { screen, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { describe, expect, test } from 'vitest'
+import { beforeAll, describe, expect, test } from 'vitest'
 
 import { atDesk, CHANGED, DESK, ME, RETURNED, STING, toMake } from '@/test/desk'
 import { openApp } from '@/test/openApp'
 import { answer, refusal, serve, wrote } from '@/test/server'
+
+beforeAll(() => import('./DeskPage'))
 
 test('what waits with the approver says when it counts as accepted without a verdict', async () => {
   serve(atDesk())

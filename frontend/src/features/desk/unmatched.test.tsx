@@ -1,10 +1,12 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { describe, expect, test } from 'vitest'
+import { beforeAll, describe, expect, test } from 'vitest'
 
 import { aGuess, atDesk, CUE, DESK, STING, UNMATCHED, WARP } from '@/test/desk'
 import { openApp } from '@/test/openApp'
 import { type Answers, refusal, serve } from '@/test/server'
+
+beforeAll(() => import('./DeskPage'))
 
 const MOVED = {
   id: 'a1',

@@ -1,0 +1,38 @@
+import { wordsOf } from '@/judging/findings'
+import { Icon } from '@/ui/Icon'
+
+import { type Finding } from './api'
+import classes from './CameBack.module.css'
+
+/** One finding of a version that came back: its figure and limit, what to do, and its page. */
+export function FindingRow({ finding, onHear }: { finding: Finding; onHear?: () => void }) {
+  const { head, rest, where } = wordsOf(finding)
+  const isError = finding.severity === 'error'
+  return (
+    <li className={`${classes.finding} tone-${isError ? 'bad' : 'warn'}`}>
+      <span className={classes.icon}>
+        <Icon name={isError ? 'back' : 'triangle'} />
+      </span>
+      <span className="strong toned">
+        <span className="visually-hidden">{isError ? 'Error: ' : 'Warning: '}</span>
+        {head}
+      </span>
+      <span className={`mid ${classes.rest}`}>
+        {rest}{' '}
+        {where !== '' &&
+          (onHear ? (
+            <button type="button" className={`link mono small ${classes.where}`} onClick={onHear}>
+              <span className="visually-hidden">Play from </span>
+              {where}
+            </button>
+          ) : (
+            <span className="mono small nowrap">{where}</span>
+          ))}
+      </span>
+      <a className="link small mid" href={`/checks/${finding.check}`} target="_blank" rel="noreferrer">
+        {finding.check}
+        <span className="visually-hidden">, about this check, in a new tab</span>
+      </a>
+    </li>
+  )
+}

@@ -1,0 +1,55 @@
+import { useNavigate } from '@tanstack/react-router'
+
+import { Dialog } from '@/app/Dialog'
+import { money } from '@/money/words'
+import { Button } from '@/ui/Button'
+
+import { type ComparedBid, type Comparison, useAward } from './api'
+import classes from './Hiring.module.css'
+import { Refusal } from './Refusal'
+
+interface AwardDialogProps {
+  comparison: Comparison
+  bid: ComparedBid
+  projectId: string
+  onClose: () => void
+}
+
+/** Names who gets which email, before anything happens. */
+export function AwardDialog({ comparison, bid, projectId, onClose }: AwardDialogProps) {
+  const award = useAward(comparison.posting_id)
+  const navigate = useNavigate()
+  const others = comparison.bids.filter(({ id }) => id !== bid.id).map(({ designer }) => designer.name)
+  const send = () => {
+    if (award.isPending) return
+    award.mutate(bid.id, {
+      onSuccess: ({ contract_id: contractId }) =>
+        void navigate({ to: '/projects/$projectId/contracts/$contractId/draft', params: { projectId, contractId } }),
+    })
+  }
+  return (
+    <Dialog title={`Award ${comparison.title} to ${bid.designer.name}?`} opened onClose={onClose}>
+      <div className={classes.dialog}>
+        <p>{`${bid.designer.name} gets an email that the bid was chosen, and joins the project.`}</p>
+        {others.length > 0 && (
+          <p>{`${others.join(', ')}: thanked by email, and informed that another bid was chosen.`}</p>
+        )}
+        <p>{`A draft contract over ${money(bid.total_minor, comparison.currency)} opens. Nothing is signed.`}</p>
+        {bid.missing.length > 0 && (
+          <p className="tone-warn">
+            <span className="toned">{`This bid is without ${bid.missing.join(', ')}.`}</span>
+          </p>
+        )}
+        <Refusal error={award.error} />
+        <div className="row">
+          <Button data-autofocus onClick={onClose}>
+            Not yet
+          </Button>
+          <Button variant="primary" aria-busy={award.isPending} onClick={send}>
+            Award
+          </Button>
+        </div>
+      </div>
+    </Dialog>
+  )
+}
