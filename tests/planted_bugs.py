@@ -60,7 +60,7 @@ TESTED_BY = {
     "audio_checks/audit/statuses.py": "tests/audio_checks/audit/test_audit.py",
     "audio_checks/checks/duration.py": "tests/audio_checks/checks/test_duration.py",
     "audio_checks/checks/variation_set.py": "tests/audio_checks/checks/test_variation_set.py",
-    "audio_checks/cli/outputs.py": "tests/audio_checks/cli/test_cli.py tests/audio_checks/cli/test_measure_and_render.py",
+    "audio_checks/cli/outputs.py": "tests/audio_checks/cli/test_measure_and_render.py",
     "audio_checks/fixing/plan.py": "tests/audio_checks/fixing/test_fix_master.py",
     "audio_checks/judge/lossy.py": "tests/audio_checks/judge/test_lossy.py",
     "audio_checks/judge/reversed.py": "tests/audio_checks/judge/test_reversed.py",
