@@ -10,7 +10,7 @@ import { ProblemNote } from '@/ui/ProblemNote'
 
 import { useAnswerNote } from './api'
 import { type Carried, isAnswered } from './carried'
-import classes from './Review.module.css'
+import classes from './Side.module.css'
 
 interface CarriedNotesProps {
   carried: readonly Carried[]

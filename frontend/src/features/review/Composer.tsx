@@ -11,7 +11,7 @@ import { Key } from '@/ui/Key'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import type { useComment } from './api'
-import classes from './Review.module.css'
+import classes from './Side.module.css'
 
 /** A comment that is being written, and where in the sound it stands. */
 export interface Writing {

@@ -4,7 +4,7 @@ import type { ReviewTake } from '@/judging/api'
 import { channels, figure, level, milliseconds, rate } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 
-import classes from './Review.module.css'
+import classes from './Side.module.css'
 
 const numberOf = (value: unknown): number | null => (typeof value === 'number' ? value : null)
 

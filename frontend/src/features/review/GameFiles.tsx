@@ -5,7 +5,7 @@ import { sentence } from '@/judging/words'
 import { LossPanel } from '@/losses'
 import { Segmented } from '@/ui/Segmented'
 
-import classes from './Review.module.css'
+import classes from './Side.module.css'
 
 /** What each game file of a version lost against its master: one target at a time. */
 export function GameFiles({ take: { renders } }: { take: ReviewTake }) {

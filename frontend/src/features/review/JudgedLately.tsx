@@ -4,7 +4,7 @@ import { Link } from '@tanstack/react-router'
 import { State } from '@/ui/State'
 
 import { judgedQuery } from './api'
-import classes from './Review.module.css'
+import classes from './Queue.module.css'
 
 /** What was decided within a week, each still there to be heard again. */
 export function JudgedLately({ projectId }: { projectId: string }) {

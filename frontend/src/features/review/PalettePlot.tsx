@@ -4,7 +4,7 @@ import type { ReviewTake } from '@/judging/api'
 import { level } from '@/ui/format'
 
 import { paletteQuery } from './api'
-import classes from './Review.module.css'
+import classes from './Side.module.css'
 
 interface PalettePlotProps {
   projectId: string

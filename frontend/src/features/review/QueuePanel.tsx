@@ -16,7 +16,7 @@ import { KeysLine } from '@/ui/KeysLine'
 import { useLazy } from '@/ui/useLazy'
 
 import { JudgedLately } from './JudgedLately'
-import classes from './Review.module.css'
+import classes from './Queue.module.css'
 
 const loadFilters = () => import('./QueueFilters').then(({ QueueFilters }) => QueueFilters)
 

@@ -26,7 +26,7 @@ import type { Carried } from './carried'
 import { Composer, type Writing } from './Composer'
 import { Figures } from './Figures'
 import { PalettePlot } from './PalettePlot'
-import classes from './Review.module.css'
+import classes from './Side.module.css'
 import type { Said } from './said'
 
 interface SidePanelProps {

@@ -8,7 +8,7 @@ import { Button } from '@/ui/Button'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import { useWaive } from './api'
-import classes from './Review.module.css'
+import classes from './Side.module.css'
 
 interface WaiverProps {
   take: ReviewTake
