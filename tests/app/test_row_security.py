@@ -1,28 +1,19 @@
 """The second lock: with the first taken away, PostgreSQL still shows each tenant their own rows and no others."""
 
-import json
 from collections.abc import Iterator
 from datetime import UTC, date, datetime, time
-from pathlib import Path
 from typing import Any
 from uuid import UUID
 
-import psycopg
 import pytest
 import sqlalchemy as sa
-from anyio.from_thread import start_blocking_portal
 from psycopg import sql
 from sqlalchemy.orm import Session
 
 from app import tables  # noqa: F401
 from app.kit.db import Base, Database, UtcDateTime, bypass_row_policies, new_id, widen_reach
-from app.kit.health import NotReady
 from app.kit.reach import NOBODY, Reach
-from app.kit.runtime import Runtime
-from app.main import create_app
 from app.migrate import migrate
-from app.projects import queries
-from app.projects.models import Project
 from app.row_security import (
     ADD_ONLY,
     DESIGNERS_READ,
@@ -32,15 +23,10 @@ from app.row_security import (
     SERVERS_OWN,
     TEAMS_OWN,
     UNGUARDED,
-    CannotGuardRows,
     condition,
-    ensure_rows_are_guarded,
-    guard_rows,
 )
-from app.settings import Settings
 from app.shares.rules import ViewedPage
-from tests.support.postgres import OWNER, Postgres
-from tests.support.server import RunningServer, World
+from tests.support.postgres import Postgres
 
 GUARDED = sorted(set(Base.metadata.tables) - UNGUARDED - ADD_ONLY - SERVERS_OWN)
 TENANT = sorted(set(GUARDED) - PERSONAL)
@@ -387,98 +373,3 @@ def test_who_fails_beyond_reach_comes_back_with_nothing(database: Database):
         with pytest.raises(ZeroDivisionError):
             fail_in(session)
         assert seen(session, "projects_projects") == set()
-
-
-@pytest.fixture(scope="module")
-def server(postgres: Postgres, tmp_path_factory: pytest.TempPathFactory) -> Iterator[RunningServer]:
-    """The web application on a database of its own, without a worker."""
-    settings = Settings(
-        data_dir=tmp_path_factory.mktemp("data"),
-        secret_key="only for tests",
-        database_url=postgres.new_database("second_lock"),
-    )
-    runtime = Runtime.of(settings)
-    migrate(runtime.database)
-    with start_blocking_portal() as portal:
-        yield RunningServer(runtime, create_app(runtime), portal)
-    runtime.close()
-
-
-def test_a_forgotten_where_shows_no_other_studio(server: RunningServer, monkeypatch: pytest.MonkeyPatch):
-    def forgetful(session: Session, *_: Any, **__: Any) -> list[Project]:
-        return list(session.scalars(sa.select(Project).options(sa.orm.joinedload(Project.studio))))
-
-    monkeypatch.setattr(queries, "projects_seen", forgetful)
-    world, other = World(server), World(server)
-    for browser, mine in (
-        (world.producer, {str(world.project_id)}),
-        (world.designer, {str(world.project_id)}),
-        (other.producer, {str(other.project_id)}),
-        (world.stranger, set()),
-    ):
-        assert {each["id"] for each in browser.get("/v1/projects").json()["items"]} == mine
-
-
-def test_an_answer_kept_for_a_key_is_not_seen_by_the_request_that_keeps_it(server: RunningServer):
-    world = World(server)
-    headers = {"Idempotency-Key": "a key of mine"}
-    asked = [
-        world.designer.post(f"/v1/projects/{world.project_id}/deliveries", json={"note": "first"}, headers=headers)
-        for _ in range(2)
-    ]
-    assert [answer.status_code for answer in asked] == [201, 201]
-    assert asked[0].json() == json.loads(asked[1].text)
-
-
-@pytest.fixture(scope="module")
-def runtime(postgres: Postgres, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Runtime]:
-    url = postgres.new_database("set_up")
-    runtime = Runtime.of(Settings(data_dir=tmp_path_factory.mktemp("data"), database_url=url))
-    migrate(runtime.database)
-    yield runtime
-    runtime.close()
-
-
-class TestSetUp:
-    """What is wrong with logins and roles is said in words."""
-
-    def test_a_guarded_database_is_ready_and_left_as_it_is(self, runtime: Runtime):
-        ensure_rows_are_guarded(runtime)
-        said: list[str] = []
-        sa.event.listen(
-            runtime.database.engine, "before_cursor_execute", lambda _c, _k, statement, *_: said.append(statement)
-        )
-        guard_rows(runtime.database)
-        assert said
-        assert not [statement for statement in said if "create policy" in statement]
-
-    @pytest.mark.usefixtures("runtime")
-    def test_another_login_is_noticed(self, postgres: Postgres, tmp_path: Path):
-        with postgres.superuser("set_up") as connection:
-            connection.execute("create role stranger login in role soundlist_request")
-        url = postgres.url("set_up").replace(OWNER, "stranger", 1)
-        other = Runtime.of(Settings(data_dir=tmp_path, database_url=url))
-        with pytest.raises(NotReady, match="does not own the tables"):
-            ensure_rows_are_guarded(other)
-        other.close()
-
-    def test_lost_policies_are_noticed(self, postgres: Postgres, runtime: Runtime):
-        with postgres.superuser("set_up") as connection:
-            connection.execute("alter table accounts_studios disable row level security")
-        with pytest.raises(NotReady, match="run: soundlist migrate"):
-            ensure_rows_are_guarded(runtime)
-
-    def test_a_login_without_the_right_says_what_an_administrator_types(self, postgres: Postgres):
-        with postgres.superuser() as connection:
-            connection.execute("create role modest login")
-        postgres.new_database("modest")
-        with postgres.superuser("modest") as connection:
-            connection.execute("alter database modest owner to modest")
-        database = Database(postgres.url("modest").replace(OWNER, "modest", 1))
-        with pytest.raises(CannotGuardRows, match='grant soundlist_request to "modest"') as refusal:
-            guard_rows(database)
-        typed = str(refusal.value).partition(": ")[2].partition(";")[2]
-        with psycopg.connect(host=str(postgres.folder), user="postgres", dbname="modest", autocommit=True) as admin:
-            admin.execute(typed)
-        migrate(database)
-        database.dispose()

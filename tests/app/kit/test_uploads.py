@@ -1,7 +1,6 @@
 """Nothing that was acknowledged is ever lost, wherever the process or the line breaks."""
 
 import asyncio
-import fcntl
 import hashlib
 import os
 import resource
@@ -16,7 +15,6 @@ import pytest
 
 from app.kit import kill_points
 from app.kit.db import Base, Database, new_id
-from app.kit.errors import Conflict
 from app.kit.storage import FolderStore
 from app.kit.uploads import (
     CHECKSUMS,
@@ -328,72 +326,6 @@ def test_an_unfinished_upload_is_no_file_yet(incoming: Uploads, database: Databa
     upload = send(incoming, begun(incoming), 0, CONTENT[:-1])
     with database.writing() as session, pytest.raises(UploadUnfinished):
         finished_upload(session, upload.id, owner_id=OWNER, scope="delivery")
-
-
-def test_given_up_is_gone(incoming: Uploads, store: FolderStore) -> None:
-    upload = send(incoming, begun(incoming), 0, CONTENT[:100])
-    incoming.give_up(upload)
-    assert staged(store) == []
-    with pytest.raises(UploadNotFound):
-        find(incoming, upload)
-    with pytest.raises(UploadNotFound):
-        send(incoming, upload, 100, CONTENT[100:])
-
-
-def test_a_finished_file_cannot_be_given_up(incoming: Uploads, store: FolderStore) -> None:
-    upload = send(incoming, begun(incoming), 0, CONTENT)
-    with pytest.raises(Conflict):
-        incoming.give_up(upload)
-    assert store.read(STUDIO, SHA256) == CONTENT
-
-
-def test_the_sweep_takes_what_expired_and_nothing_else(incoming: Uploads, store: FolderStore) -> None:
-    week_s = uploads.KEPT_FOR.total_seconds()
-    expired, fresh, busy = (send(incoming, begun(incoming), 0, CONTENT[:9]) for _ in range(3))
-    finished = send(incoming, begun(incoming), 0, CONTENT)
-    paths = {path.name: path for path in staged(store)}
-    grow_old(paths[str(expired.id)], week_s + 60)
-    grow_old(paths[str(fresh.id)], week_s - 60)
-    grow_old(paths[str(busy.id)], week_s + 60)
-    crashed_put = store.root / ".put-crashed"
-    crashed_put.write_bytes(b"half")
-    half_made, being_made = store.root / ".making-crashed", store.root / ".making-now"
-    for folder in (half_made, being_made):
-        folder.mkdir()
-        (folder / "render.wav").write_bytes(b"half")
-    for orphaned in (crashed_put, half_made):
-        grow_old(orphaned, uploads.ORPHANED_AFTER.total_seconds() + 60)
-    with paths[str(busy.id)].open("rb") as held:
-        fcntl.flock(held, fcntl.LOCK_EX)
-        assert incoming.sweep() == 3
-    assert {path.name for path in staged(store)} == {str(fresh.id), str(busy.id)}
-    assert not crashed_put.exists()
-    assert not half_made.exists()
-    assert (being_made / "render.wav").exists()
-    with pytest.raises(UploadNotFound):
-        find(incoming, expired)
-    assert find(incoming, finished).sha256 == SHA256
-    assert incoming.offset(find(incoming, fresh)) == 9
-
-
-def test_the_sweep_forgets_rows_whose_file_was_never_made(
-    incoming: Uploads, store: FolderStore, database: Database
-) -> None:
-    lost, fresh = begun(incoming), begun(incoming)
-    for path in staged(store):
-        path.unlink()
-    with database.writing() as session:
-        session.get_one(Upload, lost.id).created_at -= uploads.ROWS_KEPT_FOR
-    incoming.sweep()
-    with database.reading() as session:
-        assert session.get(Upload, lost.id) is None
-        assert session.get(Upload, fresh.id) is not None
-
-
-def test_the_file_says_when_it_expires(incoming: Uploads) -> None:
-    expires_at = incoming.expires_at(begun(incoming))
-    assert expires_at is not None
-    assert expires_at.timestamp() == pytest.approx(time.time() + uploads.KEPT_FOR.total_seconds(), abs=5)
 
 
 def test_too_long_for_one_file(incoming: Uploads, store: FolderStore) -> None:

@@ -1,16 +1,14 @@
-"""Pictures and game files of real takes, made by the real worker."""
+"""Game files of real takes, made by the real worker."""
 
 import hashlib
 import io
 import wave
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any
 from uuid import UUID
 
-import numpy as np
 import pytest
-import soundfile
 from sqlalchemy import func, select, update
 from sqlalchemy.orm import Session, joinedload
 
@@ -19,18 +17,16 @@ from app.conformance.models import CheckRun
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit import kill_points
-from app.kit.blob_response import IMMUTABLE
 from app.kit.db import new_id
 from app.kit.queue import queue_of
 from app.projects.models import Spec
 from app.projects.queries import current_spec
-from app.renders import children, drawing, making, queries, service, take_jobs
+from app.renders import drawing, queries, service, take_jobs
 from app.renders.models import Picture, Render, RenderSet
 from app.sound_lists.models import Cue
-from tests.app.renders.making import add_cue, deliver, deliver_sound
+from tests.app.renders.making import add_cue, deliver_sound
 from tests.support.server import RunningServer, World
-from tests.support.waiting import until
-from tests.support.waves import join, silence, sine, wav_bytes
+from tests.support.waves import sine
 
 
 def sounds(world: World, take_id: str) -> dict[str, Any]:
@@ -69,78 +65,6 @@ def test_a_conforming_take_gets_a_game_file_for_each_target(world: World) -> Non
         assert one["attenuation_db"] == 0
 
 
-def test_thumb_peaks_and_spectrum_show_the_sound(world: World) -> None:
-    add_cue(world, "beep")
-    half = sine(hz=1_000, dbfs=-6.02, rate=96_000, seconds=0.5)
-    take_id = deliver_sound(world, "beep.wav", join(half, silence(rate=96_000, seconds=0.05)))
-    master = sounds(world, take_id)["master"]
-    thumb = master["thumb"]
-    assert thumb["points"] == len(thumb["min"]) == len(thumb["max"]) == len(thumb["rms"]) == 160
-    # Half of full scale is 63.5 of 127, its RMS 44.9; the last eleventh is silence.
-    assert max(thumb["max"]) in (63, 64)
-    assert thumb["rms"][40] in (44, 45)
-    assert thumb["max"][150:] == [0] * 10
-    peaks = world.designer.get(master["peaks_url"])
-    assert peaks.headers["cache-control"] == "private, max-age=31536000, immutable"
-    shape = peaks.json()
-    assert shape["points"] == len(shape["rms"]) == 4096
-    assert max(shape["max"]) / shape["full_scale"] == pytest.approx(0.5, abs=0.001)
-    assert shape["duration_s"] == pytest.approx(0.55)
-    # A tone of half full scale for ten elevenths of the time: −6.02 − 3.01 − 0.41 dBFS.
-    bands = dict(zip(shape["bands"]["hz"], shape["bands"]["dbfs"], strict=True))
-    loudest = max(bands, key=lambda hz: bands[hz] or -999.0)
-    assert (900 < loudest < 1_100, bands[loudest]) == (True, pytest.approx(-9.4, abs=0.1))
-    assert 42_000 < max(bands) < 48_000
-    spectrum = world.designer.get(master["spectrum_url"])
-    assert spectrum.headers["content-type"] == "image/png"
-    assert spectrum.content.startswith(b"\x89PNG")
-    assert int.from_bytes(spectrum.content[16:20]) <= 1_000
-    assert int.from_bytes(spectrum.content[20:24]) == 128
-
-
-def test_the_preview_plays_in_parts(world: World) -> None:
-    add_cue(world, "beep")
-    take_id = deliver_sound(world, "beep.wav", sine(hz=1_000, dbfs=-6, rate=96_000, seconds=0.5))
-    address = sounds(world, take_id)["master"]["preview_url"]
-    whole = world.reviewer.get(address)
-    assert whole.headers["content-type"] == "audio/wav"
-    with wave.open(io.BytesIO(whole.content)) as sound:
-        assert (sound.getframerate(), sound.getsampwidth(), sound.getnframes()) == (48_000, 2, 24_000)
-    part = world.reviewer.get(address, headers={"Range": "bytes=100-199"})
-    assert part.status_code == 206
-    assert part.headers["content-range"] == f"bytes 100-199/{len(whole.content)}"
-    assert part.content == whole.content[100:200]
-
-
-def test_a_light_preview_is_as_long_as_the_sound_and_a_small_sound_is_sent_as_it_is(world: World) -> None:
-    add_cue(world, "beep")
-    add_cue(world, "tick")
-    long_id = deliver_sound(world, "beep.wav", sine(hz=1_000, dbfs=-6, rate=96_000, seconds=7.0), rate=96_000)
-    short_id = deliver_sound(world, "tick.wav", sine(hz=1_000, dbfs=-6, seconds=0.1))
-    exact_url, short_url = (sounds(world, one)["master"]["preview_url"] for one in (long_id, short_id))
-    exact, light = world.reviewer.get(exact_url), world.reviewer.get(f"{exact_url}?light=true")
-    assert (light.headers["content-type"], light.headers["cache-control"]) == ("audio/ogg", IMMUTABLE)
-    assert len(light.content) < len(exact.content) / 4
-    heard, _ = soundfile.read(io.BytesIO(light.content))
-    played, rate_hz = soundfile.read(io.BytesIO(exact.content))
-    assert (len(heard), rate_hz) == (len(played), 48_000)
-    # At the same samples: moved by a single one, this tone would differ by 13 % of its level.
-    assert np.sqrt(np.mean((heard - played)[1_000:-1_000] ** 2)) < 0.05 * np.sqrt(np.mean(played**2))
-    part = world.reviewer.get(f"{exact_url}?light=true", headers={"Range": "bytes=0-99"})
-    assert (part.status_code, part.content) == (206, light.content[:100])
-    small = world.reviewer.get(f"{short_url}?light=true")
-    assert (small.headers["content-type"], small.content) == ("audio/wav", world.reviewer.get(short_url).content)
-    assert world.stranger.get(f"{exact_url}?light=true").status_code == 404
-
-
-def test_what_plays_already_is_its_own_preview(world: World) -> None:
-    add_cue(world, "beep")
-    content = wav_bytes(sine(hz=1_000, dbfs=-6, rate=44_100, seconds=0.2), rate=44_100, bits=16)
-    (take,) = deliver(world, ("beep.wav", content))
-    world.server.wait_for_jobs()
-    assert world.designer.get(sounds(world, take["id"])["master"]["preview_url"]).content == content
-
-
 def test_a_target_above_the_master_is_refused_with_a_reason(world: World) -> None:
     add_spec(world, "[targets.trailer]\nsample_rate_hz = 48000\nbit_depth = 24\n")
     add_cue(world, "beep")
@@ -163,14 +87,6 @@ def test_a_returned_take_is_drawn_and_not_rendered(world: World) -> None:
     heard = sounds(world, take_id)
     assert heard["master"]["state"] == "drawn"
     assert {one["state"] for one in heard["renders"]} == {"waiting"}
-
-
-def test_what_cannot_be_read_is_said_to_be_undrawable(world: World) -> None:
-    add_cue(world, "hit")
-    (take,) = deliver(world, ("hit.wav", b"ID3\x04 this is not a WAV file"))
-    world.server.wait_for_jobs()
-    master = sounds(world, take["id"])["master"]
-    assert (master["state"], master["preview_url"], master["thumb"]) == ("undrawable", None, None)
 
 
 def add_spec(world: World, toml_end: str) -> None:
@@ -317,33 +233,6 @@ def test_a_spec_that_moved_on_meanwhile_leaves_the_set_open(world: World) -> Non
     assert server.in_database(lambda session: session.get(RenderSet, take_id).edition) == 0  # says nothing of the newer
 
 
-class Interrupted(Exception):
-    """Simulates a worker that dies."""
-
-
-def test_a_job_that_dies_after_the_verdict_draws_when_it_comes_again(
-    world: World, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Its verdict is seen before anything is drawn; the next attempt makes the rest and checks nothing again."""
-    add_cue(world, "beep")
-    found: list[str] = []
-
-    def interrupt(point: str) -> None:
-        if point == "renders.before_render" and not found:
-            of_it = select(CheckRun.verdict).where(CheckRun.studio_id == world.studio_id)
-            verdict = world.server.in_database(lambda session: session.scalars(of_it).one())
-            found.append(f"{verdict}, {count(world.server, Picture.studio_id == world.studio_id)} drawn")
-            monkeypatch.setattr(audio_checks, "check_file", None)  # nobody may ask for it again
-            raise Interrupted
-
-    monkeypatch.setattr(kill_points, "point", interrupt)
-    take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
-    until(lambda: sounds(world, take_id)["master"]["state"] == "drawn")
-    assert found == ["conforming, 0 drawn"]
-    assert [one["state"] for one in sounds(world, take_id)["renders"]] == ["made", "made"]
-    assert count(world.server, CheckRun.take_id == UUID(take_id)) == 1
-
-
 def test_one_child_does_all_of_a_take(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     add_cue(world, "beep")
     fork, forked = audio_checks.Sandbox._fork, []
@@ -376,32 +265,6 @@ def test_a_job_of_an_earlier_version_is_still_taken(world: World) -> None:
     assert world.designer.get(f"/v1/takes/{take_id}").json()["state"] == "conforming"
 
 
-class FailingTogether(audio_checks.SandboxChild):
-    """A child that fails as long as more than one thing is to be made."""
-
-    asked: ClassVar[list[list[str]]] = []
-
-    def call(self, function: Any, /, *given: Any, **more: Any) -> Any:
-        if function is drawing.prepare:
-            parts = [*given[2], *(["the master"] if more["draws_master"] else [])]
-            self.asked.append(parts)
-            if len(parts) > 1:
-                raise audio_checks.SandboxCrashed("too much at once")
-        return super().call(function, *given, **more)
-
-
-def test_what_fails_together_is_made_one_by_one(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
-    sandbox = children.sandbox()
-    monkeypatch.setattr(sandbox, "child", lambda **given: FailingTogether(sandbox, timeout_s=60.0, **given))
-    FailingTogether.asked.clear()
-    add_cue(world, "beep")
-    heard = sounds(world, deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2)))
-    assert FailingTogether.asked == [["game", "handheld", "the master"], ["game"], ["handheld"], ["the master"]]
-    assert heard["master"]["state"] == "drawn"
-    assert [one["state"] for one in heard["renders"]] == ["made", "made"]
-    assert all(one["preview_url"] for one in (heard["master"], *heard["renders"]))
-
-
 def test_a_game_file_that_plays_as_the_preview_is_made_and_drawn_once(world: World, tmp_path: Path) -> None:
     add_cue(world, "beep")
     take_id = UUID(deliver_sound(world, "beep.wav", sine(hz=997, dbfs=-6, rate=44_100, seconds=0.2), rate=44_100))
@@ -423,34 +286,6 @@ def test_a_game_file_that_plays_as_the_preview_is_made_and_drawn_once(world: Wor
         drawing.SPECTRUM: master.spectrum_sha256,
         drawing.PREVIEW: master.preview_sha256,
     }
-
-
-def test_a_picture_that_an_earlier_version_asked_for_is_drawn(world: World) -> None:
-    add_cue(world, "beep")
-    (take,) = deliver(world, ("beep.wav", wav_bytes(sine(hz=997, seconds=0.1), rate=48_000, bits=24)))
-    server = world.server
-    with server.runtime.database.writing() as session:
-        server.runtime.queue.enqueue(
-            session, "renders.draw_take", {"take_id": take["id"]}, key="of-old", studio_id=world.studio_id
-        )
-    server.wait_for_jobs()
-    unfinished = server.runtime.queue.unfinished(studio_id=world.studio_id)
-    assert "renders.draw_take" not in {job.name for job in unfinished}  # notices of the check may wait
-    assert count(server, Picture.studio_id == world.studio_id) == 3
-    assert sounds(world, take["id"])["master"]["state"] == "drawn"
-
-
-def test_a_renderer_that_fails_three_times_is_said_to_be_our_fault(
-    world: World, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(making, "TIMEOUT_S", 0.001)
-    add_cue(world, "beep")
-    take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
-    heard = sounds(world, take_id)
-    assert heard["master"]["state"] == "undrawable"
-    assert {one["refusal"] for one in heard["renders"]} == {making.OUR_FAULT}
-    queue = world.approver.get("/v1/review-queue", params={"project_id": str(world.project_id)}).json()
-    assert [take["id"] for item in queue["items"] for take in item["takes"]] == [take_id]
 
 
 def test_who_may_see_and_hear(world: World) -> None:
@@ -486,17 +321,6 @@ def test_a_designer_hears_only_their_own(world: World) -> None:
         assert world.designer.get(address).status_code == 404
         assert world.other_designer.get(address).status_code == 404  # made it, and is not engaged
         assert world.approver.get(address).status_code == 200
-
-
-def test_three_hundred_peaks_for_three_hundred_frames(world: World) -> None:
-    """A sound of fewer frames than points has one point a frame."""
-    add_cue(world, "tick")
-    samples = np.full((300, 1), 0.25)
-    (take,) = deliver(world, ("tick.wav", wav_bytes(samples, rate=48_000, bits=16)))
-    world.server.wait_for_jobs()
-    master = sounds(world, take["id"])["master"]
-    assert world.designer.get(master["peaks_url"]).json()["points"] == 300
-    assert set(master["thumb"]["max"]) == {32}
 
 
 def test_what_a_game_file_lost_is_shown_in_figures_and_spectra(world: World) -> None:
