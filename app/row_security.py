@@ -164,7 +164,7 @@ def ensure_rows_are_guarded(runtime: Runtime) -> None:
         except sa.exc.DBAPIError:
             raise NotReady(f"the login may not become the role {REQUEST_ROLE}; run: soundlist migrate") from None
         if not connection.scalar(active):
-            raise NotReady("row security does not hold the requests; run: soundlist migrate")
+            raise NotReady("row security does not apply to requests; run: soundlist migrate")
 
 
 def make_request_role(connection: sa.Connection) -> None:

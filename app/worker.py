@@ -71,7 +71,7 @@ def start_worker(runtime: Runtime) -> Worker:
         importlib.import_module(module)
     wanted = {name for names in rooms.SUBSCRIBERS.values() for name in names}
     if missing := wanted - job_names():
-        raise RuntimeError(f"nobody does the jobs {', '.join(sorted(missing))}")
+        raise RuntimeError(f"no worker runs the jobs {', '.join(sorted(missing))}")
     events.connect(rooms.SUBSCRIBERS, handlers=rooms.HANDLERS, low_priority=rooms.LOW_PRIORITY_JOBS)
     settings = runtime.settings
     worker = Worker(runtime, jobs_at_once=settings.worker_jobs, silent_s=settings.worker_silent_s)
@@ -101,7 +101,7 @@ def run(runtime: Runtime) -> None:
         try:
             request_chores(runtime)
         except SQLAlchemyError as error:
-            log.warning("chores could not be asked for", error=str(error))
+            log.warning("maintenance jobs could not be queued", error=str(error))
         if stopped.wait(CHORES_EVERY_S):
             break
     worker.stop()

@@ -222,7 +222,7 @@ def _sendable(session: Session, contract: Contract) -> tuple[ContractVersion, li
 
 
 def recall(session: Session, actor: Actor, contract_id: UUID, *, reason: str) -> None:
-    """Make a sent contract a draft again, for the studio to change; what was accepted of it counts no more."""
+    """Make a sent contract a draft again, for the studio to change; its acceptances no longer count."""
     contract = contract_to_change(session, actor, contract_id)
     ensure_state(contract.state, {ContractState.SENT}, way_on(contract.state, contract.kind))
     contract.state = ContractState.DRAFT

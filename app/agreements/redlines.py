@@ -82,7 +82,7 @@ def propose(
     sent = _sent_version(session, contract)
     if sent.number != version:
         raise TextChanged(
-            f"version {sent.number} stands now, and these changes are of version {version}; nothing was sent",
+            f"version {sent.number} is the newest, and these changes are of version {version}; nothing was sent",
             fix="reload the page and read what changed; what you wrote is kept",
         )
     clauses, terms = text_of(sent)
@@ -127,14 +127,14 @@ def changes_of_word_file(session: Session, actor: Actor, contract_id: UUID, word
     if word.origin is not None and word.origin.contract_id != str(contract.id):
         raise OtherContractsFile(
             "the file was made from another contract",
-            fix="upload it at the contract that it belongs to, or take this one out as a Word document",
+            fix="upload it at the contract that it belongs to, or download this one as a Word document",
         )
     number = word.origin.version if word.origin else sent.number
     made_from = queries.version_by_number(session, contract.id, number)
     if made_from is None or made_from.sent_at is None:
         raise OtherContractsFile(
             f"the file says that it was made from version {number}, and no such version was sent",
-            fix="take the version that stands out as a Word document, and make the changes in that file",
+            fix="download the current version as a Word document, and make the changes in that file",
         )
     clauses, terms = text_of(made_from)
     facts = facts_of(session, contract, terms_in_force(clauses, terms))

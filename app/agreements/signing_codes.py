@@ -79,7 +79,7 @@ def check(database: Database, actor: Actor, contract_id: UUID, text_sha256: str,
             needed = "a code is mailed to you, and your name counts with it; nothing was signed"
             return CodeCheck(refusal=SigningCodeNeeded(needed, fix="ask for the code, then type it"))
         if code is None or code.used_at is not None or code.expires_at <= clock.now():
-            return CodeCheck(refusal=SigningCodeOver("this code works no longer; nothing was signed", fix=ANOTHER))
+            return CodeCheck(refusal=SigningCodeOver("this code is no longer valid; nothing was signed", fix=ANOTHER))
         if code.tries >= CODE_TRIES:
             message = f"a code can be tried {CODE_TRIES} times; nothing was signed"
             return CodeCheck(refusal=SigningCodeOver(message, fix=ANOTHER))
@@ -97,6 +97,6 @@ def use(session: Session, check: CodeCheck) -> None:
         raise check.refusal
     code = session.get(SigningCode, check.code_id, with_for_update=True)
     if code is None or code.used_at is not None:
-        raise SigningCodeOver("this code works no longer; nothing was signed", fix=ANOTHER)
+        raise SigningCodeOver("this code is no longer valid; nothing was signed", fix=ANOTHER)
     code.used_at = clock.now()
     session.flush()

@@ -101,7 +101,7 @@ class _Reading:
         if not found:
             raise OtherContractsFile(
                 "no clause of this contract was found in the file",
-                fix="take the version out as a Word document here, and make the changes in that file",
+                fix="download the version as a Word document here, and make the changes in that file",
             )
         self._ensure_in_order(sections)
         self._find_bodies(sections, found)

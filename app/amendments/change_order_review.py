@@ -200,7 +200,7 @@ class Reviewer:
         )
 
     def plan(self) -> list[Planned]:
-        """Return the milestones as they stand; cues that were cut count no more."""
+        """Return the milestones as they stand; cues that were cut no longer count."""
         wanted = [one.milestone_id for one in self.covered.values() if one.cut_at is None]
         return [
             Planned(one.id, one.name, one.amount_minor, one.due_on, wanted.count(one.id), one.is_deposit)

@@ -165,7 +165,7 @@ def accept(
     if review.problems or _text(reviewer, order, review) != order.text:
         why = review.problems[0] if review.problems else "the plan that it changes is another one now"
         raise ChangeOrderStale(
-            f"this change order fits no longer: {why}",
+            f"this change order no longer fits: {why}",
             fix="the party that proposed it withdraws it and proposes another, the other party refuses it",
         )
     have_all_signed = sign(

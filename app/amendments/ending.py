@@ -182,7 +182,7 @@ def _open_notice(session: Session, contract: Contract) -> Notice:
     notice = queries.standing_notice(session, contract.id)
     if notice is None:
         _ensure_unsettled(session, contract)
-        raise NoNotice("no notice stands", fix="give notice; the statement is made from it")
+        raise NoNotice("no notice is in effect", fix="give notice; the statement is made from it")
     if notice.settled_at is not None:
         raise AlreadyEnded(
             "the notice took effect, and this contract is settled", fix="this is final: read the statement on its page"

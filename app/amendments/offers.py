@@ -40,7 +40,7 @@ def dismiss(session: Session, actor: Actor, reviewer: Reviewer, party: Party, ke
     known = {one.offer: one for one in offers(session, reviewer, party)}
     if key not in known:
         raise OfferSettled(
-            "this is offered no more: a change order has it, or your party dismissed it",
+            "this is no longer offered: a change order has it, or your party dismissed it",
             fix="propose a change order yourself where one is needed",
         )
     facts = {"offer": key, "what": known[key].text, "reason": reason, "party": party.value}

@@ -101,7 +101,7 @@ class AddCue(Schema):
 
 
 class CutCue(Schema):
-    """A cue that the contract covers no more: it is owed by the state of its work when both have agreed."""
+    """A cue that the contract no longer covers: it is owed by the state of its work when both have agreed."""
 
     kind: Literal["cut_cue"]
     cue_id: UUID

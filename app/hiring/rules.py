@@ -141,7 +141,7 @@ def ensure_takes_bids(state: PostingState, until: date | None, today: date) -> N
     """Raise PostingClosed unless bids can be sent."""
     if not takes_bids(state, until, today):
         raise PostingClosed(
-            "this posting takes no bids any more", fix="ask the studio to open it again; your draft is kept"
+            "this posting no longer takes bids", fix="ask the studio to open it again; your draft is kept"
         )
 
 

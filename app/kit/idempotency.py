@@ -140,7 +140,7 @@ def _replay(
     caller = None if authentication is None else authentication.authenticate(request)
     if saved.request_sha256 != request_sha256:
         raise IdempotencyKeyReused(
-            "this Idempotency-Key came before with another body; use a new key for a new request"
+            "this Idempotency-Key was used before with another body; use a new key for a new request"
         )
     with request.app.state.runtime.database.reading() as session:
         _ensure_still_may((saved.rights or "").split(), request.app.state.rights_of(session, caller))

@@ -249,7 +249,7 @@ def charge_late_interest(session: Session, actor: Actor, invoice_id: UUID) -> sc
     if accrued_minor <= charged_minor:
         raise NoInterestDue(
             f"{money(charged_minor, contract.currency)} of interest is charged, and no more is due",
-            fix="wait until the page shows more of it; a paid invoice bears none",
+            fix="wait until the page shows more of it; a paid invoice accrues none",
         )
     entry = Entry(
         LineKind.LATE_INTEREST,

@@ -24,6 +24,6 @@ class RetryPolicy:
         if failures >= self.tries:
             return False
         longest_s = min(self.max_delay_s, self.first_delay_s * 2 ** (failures - 1))
-        log.warning("the store is asked again", failures=failures, why=str(why).splitlines()[0][:300])
+        log.warning("the store is retried", failures=failures, why=str(why).splitlines()[0][:300])
         time.sleep(random.uniform(longest_s / 2, longest_s))
         return True

@@ -187,7 +187,7 @@ class Uploads:
     def give_up(self, upload: Upload) -> None:
         """Delete an unfinished upload; a finished one belongs to its take."""
         if upload.sha256 is not None:
-            raise Conflict("this file is wholly here; it cannot be taken back")
+            raise Conflict("this file is complete; it cannot be withdrawn")
         file = self._locked(upload, os.O_RDWR | os.O_CREAT)
         try:
             self._parts.forget(upload)

@@ -13044,7 +13044,7 @@ export interface components {
         };
         /**
          * CutCue
-         * @description A cue that the contract covers no more: it is owed by the state of its work when both have agreed.
+         * @description A cue that the contract no longer covers: it is owed by the state of its work when both have agreed.
          */
         CutCue: {
             /**

@@ -131,14 +131,14 @@ def _a_document_belongs_to_its_contract(parties: Parties) -> None:
     sent, other = parties.sent(), parties.contracts.send(parties.nda())
     document = taken_out(parties, other)
     refused = upload(parties, sent, document)
-    advised(refused, "other-contracts-file", "upload it at the contract that it belongs to, or take this one out")
+    advised(refused, "other-contracts-file", "upload it at the contract that it belongs to, or download this one")
     granted(upload(parties, other, document))
     own = taken_out(parties, sent)
     properties = parts_of(own)["docProps/custom.xml"].decode()
     number = sent["version"]["number"]
     assert f">{number}<" in properties
     later = with_parts(own, **{"docProps__custom.xml": properties.replace(f">{number}<", ">99<")})
-    advised(upload(parties, sent, later), "other-contracts-file", "take the version that stands out as a Word document")
+    advised(upload(parties, sent, later), "other-contracts-file", "download the current version as a Word document")
     stranger = word_document("# Zebras\n\n## 1. Stripes\n\nBlack and white.\n", [])
-    advised(upload(parties, sent, stranger), "other-contracts-file", "take the version out as a Word document here")
+    advised(upload(parties, sent, stranger), "other-contracts-file", "download the version as a Word document")
     granted(upload(parties, sent, own))

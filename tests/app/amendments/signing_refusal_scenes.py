@@ -103,7 +103,7 @@ def _a_party_signs_what_was_sent(parties: Parties) -> None:
 @scene("agreements.signing_codes.use SigningCodeOver")
 def _a_code_that_is_over_is_followed_by_another(parties: Parties) -> None:
     world = parties.world
-    with pytest.raises(SigningCodeOver, match="works no longer") as refused:  # of two requests at once, the later one
+    with pytest.raises(SigningCodeOver, match="is no longer valid") as refused:  # the second of two at once
         world.server.in_database(lambda session: use(session, CodeCheck(new_id())))
     assert refused.value.fix == "ask for another code"
     sent, other = parties.contracts.send(parties.planned()), parties.contracts.send(parties.nda())
