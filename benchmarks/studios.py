@@ -3,7 +3,7 @@
 import hashlib
 import json
 import random
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
 from datetime import datetime, timedelta
 from functools import cache
@@ -100,10 +100,13 @@ def sign_in(bulk: Bulk, person_id: UUID) -> str:
 class ProjectMaker:
     """Adds one project with its list, its takes and all that was found and said of them."""
 
-    def __init__(self, bulk: Bulk, team: Team, *, takes: int, seed: int) -> None:
+    def __init__(
+        self, bulk: Bulk, team: Team, *, takes: int, seed: int, newest: Sequence[tuple[TakeState, int]] = NEWEST
+    ) -> None:
         self._bulk = bulk
         self._team = team
         self._wanted = takes
+        self._newest = newest
         self._dice = random.Random(seed)
         self._project_id, self._spec_id = new_id(), new_id()
         self._tenant = {"studio_id": team.studio_id, "project_id": self._project_id}
@@ -188,7 +191,7 @@ class ProjectMaker:
         dice = self._dice
         earlier = int(dice.expovariate(1 / max(0.5, TAKES_A_CUE / 2.6 - 1)))
         states, weights = zip(*EARLIER, strict=True)
-        newest, newest_weights = zip(*NEWEST, strict=True)
+        newest, newest_weights = zip(*self._newest, strict=True)
         return [*dice.choices(states, weights, k=earlier), dice.choices(newest, newest_weights)[0]]
 
     def _make_take(

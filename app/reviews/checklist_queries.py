@@ -8,6 +8,7 @@ from sqlalchemy.orm import Session, joinedload
 
 from app.kit.in_array import in_array
 from app.reviews.models import ApprovalRule, ChecklistItem, Comment, ItemCheck
+from app.reviews.queries import answers_nothing
 from app.reviews.rules import ApprovalBlockers
 
 
@@ -66,7 +67,7 @@ def open_comments(session: Session, take_ids: Collection[UUID]) -> dict[UUID, in
     counted = session.execute(
         select(Comment.take_id, func.count())
         .where(in_array(Comment.take_id, take_ids), Comment.resolved_at.is_(None))
-        .where(Comment.reply_to_id.is_(None), Comment.change_request_id.is_(None))
+        .where(answers_nothing())
         .group_by(Comment.take_id)
     )
     return dict(counted.all())

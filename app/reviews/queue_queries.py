@@ -22,7 +22,7 @@ from sqlalchemy import (
     select,
     tuple_,
 )
-from sqlalchemy.orm import Session, aliased, joinedload
+from sqlalchemy.orm import InstrumentedAttribute, Session, aliased, joinedload
 from sqlalchemy.sql.functions import aggregate_strings
 
 from app.agreements.models import Contract, ContractCue
@@ -35,6 +35,7 @@ from app.projects.models import Project, Spec
 from app.projects.rules import ApprovalScope
 from app.renders.models import Picture, RenderSet
 from app.reviews.models import ChangeRequest, Comment, NoteAnswer, Round
+from app.reviews.queries import answers_nothing
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
 
@@ -49,7 +50,12 @@ def in_project(project_id: UUID) -> ColumnElement[bool]:
 
 def in_studios(studio_ids: Collection[UUID]) -> ColumnElement[bool]:
     """Admit the takes of some studios."""
-    return in_array(Take.studio_id, studio_ids)
+    return _one_of(Take.studio_id, studio_ids)
+
+
+def _one_of(column: InstrumentedAttribute[UUID], ids: Collection[UUID]) -> ColumnElement[bool]:
+    """Admit rows of some ids; those of one alone are in the order of their index, and none is sorted."""
+    return column == next(iter(ids)) if len(ids) == 1 else in_array(column, ids)
 
 
 def _newest_spec_id() -> ScalarSelect[UUID]:
@@ -77,7 +83,7 @@ def in_scopes(scopes: Mapping[UUID, ApprovalScope]) -> ColumnElement[bool]:
     """Admit the takes of projects whose cue a person approves; all of a project where they approve none."""
     whole = [project_id for project_id, scope in scopes.items() if scope.is_all or not scope.is_any]
     parts = [in_scope(project_id, scope) for project_id, scope in scopes.items() if scope.is_any and not scope.is_all]
-    return or_(in_array(Take.project_id, whole), *parts)
+    return or_(_one_of(Take.project_id, whole), *parts)
 
 
 @cache
@@ -121,7 +127,7 @@ def queued_cues(
     rest_after = None
     if after is None or after.is_urgent:
         urgent_after = after and (after.since, after.cue_id)
-        urgent = waiting_cues(session, and_(reach, is_urgent(today)), after=urgent_after, limit=limit)
+        urgent = waiting_cues(session, and_(is_urgent(today), reach), after=urgent_after, limit=limit)
     else:
         rest_after = (after.since, after.cue_id)
     others: list[WaitingCue] = []
@@ -263,7 +269,7 @@ def _open_notes() -> tuple[Select[int], Select[int]]:
         .select_from(Comment)
         .join(before, before.id == Comment.take_id)
         .where(*asked_of, Comment.resolved_at.is_(None))
-        .where(Comment.reply_to_id.is_(None), Comment.change_request_id.is_(None))
+        .where(answers_nothing())
         .where(Comment.written_by != before.designer_id)
     )
     return requests, comments

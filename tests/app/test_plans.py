@@ -108,6 +108,18 @@ def test_a_page_is_found_by_the_index_that_was_made_for_it(server: RunningServer
     assert index in found
 
 
+def test_comments_of_the_queue_are_not_found_among_all_that_are_no_replies(server: RunningServer, made: Made):
+    screen, engine = SCREENS["review queue"], server.runtime.database.engine
+    asking = sign_in(server.browser(), server.runtime.settings, screen.secret(made))
+    with heard(engine) as statements:
+        assert asking.get(screen.address(made)).status_code == 200
+    with engine.connect() as connection:
+        counting = [each for each in statements if "FROM reviews_comments" in each[0]]
+        found = set().union(*(indexes_used(connection, each, {"reviews_comments"}) for each in counting))
+    assert counting
+    assert "ix_reviews_comments_reply_to_id" not in found
+
+
 def test_a_designers_takes_of_a_page_are_found_by_its_cues(server: RunningServer, made: Made):
     """And not by going through all that the designer ever made."""
     screen, engine = SCREENS["where a designer's cues stand"], server.runtime.database.engine
