@@ -1,5 +1,6 @@
 """What a check would say of files before they are sent: whom they are for, what their names break, and the limits."""
 
+from collections.abc import Collection
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -19,12 +20,13 @@ from app.conformance.schemas import (
     SpecView,
 )
 from app.conformance.service import spec_for
+from app.deliveries.queries import filled_variations
 from app.deliveries.rules import base_name, dry_stem_for, list_name_for, named_for, stored_name
 from app.deliveries.schemas import CueBrief
 from app.deliveries.slots import Slot, slot_given, slot_named, stems_of_slots
 from app.projects.queries import current_spec
 from app.projects.service import ProjectAccess, project_access
-from app.sound_lists.matching import list_names
+from app.sound_lists.matching import ListNames, MatchedCue, list_names
 from app.sound_lists.rules import label
 from app.sound_lists.service import cue_facts
 
@@ -36,7 +38,7 @@ def preview_checks(session: Session, actor: Actor, project_id: UUID, body: Check
     whole = parsed_spec(current_spec(session, project_id).toml)
     slots = [_slot(session, access, named) for named in body.files]
     stems = iter(stems_of_slots(session, [slot for slot in slots if slot]))
-    likely_stems = _likely_stems(session, access, body.files, slots)
+    likely_stems = _likely_stems(session, access, body, slots)
     views: dict[str | None, int] = {}
     specs: list[SpecView] = []
     files: list[FilePreview] = []
@@ -75,22 +77,43 @@ def _slot(session: Session, access: ProjectAccess, named: FileNamed) -> Slot | N
 
 
 def _likely_stems(
-    session: Session, access: ProjectAccess, files: list[FileNamed], slots: list[Slot | None]
+    session: Session, access: ProjectAccess, body: CheckPreview, slots: list[Slot | None]
 ) -> list[str | None]:
     """Return the list's stem of the likeliest cue for each file whose name does not say surely which."""
-    if all(slots):
-        return [None] * len(files)
+    paths = [stored_name(named.file_name) for named in body.files]
+    unsure = [slot is None and dry_stem_for(path) is None for path, slot in zip(paths, slots, strict=True)]
+    if not any(unsure):
+        return [None] * len(paths)
     names = list_names(session, access.project.id)
     people = [session.get_one(Person, access.actor.person).name]
-    paths = [stored_name(named.file_name) for named in files]
     prefixes = names.index.shared_prefixes(paths)
-    likely: list[str | None] = []
-    for path, slot in zip(paths, slots, strict=True):
-        sure = None if slot else names.sure(path, people, prefixes)
-        guesses = [] if slot or sure else names.guesses(path, people, prefixes)
-        best = sure or next(iter(guesses), None)
-        likely.append(best.stem if best and best.variation is not None else None)
-    return likely
+    likely = [
+        _likeliest(names, path, people, prefixes) if wanted else None
+        for path, wanted in zip(paths, unsure, strict=True)
+    ]
+    taken = filled_variations(session, {one.cue_id for one in likely if one and one.variation is None})
+    others = [names.sure(stored_name(name), people) for name in body.proposed]
+    places = [(one.cue.id, one.variation) for one in slots if one]
+    for cue_id, variation in (*places, *((one.cue_id, one.variation) for one in (*likely, *others) if one)):
+        if cue_id in taken and variation is not None:
+            taken[cue_id].add(variation)
+    return [None if one is None else _likely_stem(names, one, taken) for one in likely]
+
+
+def _likeliest(names: ListNames, path: str, people: list[str], prefixes: Collection[str]) -> MatchedCue | None:
+    return names.sure(path, people, prefixes) or next(iter(names.guesses(path, people, prefixes)), None)
+
+
+def _likely_stem(names: ListNames, likely: MatchedCue, taken: dict[UUID, set[int]]) -> str | None:
+    """Return the stem; a name that does not say which variation gets the next free one, if there is one left."""
+    if likely.variation is not None:
+        return likely.stem
+    filled = taken[likely.cue_id]
+    free = next((number for number in range(1, likely.variations + 1) if number not in filled), None)
+    if free is None:
+        return None
+    filled.add(free)
+    return names.stem(likely.cue_id, free)
 
 
 def _proposed(name: str, stem: str | None, view: audio_checks.DeliverySpec) -> str | None:

@@ -155,6 +155,7 @@ class CheckDescription(Schema):
 
 
 MAX_PREVIEWED_FILES = 200
+MAX_PROPOSED_NAMES = 1_000
 
 
 class FileNamed(Schema):
@@ -168,6 +169,11 @@ class CheckPreview(Schema):
     """The files of a delivery before they are sent."""
 
     files: list[FileNamed] = Field(min_length=1, max_length=MAX_PREVIEWED_FILES)
+    proposed: list[GivenName] = Field(
+        default_factory=list,
+        max_length=MAX_PROPOSED_NAMES,
+        description="The list's names that other files are about to get: their variations are not free.",
+    )
 
 
 class PreviewedCheck(Schema):

@@ -110,9 +110,15 @@ def last_number(session: Session, cue_id: UUID, variation: int) -> int:
     return last or 0
 
 
-def filled_variations(session: Session, cue_id: UUID) -> set[int]:
-    """Return the variations of a cue for which a take has come."""
-    return set(session.scalars(select(Take.variation).where(Take.cue_id == cue_id).distinct()))
+def filled_variations(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, set[int]]:
+    """Return the variations of each cue for which a take has come."""
+    filled: dict[UUID, set[int]] = {cue_id: set() for cue_id in cue_ids}
+    if filled:
+        taken = select(Take.cue_id, Take.variation).where(in_array(Take.cue_id, filled)).distinct()
+        for cue_id, variation in session.execute(taken):
+            if cue_id is not None:
+                filled[cue_id].add(variation)
+    return filled
 
 
 def stem_of(session: Session, take: Take) -> str | None:

@@ -30,7 +30,7 @@ def slot_given(session: Session, access: ProjectAccess, cue_id: UUID, variation:
     """Return the given place; without a variation the one in the file's name, else the first empty one."""
     cue = sound_lists.cue_for(session, access, cue_id)
     if variation is None:
-        variation = variation_for_name(file_name, cue.variations, queries.filled_variations(session, cue.id))
+        variation = variation_for_name(file_name, cue.variations, queries.filled_variations(session, [cue.id])[cue.id])
     ensure_variation(variation, cue.variations)
     return Slot(cue, variation, alternate_of(file_name))
 

@@ -49,6 +49,11 @@ class ListNames:
         """Return up to three cues that a file may be for, the likeliest first."""
         return self._once(self._guesses, file_name, tuple(people), frozenset(prefixes))
 
+    def stem(self, cue_id: UUID, variation: int) -> str:
+        """Return what the list calls a variation of a cue."""
+        cue = self.cues[cue_id]
+        return audio_checks.stems_of(cue.name, cue.file_name, cue.variations)[variation - 1]
+
     def _once(self, find: Callable[..., Found], *given: object) -> Found:
         """Return what is found for these names, from before where they were asked about before."""
         key = (find.__name__, *given)
@@ -69,8 +74,7 @@ class ListNames:
 
     def _matched(self, cue_id: UUID, variation: int | None, reason: str, alternate: int | None) -> MatchedCue:
         cue = self.cues[cue_id]
-        stems = audio_checks.stems_of(cue.name, cue.file_name, cue.variations)
-        stem = stems[(variation or 1) - 1]
+        stem = self.stem(cue_id, variation or 1)
         return MatchedCue(cue_id, cue.label, cue.name, stem, variation, cue.variations, reason, alternate)
 
 

@@ -5656,7 +5656,7 @@ export interface paths {
         put?: never;
         /**
          * Add Heard Takes
-         * @description Record which versions the caller has heard; nobody else sees it, and ids of other projects are passed over.
+         * @description Record which versions the caller has heard, for the caller alone; ids of other projects are passed over.
          */
         post: operations["add_heard_takes"];
         delete?: never;
@@ -11395,6 +11395,11 @@ export interface components {
         CheckPreview: {
             /** Files */
             files: components["schemas"]["FileNamed"][];
+            /**
+             * Proposed
+             * @description The list's names that other files are about to get: their variations are not free.
+             */
+            proposed?: string[];
         };
         /**
          * CheckPreviewed

@@ -13,8 +13,9 @@ ROOT = Path(__file__).resolve().parents[3]
 VECTORS = ROOT / "frontend/src/features/desk/precheck/vectors.json"
 
 
-def preview(world: World, *files: dict[str, Any]) -> dict[str, Any]:
-    answer = world.designer.post(f"/v1/projects/{world.project_id}/check-preview", json={"files": files})
+def preview(world: World, *files: dict[str, Any], **further: Any) -> dict[str, Any]:
+    body = {"files": files, **further}
+    answer = world.designer.post(f"/v1/projects/{world.project_id}/check-preview", json=body)
     assert answer.status_code == 200, answer.text
     found: dict[str, Any] = answer.json()
     return found
@@ -101,6 +102,30 @@ def test_a_name_that_is_not_the_lists_has_the_lists_name_proposed(world: World) 
     assert {name: file["list_name"] for name, file in zip(proposed, found["files"], strict=True)} == proposed
     names = [{"file_name": name} for name in proposed.values() if name and name.endswith(".wav")]
     assert all(file["cue"] and file["findings"] == [] for file in preview(world, *names)["files"])
+
+
+def test_names_of_a_set_without_a_number_get_its_free_variations(world: World) -> None:
+    cue, _ = add_cues(world, {"name": "Steps", "variations": 5}, {"name": "Doors", "variations": 2})
+    for place, name in enumerate(["steps_02.wav", "doors_01.wav", "doors_02.wav"]):
+        deliver(world, name, wav_bytes(sine(hz=300 + place, seconds=0.1)))
+    proposed = {
+        "steps.wav": "steps_01.wav",
+        "big_steps_4.wav": "steps_04.wav",
+        "steps final.wav": "steps_03.wav",
+        "steps__dry.wav": None,
+        "big steps.wav": "steps_05.wav",
+        "my steps.wav": None,  # nothing is free any more
+        "doors.wav": None,
+    }
+    found = preview(world, *({"file_name": name} for name in proposed))
+    assert {name: file["list_name"] for name, file in zip(proposed, found["files"], strict=True)} == proposed
+    assert [file["cue"] for file in found["files"]] == [None] * len(proposed)
+    [held] = preview(world, {"file_name": "steps.wav"}, proposed=["steps_01.wav", "steps_03.flac", "other.wav"])[
+        "files"
+    ]
+    assert held["list_name"] == "steps_04.wav"
+    [dropped, named] = preview(world, {"file_name": "x.wav", "cue_id": cue["id"]}, {"file_name": "steps.wav"})["files"]
+    assert (dropped["variation"], named["list_name"]) == (1, "steps_03.wav")
 
 
 def test_a_prefix_that_files_share_is_not_of_their_names(world: World) -> None:

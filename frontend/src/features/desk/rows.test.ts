@@ -134,6 +134,12 @@ describe('what became of the files', () => {
       received_at: '2026-11-17T09:00:00Z',
     }
     const { open, done } = rows([], detail({ archives: [archive] }))
+    const a = take({ id: 'a', state: 'received', cue: null, number: null })
+    const [unmatched] = rows([], detail({ archives: [archive], takes: [a] })).open
+    expect(unmatched).toMatchObject({
+      state: 'waiting',
+      detail: '1 file unpacked; 1 without a cue, to be chosen below. Names in a ZIP stay.',
+    })
     expect(done.map(({ name, detail: said }) => [name, said])).toEqual([['all.zip', '1 file unpacked']])
     expect(open.map(({ name, state, detail: said }) => [name, state, said])).toEqual([
       ['notes.txt', 'not_sent', 'no sound'],

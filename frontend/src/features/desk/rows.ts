@@ -143,20 +143,23 @@ function ofDryStem(stem: DryStem): DeliveryRow {
   }
 }
 
-function ofArchive(archive: Archive): DeliveryRow[] {
+const ARCHIVE_STATES = { received: 'checking', refused: 'refused', unpacked: 'passed' } as const
+
+function ofArchive(archive: Archive, takes: readonly Take[]): DeliveryRow[] {
   const taken = archive.entries.filter((entry) => entry.taken).length
+  const unmatched = takes.filter(({ id, cue }) => !cue && archive.entries.some(({ take_id }) => take_id === id)).length
   const head: DeliveryRow = {
     id: archive.id,
     name: archive.file_name,
     label: 'ZIP',
-    state: archive.state === 'received' ? 'checking' : archive.state === 'refused' ? 'refused' : 'passed',
+    state: archive.state === 'unpacked' && unmatched > 0 ? 'waiting' : ARCHIVE_STATES[archive.state],
     share: archive.state === 'received' ? 1 : null,
     detail:
       archive.state === 'received'
         ? `${bytes(archive.archive_bytes)}, uploaded; unpacking`
         : archive.state === 'refused'
           ? archive.message
-          : `${plural(taken, 'file')} unpacked`,
+          : `${plural(taken, 'file')} unpacked${unmatched > 0 ? `; ${unmatched} without a cue, to be chosen below. Names in a ZIP stay.` : ''}`,
     does: null,
   }
   const left = archive.entries.filter((entry) => !entry.taken || entry.reason !== null)
@@ -186,7 +189,7 @@ export interface DeliveryRows {
 /** What the server has of a delivery, the newest first. */
 export function receivedRows({ archives, dry_stems, takes }: DeliveryDetail): DeliveryRow[] {
   const newest = takes.toSorted((a, b) => Date.parse(b.received_at) - Date.parse(a.received_at))
-  const all = [...archives.flatMap(ofArchive), ...dry_stems.map(ofDryStem), ...newest.map(ofTake)]
+  const all = [...archives.flatMap((one) => ofArchive(one, takes)), ...dry_stems.map(ofDryStem), ...newest.map(ofTake)]
   return all.filter(({ state }) => state !== 'unmatched')
 }
 

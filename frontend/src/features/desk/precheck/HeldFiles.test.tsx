@@ -53,6 +53,7 @@ test('what passes is sent at once; what would come back waits, with what is wron
   expect(sent).toEqual(['shield.wav', 'odd.wav'])
   expect(asked[0]?.body).toEqual({
     files: ['laser.wav', 'shield.wav', 'odd.wav'].map((name) => ({ file_name: name, cue_id: null })),
+    proposed: [],
   })
   expect(await screen.findByText('1 file would come back')).toBeVisible()
   expect(held().getByRole('listitem')).toHaveTextContent('laser.wav SW-001 laser')

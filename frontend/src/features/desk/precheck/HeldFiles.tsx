@@ -1,5 +1,6 @@
 import { useEffect, useMemo, useRef, useState, useSyncExternalStore } from 'react'
 
+import { HotkeyButton } from '@/app/keys'
 import { showToast } from '@/app/toast'
 import { Refusal } from '@/judging/Refusal'
 import { Button } from '@/ui/Button'
@@ -75,9 +76,15 @@ export function HeldFiles({ precheck }: { precheck: Precheck }) {
         )}
         <span className="grow" />
         {toRename.length > 0 && (
-          <Button aria-busy={isRenaming} onClick={() => rename(toRename)}>
+          <HotkeyButton
+            keys="shift+r"
+            keyLabel="Rename all to the list’s names"
+            keyGroup="Files before the upload"
+            aria-busy={isRenaming}
+            onPress={() => rename(toRename)}
+          >
             Rename all to the list’s names
-          </Button>
+          </HotkeyButton>
         )}
         {renames > 0 && (
           <Button ref={undoButton} variant="quiet" onClick={() => precheck.undoRename()}>

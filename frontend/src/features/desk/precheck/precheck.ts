@@ -4,7 +4,7 @@ import type { Picked, UploadQueue } from '@/uploads'
 
 import type { Candidate, HeldFile, Look, PrecheckState } from './held'
 import { type Judge, judgeInWorker } from './judgeInWorker'
-import { baseName, isChanged, nameProblems, renamesHere, wantedName } from './renames'
+import { baseName, isChanged, isPossibleName, nameProblems, renamesHere, wantedName } from './renames'
 
 type Schemas = components['schemas']
 type Previewed = Schemas['CheckPreviewed']
@@ -19,6 +19,7 @@ interface PrecheckOptions {
 
 /** Files whose names are asked about in one request, and that are sent on together. */
 const AT_ONCE = 50
+const MOST_PROPOSED = 1_000
 const NOTIFY_EVERY_MS = 100
 const NOTHING: PrecheckState = {
   held: [],
@@ -41,11 +42,11 @@ export const precheckOf = (projectId: string, queue: UploadQueue, send: Precheck
     send,
   })
 
-const named = (projectId: string, files: readonly Candidate[]): Promise<Previewed> =>
+const named = (projectId: string, files: readonly Candidate[], proposed: string[]): Promise<Previewed> =>
   answered(
     api.POST('/v1/projects/{project_id}/check-preview', {
       params: { path: { project_id: projectId } },
-      body: { files: files.map(({ picked: { path }, cueId }) => ({ file_name: path, cue_id: cueId })) },
+      body: { files: files.map(({ picked: { path }, cueId }) => ({ file_name: path, cue_id: cueId })), proposed },
     }),
   )
 
@@ -190,7 +191,7 @@ export class Precheck {
       picked: { ...file.picked, path: wantedName(file) },
       cueId: file.cueId,
     }))
-    const looks = await this.#look(candidates)
+    const looks = await this.#look(candidates, files)
     return files.map((file, index) => {
       const { picked } = candidates[index]!
       const look = looks[index] ?? { cue: '', listName: null, findings: [] }
@@ -223,9 +224,11 @@ export class Precheck {
     })
   }
 
-  /** What is known of each file; null of one that no check is made of. */
-  async #look(files: readonly Candidate[]): Promise<(Look | null)[]> {
-    const previewed = await named(this.#options.projectId, files)
+  /** What is known of each file, of those that are held under another name too; null where no check is made. */
+  async #look(files: readonly Candidate[], held: readonly HeldFile[] = []): Promise<(Look | null)[]> {
+    const others = this.#state.held.filter((file) => !held.some(({ id }) => id === file.id))
+    const proposed = others.map(wantedName).filter(isPossibleName).slice(-MOST_PROPOSED)
+    const previewed = await named(this.#options.projectId, files, proposed)
     this.#set({ labels: previewed.checks.map(({ label }) => label) })
     return Promise.all(
       files.map(async ({ picked: { file } }, index) => {

@@ -77,12 +77,36 @@ test('all are renamed at once, checked by their new names, and sent with them', 
   expect(await screen.findByText('2 renamed files ready')).toBeVisible()
   expect(server.asked.at(-1)?.body).toEqual({
     files: ['laser.wav', 'shield.wav'].map((name) => ({ file_name: name, cue_id: null })),
+    proposed: [],
   })
   expect(screen.getAllByRole('listitem')[0]).toHaveTextContent('laser.wav SW-001 laserRenamed from big laser.wav')
   expect(screen.getByRole('button', { name: 'Undo renaming' })).toHaveFocus()
   await press('Upload 2 renamed files')
   await waitFor(() => expect(sent).toEqual(['laser.wav', 'shield.wav']))
   expect(screen.queryByRole('list')).toBeNull()
+})
+
+test('all are renamed by a key, but not while a name is typed', async () => {
+  const { made } = await drop(pick('big laser.wav'), pick('my shield.wav'))
+  await userEvent.type(await field('big laser.wav'), '{Shift>}R{/Shift}')
+  expect(names(made)).toEqual(['big laser.wav', 'my shield.wav'])
+  await userEvent.type(await field('big laser.wav'), '{Backspace}')
+  await userEvent.tab()
+  await userEvent.keyboard('{Shift>}R{/Shift}')
+  await waitFor(() => expect(names(made)).toEqual(['laser.wav', 'shield.wav']))
+})
+
+test('names that wait already are not proposed for another file', async () => {
+  const { made, server } = await drop(pick('big laser.wav'))
+  await field('big laser.wav')
+  await made.add([pick('my shield.wav')], null)
+  expect(server.asked.at(-1)?.body).toEqual({
+    files: [{ file_name: 'my shield.wav', cue_id: null }],
+    proposed: ['laser.wav'],
+  })
+  await press('Rename my shield.wav')
+  await waitFor(() => expect(names(made)).toEqual(['big laser.wav', 'shield.wav']))
+  expect(server.asked.at(-1)?.body).toMatchObject({ proposed: ['laser.wav'] })
 })
 
 test('undo puts the names back, one step after the other', async () => {

@@ -18,6 +18,8 @@ export const isRenamable = ({ findings, cue, listName, firstName }: HeldFile): b
 
 export const wantedName = ({ wanted }: HeldFile): string => wanted.trim()
 
+export const isPossibleName = (name: string): boolean => name !== '' && name.length <= MOST_CHARS
+
 export const isChanged = (file: HeldFile): boolean => wantedName(file) !== baseName(file.picked.path)
 
 const endingOf = (name: string): string => /.(\.[^.]*)$/.exec(name)?.[1] ?? ''
