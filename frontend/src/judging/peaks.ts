@@ -1,4 +1,4 @@
-import { queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
+import { type QueryClient, queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
 import { useEffect } from 'react'
 
 import { answered } from '@/api'
@@ -21,6 +21,8 @@ async function readPeaks(url: string): Promise<Peaks> {
 const peaksQuery = (url: string) =>
   queryOptions({ queryKey: queryKeys.peaks(url), queryFn: () => readPeaks(url), staleTime: Infinity })
 
+export const prefetchPeaks = (client: QueryClient, url: string) => client.prefetchQuery(peaksQuery(url))
+
 /** The fine shape of one sound: undefined while it is on its way, null where the server has none. */
 export function usePeaks(url: string | null | undefined): Peaks | null | undefined {
   const { data, isError } = useQuery({ ...peaksQuery(url ?? ''), enabled: Boolean(url) })
@@ -34,6 +36,6 @@ export function usePeaksAhead(shown: string | null | undefined, next: readonly R
   const isShown = usePeaks(shown) !== undefined
   const urls = next.flatMap(({ peaks_url }) => peaks_url ?? []).join('\n')
   useEffect(() => {
-    if (isShown) for (const url of urls.split('\n').filter(Boolean)) void client.prefetchQuery(peaksQuery(url))
+    if (isShown) for (const url of urls.split('\n').filter(Boolean)) void prefetchPeaks(client, url)
   }, [client, isShown, urls])
 }

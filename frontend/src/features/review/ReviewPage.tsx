@@ -10,7 +10,7 @@ import { showToast } from '@/app/toast'
 import { usePlayer } from '@/audio'
 import { isUnheard, nextAfter } from '@/judging/afterVerdict'
 import { firstUnheard, reviewQuery } from '@/judging/api'
-import { MASTER } from '@/judging/hearing'
+import { inOrder, MASTER } from '@/judging/hearing'
 import { usePeaksAhead } from '@/judging/peaks'
 import { filterOf } from '@/judging/queueFilter'
 import { useHeard } from '@/judging/useHeard'
@@ -63,7 +63,7 @@ export function ReviewPage(): ReactNode {
   const ahead = at < 0 ? waiting : [...waiting.slice(at + 1), ...waiting.slice(0, at)]
   const takes = waiting[at]?.takes ?? NONE
   useReady(player, takes, ahead[0], ahead.slice(1, AHEAD), ahead.slice(AHEAD))
-  usePeaksAhead(takes[0]?.peaks_url, ahead[0]?.takes ?? NONE)
+  usePeaksAhead(inOrder(takes)[0]?.peaks_url, ahead[0]?.takes ?? NONE)
   const aheadIds = ahead
     .slice(0, AHEAD)
     .map(({ cue }) => cue.id)

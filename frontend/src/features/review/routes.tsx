@@ -5,6 +5,7 @@ import { shellRoute } from '@/app/roots'
 import { isNoted } from '@/judging/afterVerdict'
 import { queueQuery, reviewQuery } from '@/judging/api'
 import { filterOf, type QueueFilter } from '@/judging/queueFilter'
+import { heardTakes } from '@/judging/words'
 
 interface Spot extends QueueFilter {
   /** The selected version. */
@@ -15,12 +16,20 @@ interface Spot extends QueueFilter {
 
 const reviewPage = lazyRouteComponent(() => import('./ReviewPage'), 'ReviewPage')
 
-/** The queue, and the cue that Review opens of it. */
-async function openFirst(client: QueryClient, projectId: string): Promise<void> {
-  await client.prefetchInfiniteQuery(queueQuery(projectId))
-  const pages = client.getQueryData(queueQuery(projectId).queryKey)?.pages ?? []
+/** Ask for the queue, for the cue that Review opens of it and for its waveform, while the page itself is loaded. */
+async function openFirst(client: QueryClient, projectId: string, filter: QueueFilter = {}): Promise<void> {
+  const query = queueQuery(projectId, filter)
+  const page = reviewPage.preload?.()?.catch(() => undefined) // the route loads it again, and says what is wrong
+  await client.prefetchInfiniteQuery(query)
+  const pages = client.getQueryData(query.queryKey)?.pages ?? []
   const first = pages.flatMap(({ items }) => items).find((item) => !isNoted(item))
-  if (first) await client.prefetchQuery(reviewQuery(first.cue.id))
+  if (first === undefined) return
+  void client.prefetchQuery(reviewQuery(first.cue.id))
+  const shape = heardTakes(first)[0]?.peaks_url
+  if (!shape) return
+  await page
+  const { prefetchPeaks } = await import('@/judging/peaks')
+  await prefetchPeaks(client, shape)
 }
 
 export const reviewRoutes = [
@@ -29,11 +38,10 @@ export const reviewRoutes = [
     path: '/projects/$projectId/review',
     validateSearch: filterOf,
     staticData: {
-      early: (client, { projectId = '' }) => {
-        void openFirst(client, projectId)
-        void reviewPage.preload?.()?.catch(() => undefined)
-      },
+      early: (client, { projectId = '' }) => void openFirst(client, projectId),
     },
+    beforeLoad: ({ context: { queryClient }, params: { projectId }, search }) =>
+      void openFirst(queryClient, projectId, search),
     component: lazyRouteComponent(() => import('./ReviewStart'), 'ReviewStart'),
   }),
   createRoute({
