@@ -33,9 +33,10 @@ def remove_operator(session: Session, address: str) -> Person:
 
 
 def sign_out(session: Session, address: str) -> Person:
-    """End every sign-in of an account, as when a device or a password was stolen."""
+    """End every sign-in and desk token of an account, as when a device or a password was stolen."""
     person = _person(session, address)
     queries.end_sign_ins(session, person.id)
+    queries.end_desk_tokens(session, person.id)
     return person
 
 

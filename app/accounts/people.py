@@ -82,9 +82,9 @@ def request_reset(session: Session, email: str) -> None:
 
 
 def reset_password(session: Session, secret: str, password: str) -> Person:
-    """Set a new password by a mailed link, once, and end every sign-in; raise ResetNotFound for a link past use.
+    """Set a new password by a mailed link, once, and end every sign-in and desk token.
 
-    The link was the account's own, so it verifies the address too.
+    Raise ResetNotFound for a link past use. The link was the account's own, so it verifies the address too.
     """
     with bypass_row_policies(session):  # only the secret identifies the link
         reset = queries.open_reset(session, sha256_of(secret))
@@ -98,11 +98,12 @@ def reset_password(session: Session, secret: str, password: str) -> Person:
     verify(session, person, account_proof(reset))
     queries.drop_resets(session, person.id)
     queries.end_sign_ins(session, person.id)
+    queries.end_desk_tokens(session, person.id)
     return person
 
 
 def change_password(session: Session, actor: Actor, *, current: str, new: str, kept_secret: str | None) -> None:
-    """Change the caller's password, and end every sign-in but the one it is changed from."""
+    """Change the caller's password, and end every desk token, and every sign-in but the one it is changed from."""
     person = session.get_one(Person, actor.person)
     if person.password_hash is None:
         raise NotInDemo("the people of the demo have no password")
@@ -112,3 +113,4 @@ def change_password(session: Session, actor: Actor, *, current: str, new: str, k
     person.password_hash = passwords.hash_of(ensure_strong_password(new, person.email, person.name))
     queries.drop_resets(session, person.id)
     queries.end_sign_ins(session, person.id, except_sha256=sha256_of(kept_secret) if kept_secret else None)
+    queries.end_desk_tokens(session, person.id)

@@ -163,6 +163,11 @@ def end_sign_ins(session: Session, person_id: UUID, *, except_sha256: str | None
     session.execute(ended.where(SignIn.secret_sha256 != except_sha256) if except_sha256 else ended)
 
 
+def end_desk_tokens(session: Session, person_id: UUID) -> None:
+    """End every desk token of a person."""
+    session.execute(delete(DeskToken).where(DeskToken.person_id == person_id))
+
+
 def end_sign_in(session: Session, secret_sha256: str) -> None:
     """End one sign-in."""
     session.execute(delete(SignIn).where(SignIn.secret_sha256 == secret_sha256))

@@ -16,7 +16,7 @@ from app.accounts.rules import AddressProof
 from app.cli import cli
 from app.kit import clock
 from app.notifications.models import Mail
-from tests.app.accounts.test_sign_in import PASSWORD, address, sign_in, sign_up, with_csrf
+from tests.app.accounts.test_sign_in import PASSWORD, address, desk_token, sign_in, sign_up, with_csrf
 from tests.app.kit.test_queue import until
 from tests.support.links import secret_for
 from tests.support.server import RunningServer, World
@@ -225,8 +225,10 @@ def test_the_command_line_signs_an_account_out_everywhere(
     browser, email = account
     other = server.browser()
     assert sign_in(other, email).status_code == 200
+    token = desk_token(server, browser)
     assert soundlist("sign-out", email.upper()).stdout == f"{email} is signed out everywhere\n"
     assert [each.get("/v1/me").status_code for each in (browser, other)] == [401, 401]
+    assert token() == 401
     assert world.producer.get("/v1/me").status_code == 200
     assert sign_in(server.browser(), email).status_code == 200
     unknown = soundlist("sign-out", "unknown@example.test")

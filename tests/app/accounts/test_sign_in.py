@@ -1,5 +1,6 @@
 import importlib.util
 import time
+from collections.abc import Callable
 from uuid import uuid4
 
 import pytest
@@ -226,6 +227,38 @@ def test_changing_the_password_ends_the_other_sign_ins(server: RunningServer, ac
     assert elsewhere.get("/v1/me").status_code == 401
     assert sign_in(server.browser(), email).status_code == 401
     assert sign_in(server.browser(), email, NEW_PASSWORD).status_code == 200
+
+
+def desk_token(server: RunningServer, browser: TestClient) -> Callable[[], int]:
+    """Make a desk token; return a function that asks for the desk with it, and returns the status."""
+    made = browser.post("/v1/me/desk-tokens", json={"name": "Laptop"})
+    assert made.status_code == 201, made.text
+    bearer = {"Authorization": f"Bearer {made.json()['secret']}"}
+    return lambda: server.browser().get("/v1/me/desk", headers=bearer).status_code
+
+
+def test_a_changed_password_ends_the_desk_tokens(server: RunningServer, account: tuple[TestClient, str]) -> None:
+    browser, _ = account
+    token = desk_token(server, browser)
+    refused = browser.put("/v1/me/password", json={"current": "not it, really", "new": NEW_PASSWORD})
+    assert refused.json()["code"] == "wrong-password"
+    assert token() == 200
+    assert browser.put("/v1/me/password", json={"current": PASSWORD, "new": NEW_PASSWORD}).status_code == 204
+    assert token() == 401
+    assert browser.get("/v1/me/desk-tokens").json() == []
+
+
+def test_a_password_set_by_mail_ends_the_desk_tokens_of_that_person_alone(
+    server: RunningServer, account: tuple[TestClient, str]
+) -> None:
+    browser, email = account
+    other = server.browser()
+    assert sign_up(other, address()).status_code == 201
+    token, others = desk_token(server, browser), desk_token(server, with_csrf(other))
+    server.browser().post("/v1/password-resets", json={"email": email})
+    secret = secret_for(server, email)
+    assert server.browser().post(f"/v1/password-resets/{secret}", json={"password": NEW_PASSWORD}).status_code == 200
+    assert (token(), others()) == (401, 200)
 
 
 def test_spaces_are_part_of_a_password(server: RunningServer, account: tuple[TestClient, str]) -> None:

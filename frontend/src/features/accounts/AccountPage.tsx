@@ -118,7 +118,11 @@ function PasswordCard({ demo }: { demo: boolean }) {
   }
   return (
     <Card aria-labelledby="password-card">
-      <CardHead id="password-card" title="Password" note="changing it signs you out everywhere else" />
+      <CardHead
+        id="password-card"
+        title="Password"
+        note="changing it signs you out everywhere else and ends your desk tokens"
+      />
       <div className={classes.inside}>
         <Form
           key={round}
@@ -131,7 +135,9 @@ function PasswordCard({ demo }: { demo: boolean }) {
               {
                 onSuccess: () => {
                   setRound(round + 1)
-                  showToast('Password changed. You are signed out on your other devices.')
+                  showToast(
+                    'Password changed. You are signed out on your other devices, and your desk tokens have ended.',
+                  )
                 },
               },
             )

@@ -209,10 +209,13 @@ export function useSavePicture() {
   })
 }
 
-export const useChangePassword = () =>
-  useMutation({
+export function useChangePassword() {
+  const client = useQueryClient()
+  return useMutation({
     mutationFn: (body: Schemas['PasswordChange']) => answered(api.PUT('/v1/me/password', { body })),
+    onSuccess: () => invalidate(client, queryKeys.deskTokens()),
   })
+}
 
 export function useOpenStudio() {
   const client = useQueryClient()

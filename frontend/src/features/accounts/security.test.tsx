@@ -89,6 +89,37 @@ describe('the security of an account', () => {
     await waitFor(() => expect(server.asked.some(({ method }) => method === 'DELETE')).toBe(true))
   })
 
+  test('a changed password says that the desk tokens have ended, and none is listed any more', async () => {
+    let tokens = [
+      {
+        id: 'd1',
+        name: 'Laptop',
+        created_at: '2026-11-20T09:00:00Z',
+        last_used_at: null,
+        expires_at: '2027-11-20T09:00:00Z',
+      },
+    ]
+    serve(
+      asPerson(DESIGNER, {
+        'GET /v1/me/desk-tokens': () => tokens,
+        'PUT /v1/me/password': () => {
+          tokens = []
+          return null
+        },
+      }),
+    )
+    openApp('/account')
+    const card = within(await screen.findByRole('region', { name: 'Password' }))
+    expect(card.getByText(/ends your desk tokens/)).toBeVisible()
+    expect(await screen.findByRole('button', { name: 'Revoke Laptop' })).toBeVisible()
+    const user = userEvent.setup()
+    await user.type(card.getByLabelText('Current password'), 'a few words of mine')
+    await user.type(card.getByLabelText('New password'), 'four words of music')
+    await user.click(card.getByRole('button', { name: 'Change password' }))
+    expect(await screen.findByText(/your desk tokens have ended/)).toBeVisible()
+    await waitFor(() => expect(screen.queryByRole('button', { name: 'Revoke Laptop' })).toBeNull())
+  })
+
   test('the game team has no desk tokens', async () => {
     serve(asPerson(PRODUCER))
     openApp('/account')
