@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import signal
 
-from training.sources import Draws, Floats, log_uniform
+from training.shapes import Draws, Floats, log_uniform
 
 
 @dataclass(frozen=True)

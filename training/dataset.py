@@ -13,7 +13,8 @@ import numpy as np
 from scipy import signal
 
 from training.rooms import ROOMS, Room
-from training.sources import FAMILIES, Draws, Family, Floats, log_uniform
+from training.shapes import Draws, Family, Floats, log_uniform
+from training.sources import FAMILIES
 
 RATE = 48_000  # of synthesis; files are brought to rates of their own at the end
 LONGEST_S = 9.0

@@ -7,7 +7,7 @@ goes less by how known families happen to be built.
 import numpy as np
 from scipy import signal
 
-from training.sources import Draws, Family, Floats, band_noise, gated, log_uniform, times
+from training.shapes import Draws, Family, Floats, band_noise, gated, log_uniform, times
 
 
 def passing(draws: Draws, rate: int) -> Floats:

@@ -24,7 +24,7 @@ from audio_checks.measure.codec_frames import CodecFrames
 from audio_checks.measure.spectrum import Spectrum
 from training import dataset
 from training.codecs import CODERS, LOOK_ALIKES, coded
-from training.sources import Draws, Floats
+from training.shapes import Draws, Floats
 from training.tables import as_table, write_tables
 
 FALSE_ALARMS = 0.005

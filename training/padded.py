@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from audio_checks.measure.steps import Steps
 from training import dataset, recorded
-from training.sources import Draws, Family
+from training.shapes import Draws, Family
 from training.tables import write_tables
 
 Floats = NDArray[np.float64]

@@ -16,7 +16,7 @@ import soundfile
 from scipy import signal
 
 from training.dataset import RATE, Response, decay_time_s
-from training.sources import Floats
+from training.shapes import Floats
 
 RESERVED_ONE_IN = 5
 SHARE_ALIKE = frozenset({"MegaGlest/megaglest-data", "redeclipse/sounds"})

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from training.sources import Draws, Family, Floats, band_noise, gated, log_uniform, placed, struck, times
+from training.shapes import Draws, Family, Floats, band_noise, gated, log_uniform, placed, struck, times
 
 
 @dataclass(frozen=True)

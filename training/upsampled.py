@@ -21,7 +21,7 @@ from audio_checks.measure import cliff
 from audio_checks.measure.spectrum import Spectrum
 from training import dataset
 from training.reverb import numbers_of
-from training.sources import Draws, Family, log_uniform
+from training.shapes import Draws, Family, log_uniform
 from training.tables import as_table, write_tables
 
 Floats = NDArray[np.float64]

@@ -8,7 +8,7 @@ import numpy as np
 
 from benchmarks.faults.sounds import Family, Samples
 from training import dataset, layers
-from training.sources import Family as Source
+from training.shapes import Family as Source
 
 FADE_S = 0.01
 
