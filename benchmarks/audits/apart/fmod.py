@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from benchmarks.audits.apart.project import Apart, Gains, put
-from benchmarks.audits.projects import guid
+from benchmarks.audits.places import guid
 
 
 class _Fmod:

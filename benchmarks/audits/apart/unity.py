@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from benchmarks.audits.apart.project import Apart, Gains, put
-from benchmarks.audits.projects import guid
+from benchmarks.audits.places import guid
 
 AT_REST_DB = -6.0  # of a source where nothing is planted: its factor is at most 1
 YAML = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n"

@@ -6,7 +6,8 @@ from pathlib import Path
 from zlib import crc32
 
 from benchmarks.audits.apart.project import Apart, Gains, put
-from benchmarks.audits.projects import MASTER, guid
+from benchmarks.audits.places import guid
+from benchmarks.audits.wwise_project import MASTER
 
 
 def _id(*names: object) -> str:

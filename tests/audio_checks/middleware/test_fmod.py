@@ -1,7 +1,9 @@
 """FMOD Studio: what moves a volume, and what plays what."""
 
 from audio_checks.middleware.fmod import read_fmod
-from benchmarks.audits.projects import KINDS, _object, _objects, guid
+from benchmarks.audits.fmod_project import _object, _objects
+from benchmarks.audits.places import guid
+from benchmarks.audits.projects import KINDS
 
 
 def one_event(root, more="", **gains):

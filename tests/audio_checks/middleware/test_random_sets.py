@@ -8,7 +8,8 @@ from audio_checks.middleware.project import read_project, read_project_texts
 from audio_checks.middleware.reading import ProjectRefused
 from audio_checks.middleware.unreal import read_unreal
 from audio_checks.middleware.wwise import read_wwise
-from benchmarks.audits.projects import KINDS, _object, _objects
+from benchmarks.audits.fmod_project import _object, _objects
+from benchmarks.audits.projects import KINDS
 
 
 def sets(project):
