@@ -10,6 +10,7 @@ import { showToast } from '@/app/toast'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ProblemNote } from '@/ui/ProblemNote'
+import { useDebounced } from '@/ui/useDebounced'
 
 import { AddClause } from './AddClause'
 import { type Clause, type Contract, type Draft, libraryQuery, previewQuery, useDeed } from './api'
@@ -18,7 +19,6 @@ import { moveButtonId, movedClause, withClauseBack, withoutClause } from './clau
 import classes from './Contracts.module.css'
 import { Refusal } from './Refusal'
 import { Text } from './Text'
-import { useSettled } from './useSettled'
 import { sentence } from './words'
 
 const RELEASES = [
@@ -73,7 +73,7 @@ function Editor({ contract: newest, back }: { contract: Contract; back: string }
   }))
   const setDraft = (next: (now: Draft) => Draft) => setTyped((now) => ({ ...now, draft: next(now.draft) }))
   const setNote = (next: string) => setTyped((now) => ({ ...now, note: next }))
-  const settled = useSettled(draft)
+  const settled = useDebounced(draft)
   const shown = useQuery({ ...previewQuery(contract.id, settled), placeholderData: keepPreviousData })
   const { data: library } = useQuery(libraryQuery(contract.kind))
   const save = useDeed(contract.id)

@@ -7,6 +7,7 @@ import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { plural } from '@/ui/format'
+import { useDebounced } from '@/ui/useDebounced'
 
 import type { Contract } from './api'
 import classes from './Contracts.module.css'
@@ -27,7 +28,6 @@ import { type Marked, redlinePreviewQuery, useProposeRedlines } from './redlines
 import styles from './Redlines.module.css'
 import { Refusal } from './Refusal'
 import { Warning } from './Warning'
-import { useSettled } from './useSettled'
 import { sentence } from './words'
 import { WordingFields } from './WordingFields'
 import { WordUpload } from './WordUpload'
@@ -44,7 +44,7 @@ export function ProposeRedlines({ contract }: { contract: Contract }) {
   const version = contract.version.number
   const [draft, setDraft, kept] = useDraft(`redlines:${contract.id}`, () => begunDraft(version))
   const [opened, setOpened] = useState<string | null>(null)
-  const settled = useSettled(draft.changes)
+  const settled = useDebounced(draft.changes)
   const shown = useQuery(redlinePreviewQuery(contract.id, version, proposedOf(settled)))
   const problems = shown.data?.problems ?? []
   const count = draft.changes.length

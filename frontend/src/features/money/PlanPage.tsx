@@ -1,6 +1,6 @@
 import { keepPreviousData, useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams } from '@tanstack/react-router'
-import { useEffect, useMemo, useState } from 'react'
+import { useMemo } from 'react'
 
 import { ApiProblem } from '@/api'
 import { contractQuery } from '@/api/project'
@@ -23,14 +23,13 @@ import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
+import { useDebounced } from '@/ui/useDebounced'
 
 import classes from './Plan.module.css'
 import { type Fault, NO_CUE, paysMinor, planOf, type TypedCue, typedOf, type TypedPlan, typedProposal } from './plan'
 import { PlannedCues } from './PlannedCues'
 import { PlannedMilestones } from './PlannedMilestones'
 import { ProposePlan } from './ProposePlan'
-
-const SETTLED_MS = 300 // after the last key, the plan is looked at
 
 /** The plan of a draft: milestones with dates and amounts, which cues they cover, and the warnings about it. */
 export function PlanPage() {
@@ -80,15 +79,6 @@ interface EditorProps {
   projectId: string
 }
 
-function useSettled<T>(value: T): T {
-  const [settled, setSettled] = useState(value)
-  useEffect(() => {
-    const waiting = setTimeout(() => setSettled(value), SETTLED_MS)
-    return () => clearTimeout(waiting)
-  }, [value])
-  return settled
-}
-
 function Editor({ contract, plan, cues, projectId }: EditorProps) {
   const navigate = useNavigate()
   const save = useSavePlan(contract.id)
@@ -96,7 +86,7 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
   const [typed, setTyped, draft] = useDraft<TypedPlan>(`plan:${contract.id}`, begun)
   const { currency } = contract
   const { plan: wanted, faults: unread } = planOf(typed, cues, currency)
-  const settled = useSettled(typed)
+  const settled = useDebounced(typed)
   const looked = useQuery({
     ...planCheckQuery(
       contract.id,
