@@ -12,7 +12,9 @@ const FIELDS =
 const SHARED_BY = 3
 const PARTS = /\/src\/(api|app|ui)\//
 /** What the pages share on which sounds are made and judged. */
-const WORK = /\/src\/(audio|fixing|judging|money)\//
+const WORK = /\/src\/(audio|judging|money)\//
+/** What the desk and a version's page share, and those on which sounds are judged do not need. */
+const FIXING = /\/src\/fixing\//
 
 const isOurs = (id: string) => id.includes('/src/') && !id.includes('node_modules')
 
@@ -48,7 +50,8 @@ export function chunkNames(main: string): (id: string, graph: ModuleGraph) => st
     const names = new Map([...base].map((id) => [id, 'base']))
     for (const [id, count] of sharers) {
       if (count === 1 || base.has(id) || drawsInMantine(id, graph)) continue
-      if (WORK.test(id)) names.set(id, 'work')
+      if (FIXING.test(id)) names.set(id, 'fixing')
+      else if (WORK.test(id)) names.set(id, 'work')
       else if (count >= SHARED_BY && PARTS.test(id)) names.set(id, 'parts')
     }
     return names
