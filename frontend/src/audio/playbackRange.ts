@@ -1,5 +1,6 @@
 import type { TimeRange } from './draw'
-import type { PlayerState } from './playerState'
+import type { PlayerState, Source } from './playerState'
+import type { Wanted } from './previews'
 
 /** What repeats, in the buffer as it is played; null without a loop. */
 export function loopOf({ looping, range, reversed }: PlayerState, durationS: number): TimeRange | null {
@@ -14,4 +15,11 @@ export function loopOf({ looping, range, reversed }: PlayerState, durationS: num
 export function startOf({ reversed }: PlayerState, positionS: number, durationS: number): number {
   if (reversed) return positionS <= 0 ? durationS : Math.min(positionS, durationS)
   return positionS >= durationS ? 0 : positionS
+}
+
+/** What a beginning of a sound must hold to play from there; null where all of it is needed. */
+export function wantedOf({ durationS, place }: Source, state: PlayerState, positionS: number): Wanted | null {
+  const { reversed, looping, range } = state
+  if (durationS === undefined || place || reversed || (looping && range)) return null
+  return { durationS, fromS: startOf(state, positionS, durationS) }
 }

@@ -3,35 +3,25 @@ import type { Clock } from './clock'
 import type { TimeRange } from './draw'
 import { Mix } from './mix'
 import { direct, type MakeOutput } from './output'
-import { loopOf, startOf } from './playbackRange'
-import { PlayheadSteps, type StepParts } from './playheadSteps'
-import { type Company, type PlayerState, SILENT, type Source } from './playerState'
-import { Previews } from './previews'
+import { loopOf, startOf, wantedOf } from './playbackRange'
+import { PlayheadSteps } from './playheadSteps'
+import { type Company, type PlayerParts, type PlayerState, type Source, StateStore } from './playerState'
+import { Previews, type Wanted } from './previews'
 import { soonS } from './schedule'
 import { SetPlayback } from './setPlayback'
 import { ONE_AFTER_ANOTHER, type SetWay } from './setSchedule'
 import { FADE_S, Voice } from './voice'
 
-export interface PlayerParts extends StepParts {
-  createContext?: () => AudioContext
-  random?: () => number
-  /** Fetch no sound before one is played, or before `previews.release`. */
-  held?: boolean
-  /** Begin with light previews, where the browser plays them. */
-  light?: boolean
-}
-
 /** Plays one sound at a time from decoded previews, and only when asked to. Switching keeps the position to the sample. */
 export class Player implements Clock {
   readonly previews: Previews
   #context: AudioContext | null = null
-  #state = SILENT
+  readonly #store = new StateStore()
   #source: Source | null = null
   #voice: Voice | null = null
   /** The position in the original sound, also while it plays backwards. */
   #positionS = 0
   #asked = 0
-  #stateListeners = new Set<() => void>()
   #set: { sources: readonly Source[]; playback: SetPlayback } | null = null
   readonly #mix = new Mix()
   readonly #company = new Accompaniment()
@@ -44,27 +34,20 @@ export class Player implements Clock {
     this.#createContext = parts.createContext ?? (() => new AudioContext())
     this.#random = parts.random ?? Math.random
     this.#playhead = new PlayheadSteps(parts)
-    this.previews = new Previews((data) => this.#contextNow().decodeAudioData(data), parts.light)
-    this.previews.onExact = (url) => this.#exactIsHere(url)
+    this.previews = new Previews(this.context, parts.light)
+    this.previews.onBetter = this.#betterIsHere
     if (!parts.held) this.previews.release()
   }
 
-  // Its listeners
+  getState = (): PlayerState => this.#store.state
 
-  getState = (): PlayerState => this.#state
-
-  subscribeState = (listener: () => void): (() => void) => {
-    this.#stateListeners.add(listener)
-    return () => this.#stateListeners.delete(listener)
-  }
+  subscribeState = (listener: () => void): (() => void) => this.#store.subscribe(listener)
 
   subscribe = (listener: () => void): (() => void) => this.#playhead.subscribe(listener)
 
   isPlaying = (): boolean => this.#voice !== null
 
   positionS = (): number => this.#positionAtS()
-
-  // What it is asked
 
   /**
    * Select a sound. While another plays, this one takes over at the same position, or so much later as the
@@ -82,7 +65,7 @@ export class Player implements Clock {
     this.#source = source
     this.#notify({ sourceId: source.id, error: null })
     const asked = ++this.#asked
-    const buffer = await this.#read(source, asked, wasPlaying ? 'soon' : 'released')
+    const buffer = await this.#read(source, asked, wasPlaying ? 'first' : 'select')
     if (buffer === null) return
     this.#notify({ durationS: buffer.duration })
     // Asked again only now: it may have been paused, or have ended, while the other was on its way.
@@ -99,11 +82,16 @@ export class Player implements Clock {
     const context = this.#contextNow()
     if (context.state === 'suspended') void context.resume()
     if (!this.previews.has(source.url)) this.#notify({ status: 'loading', error: null })
-    const buffer = await this.#read(source, asked, 'soon')
+    const buffer = await this.#read(
+      source,
+      asked,
+      'first',
+      wantedOf(source, this.#store.state, fromS ?? this.#positionS),
+    )
     if (buffer === null) return
     this.#notify({ durationS: buffer.duration })
-    this.#sound(buffer, source, fromS ?? startOf(this.#state, this.#positionS, buffer.duration))
-    void this.previews.get(source.url).catch(() => undefined) // the preview goes on
+    this.#sound(buffer, source, fromS ?? startOf(this.#store.state, this.#positionS, buffer.duration))
+    void this.previews.complete(source.url).catch(() => undefined) // the preview goes on
   }
 
   pause(): void {
@@ -122,7 +110,7 @@ export class Player implements Clock {
 
   seek(s: number): void {
     this.#leaveSet()
-    const positionS = Math.max(0, this.#state.durationS > 0 ? Math.min(s, this.#state.durationS) : s)
+    const positionS = Math.max(0, this.#store.state.durationS > 0 ? Math.min(s, this.#store.state.durationS) : s)
     this.#soundOrMove(this.#voice?.buffer, positionS)
   }
 
@@ -135,7 +123,7 @@ export class Player implements Clock {
   }
 
   setReversed(reversed: boolean): void {
-    if (reversed === this.#state.reversed) return
+    if (reversed === this.#store.state.reversed) return
     this.#leaveSet()
     const positionS = this.positionS()
     const { buffer } = this.#voice ?? {}
@@ -192,14 +180,13 @@ export class Player implements Clock {
     this.#leaveSet()
     this.#silence()
     this.#notify({ status: 'loading', error: null })
-    const read = await Promise.all(sources.map((source) => this.#read(source, asked, 'exact')))
+    const read = await Promise.all(sources.map((source) => this.#read(source, asked, 'get')))
     const buffers = read.flatMap((buffer) => buffer ?? [])
     if (asked !== this.#asked || buffers.length < sources.length) return
-    const { reversed } = this.#state
-    const to = this.#mix.input(context)
+    const { reversed } = this.#store.state
     const playback = new SetPlayback({
       context,
-      to,
+      to: this.#mix.input(context),
       buffers: reversed ? buffers.map((buffer) => this.previews.reversed(buffer, context)) : buffers,
       way,
       random: this.#random,
@@ -220,8 +207,6 @@ export class Player implements Clock {
     this.previews.clear()
   }
 
-  // How it does it
-
   /** Take into the hand what of the set began last. */
   #followSet(): void {
     const set = this.#set
@@ -239,13 +224,17 @@ export class Player implements Clock {
   }
 
   /** The sound itself; null where another was asked for meanwhile, or it could not be loaded. */
-  async #read(source: Source, asked: number, how: 'soon' | 'released' | 'exact'): Promise<AudioBuffer | null> {
-    const read = { soon: 'first', released: 'select', exact: 'get' } as const
+  async #read(
+    { url, place }: Source,
+    asked: number,
+    how: 'first' | 'select' | 'get',
+    wanted: Wanted | null = null,
+  ): Promise<AudioBuffer | null> {
     try {
-      const buffer = await this.previews[read[how]](source.url)
+      const buffer = await (wanted ? this.previews.beginning(url, wanted) : this.previews[how](url))
       if (asked !== this.#asked) return null
-      this.#notify({ isLight: !this.previews.has(source.url) })
-      return source.place?.(buffer, this.#contextNow()) ?? buffer
+      this.#notify({ isLight: !this.previews.has(url) })
+      return place?.(buffer, this.#contextNow()) ?? buffer
     } catch {
       if (asked !== this.#asked) return null
       this.#silence()
@@ -254,15 +243,22 @@ export class Player implements Clock {
     }
   }
 
-  /** Put the exact sound in the place of its preview: at the same sample, without a gap. */
-  #exactIsHere(url: string): void {
+  /** Wait where it is for more of the sound. */
+  #starve(positionS: number): void {
+    this.#silence()
+    this.#moved(positionS)
+    void this.play(positionS)
+  }
+
+  /** Put more of the sound, or the exact sound, in the place of what is heard: at the same sample, without a gap. */
+  #betterIsHere = (url: string, buffer: AudioBuffer): void => {
     const source = this.#source
-    if (source?.url !== url || !this.#state.isLight) return
-    this.#notify({ isLight: false })
+    if (source?.url !== url) return
+    const isLightHeard = this.#store.state.isLight && this.previews.has(url)
+    if (isLightHeard) this.#notify({ isLight: false })
     if (this.#voice === null || this.#set !== null) return
-    void this.#read(source, this.#asked, 'exact').then((buffer) => {
-      if (buffer && this.isPlaying()) this.#takeOver(buffer, source)
-    })
+    if (!isLightHeard && !this.previews.isBeginning(this.#voice.buffer)) return
+    this.#takeOver(source.place?.(buffer, this.#contextNow()) ?? buffer, source)
   }
 
   /** Go on from there where something sounded; else stand there. */
@@ -280,31 +276,40 @@ export class Player implements Clock {
   #sound(given: AudioBuffer, source: Source, positionS: number, atS = soonS(this.#contextNow())): void {
     this.previews.release()
     const context = this.#contextNow()
-    const { reversed } = this.#state
+    const { reversed } = this.#store.state
+    const untilS = this.previews.untilS(given)
+    if (this.previews.isBeginning(given) && (reversed || positionS >= untilS)) {
+      this.#starve(positionS)
+      return
+    }
     const buffer = reversed ? this.previews.reversed(given, context) : given
-    const loop = loopOf(this.#state, buffer.duration)
+    const loop = loopOf(this.#store.state, buffer.duration)
     let fromS = Math.min(buffer.duration, Math.max(0, reversed ? buffer.duration - positionS : positionS))
     if (loop && (fromS < loop.startS || fromS >= loop.endS)) fromS = loop.startS
-    this.#silence({ alone: true, atS })
     if (fromS >= buffer.duration) {
+      this.#silence({ alone: true, atS })
       this.#ended()
       return
     }
 
-    const to = this.#mix.input(context)
+    const [to, gain, goesOn] = [this.#mix.input(context), this.#gainOf(source), this.isPlaying()]
+    const voice = Voice.start(context, { to, buffer, gain, loop, fromS, untilS, atS, goesOn })
+    this.#silence({ alone: true, atS: voice.startsAtS })
     this.#mix.announce('begins')
-    const voice = Voice.start(context, { to, buffer, gain: this.#gainOf(source), loop, fromS, atS })
-    voice.onEnded(() => this.#voice === voice && this.#ended())
+    voice.onEnded(() => {
+      if (this.#voice !== voice) return
+      if (this.previews.isBeginning(buffer)) this.#starve(untilS)
+      else this.#ended()
+    })
     this.#voice = voice
-    this.#beginCompany(voice, atS)
+    this.#beginCompany(voice, voice.startsAtS)
     this.#notify({ status: 'playing' })
     this.#tick()
   }
 
   /** Have the others sound from where the source is at a time of the context. */
   #beginCompany(voice: Voice, atS = this.#contextNow().currentTime): void {
-    const context = this.#contextNow()
-    const loop = loopOf(this.#state, voice.buffer.duration)
+    const [context, loop] = [this.#contextNow(), loopOf(this.#store.state, voice.buffer.duration)]
     this.#company.begin(this.#mix.input(context), { context, atS, fromS: voice.positionS(atS), loop })
   }
 
@@ -313,7 +318,7 @@ export class Player implements Clock {
   }
 
   #ended(): void {
-    const { durationS, reversed } = this.#state
+    const { durationS, reversed } = this.#store.state
     this.#voice = null
     this.#endCompany()
     this.#mix.announce('is over')
@@ -335,14 +340,14 @@ export class Player implements Clock {
 
   #gainOf(source: Source): number {
     if (this.#hushed) return 0
-    return this.#state.matched ? 10 ** ((source.matchGainDb ?? 0) / 20) : 1
+    return this.#store.state.matched ? 10 ** ((source.matchGainDb ?? 0) / 20) : 1
   }
 
   /** Where in the sound the player is at a time of the context: now, or soon. */
   #positionAtS(atS?: number): number {
     if (this.#voice === null) return this.#positionS
     const at = this.#voice.positionS(atS)
-    return this.#state.reversed ? this.#voice.buffer.duration - at : at
+    return this.#store.state.reversed ? this.#voice.buffer.duration - at : at
   }
 
   #change(change: Partial<PlayerState>): void {
@@ -354,7 +359,7 @@ export class Player implements Clock {
     const at = voice.positionS()
     const positionS = this.positionS()
     this.#notify(change)
-    const loop = loopOf(this.#state, voice.buffer.duration)
+    const loop = loopOf(this.#store.state, voice.buffer.duration)
     if (loop && (at < loop.startS || at >= loop.endS)) {
       this.#sound(this.previews.forwardsOf(voice.buffer), this.#source, positionS)
       return
@@ -378,14 +383,12 @@ export class Player implements Clock {
 
   #tick(): void {
     this.#playhead.start(() => {
-      if (this.#voice === null) return false
       this.#followSet()
-      return true
+      return this.isPlaying()
     })
   }
 
   #notify(change: Partial<PlayerState>): void {
-    this.#state = { ...this.#state, ...change }
-    for (const listener of this.#stateListeners) listener()
+    this.#store.change(change)
   }
 }

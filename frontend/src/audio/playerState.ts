@@ -1,9 +1,21 @@
 import type { TimeRange } from './draw'
+import type { StepParts } from './playheadSteps'
+
+export interface PlayerParts extends StepParts {
+  createContext?: () => AudioContext
+  random?: () => number
+  /** Fetch no sound before one is played, or before `previews.release`. */
+  held?: boolean
+  /** Begin with light previews, where the browser plays them. */
+  light?: boolean
+}
 
 /** Something to hear: a take, an alternate, the same take as master or as a game file. */
 export interface Source {
   id: string
   url: string
+  /** How long it is; where that is known, a light preview plays from its first bytes on. */
+  durationS?: number
   /** What brings it to the level of the others; used while levels are matched. */
   matchGainDb?: number
   /** Where it plays longer than it is: the sound at its places in a scene. */
@@ -53,4 +65,20 @@ export const SILENT: PlayerState = {
   asGame: false,
   error: null,
   isLight: false,
+}
+
+/** The state of a player, and who draws it. */
+export class StateStore {
+  state = SILENT
+  #listeners = new Set<() => void>()
+
+  subscribe(listener: () => void): () => void {
+    this.#listeners.add(listener)
+    return () => this.#listeners.delete(listener)
+  }
+
+  change(change: Partial<PlayerState>): void {
+    this.state = { ...this.state, ...change }
+    for (const listener of this.#listeners) listener()
+  }
 }

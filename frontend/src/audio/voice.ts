@@ -1,4 +1,5 @@
 import type { TimeRange } from './draw'
+import { soonS } from './schedule'
 
 /** Long enough that a switch does not click, too short to hear as a fade. */
 export const FADE_S = 0.005
@@ -28,8 +29,15 @@ interface Start {
   gain: number
   loop: TimeRange | null
   fromS: number
+  /** Until where there is sound in the buffer. */
+  untilS: number
   atS: number
+  /** It is in the place of another at that time: later, it begins so much farther on. */
+  goesOn: boolean
 }
+
+/** So often a start is tried again whose time was over before the device had it. */
+const MOST_TRIES = 4
 
 /** One buffer that sounds: its gain, its loop, and where in it the listener is. */
 export class Voice {
@@ -51,7 +59,18 @@ export class Voice {
     this.#atS = atS
   }
 
-  static start(context: BaseAudioContext, { to, buffer, gain, loop, fromS, atS }: Start): Voice {
+  static start(context: AudioContext, start: Start): Voice {
+    let voice = Voice.#schedule(context, start)
+    for (let tries = 1; tries < MOST_TRIES && context.currentTime > voice.startsAtS; tries += 1) {
+      // The page was held up: nobody knows from which sample on the device plays it.
+      const atS = soonS(context)
+      voice.#discard()
+      voice = Voice.#schedule(context, { ...start, atS, fromS: start.goesOn ? voice.positionS(atS) : start.fromS })
+    }
+    return voice
+  }
+
+  static #schedule(context: BaseAudioContext, { to, buffer, gain, loop, fromS, untilS, atS }: Start): Voice {
     const node = context.createBufferSource()
     const fader = context.createGain()
     node.buffer = buffer
@@ -63,7 +82,17 @@ export class Voice {
     const voice = new Voice(context, { node, gain: fader, buffer, fromS, atS, speed: 1 })
     voice.#repeat(loop)
     node.start(atS, fromS)
+    if (untilS < buffer.duration) {
+      const endsAtS = atS + untilS - fromS
+      fader.gain.setValueAtTime(gain, Math.max(atS + FADE_S, endsAtS - FADE_S))
+      fader.gain.linearRampToValueAtTime(0, endsAtS)
+      node.stop(endsAtS)
+    }
     return voice
+  }
+
+  get startsAtS(): number {
+    return this.#atS
   }
 
   /** Where in the buffer it is at a time of the context. */
@@ -95,6 +124,11 @@ export class Voice {
     this.node.onended = null
     ramp(this.#context, this.#gain, 0, FADE_S, atS)
     this.node.stop(atS + FADE_S)
+  }
+
+  #discard(): void {
+    this.#gain.disconnect()
+    this.node.stop()
   }
 
   #repeat(loop: TimeRange | null): void {
