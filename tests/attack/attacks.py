@@ -3,14 +3,12 @@
 import base64
 import io
 import itertools
-import random
 import socket
 import string
 import time
 import zipfile
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
@@ -18,51 +16,16 @@ import httpx
 import numpy as np
 
 from app.accounts.authentication import CSRF_HEADER
-from app.kit.concurrency import MAX_WAIT_S
 from tests.attack.hostile_requests import hostile_requests
-from tests.attack.long_contract import add_two_long_versions
+from tests.attack.target import ANSWER_WITHIN_S, NO_ANSWER, ODD, Target, sent, sent_raw
 from tests.house.routes import operations
-from tests.support.deliver import add_cues, deliver, open_delivery
 from tests.support.mutants import mutant
-from tests.support.server import World
-from tests.support.waves import sine, wav_bytes
 
-ANSWER_WITHIN_S = MAX_WAIT_S + 10  # who floods a server waits for all that they sent before
-NO_ANSWER = 0  # in place of a status: the server closed the line
 SLOW_LINES, SLOW_FOR_S = 20, 1.0
-ODD = ("²", "9" * 20, "9" * 5_000, "-1", "\0", "a\0b", "..", "../../etc/passwd", str(2**31), str(2**63), "{}",
-       "é" * 999)  # fmt: skip
 AT_ONCE = 4  # comparisons of one person
 AS_MANY_AS_ASKED = httpx.Limits(max_connections=None, max_keepalive_connections=None)
 ENDS = {"sign_out", "end_my_other_sign_ins", "end_my_sign_in"}  # of attackers themselves
 HOSTILE_REQUESTS = 60  # of other seeds each time
-
-
-@dataclass
-class Target:
-    """A running server, the people who attack it, and what they know."""
-
-    world: World
-    port: int
-    numbers: random.Random = field(default_factory=lambda: random.Random(20))
-
-    def __post_init__(self) -> None:
-        """Fill a project, so that addresses lead somewhere."""
-        operations()  # reads the OpenAPI document once, for as long as an attack may last
-        self.cue_ids = [
-            cue["id"] for cue in add_cues(self.world, {"name": "Laser fire"}, {"name": "aaaaaaaaaaaaaaaaaaaaaaaa"})
-        ]
-        self.take_id = deliver(self.world, "laser_fire.wav", wav_bytes(sine(hz=997, seconds=0.2)))["id"]
-        self.delivery_id = open_delivery(self.world)
-        self.project = f"/v1/projects/{self.world.project_id}"
-        with self.world.server.runtime.database.writing() as session:
-            self.contract_id = add_two_long_versions(session, self.world)
-
-    def bad_word(self) -> str:
-        """Return a value that parsers and databases stumble over."""
-        return self.numbers.choice(ODD)
-
-
 Attack = Callable[[Target], Iterator[int]]
 ATTACKS: dict[str, Attack] = {}
 
@@ -75,29 +38,6 @@ def attack(name: str) -> Callable[[Attack], Attack]:
         return run
 
     return register
-
-
-def sent(client: httpx.Client, method: str, path: str, **more: Any) -> int:
-    """Return the status of a request, NO_ANSWER where the server closed the line or a client cannot write this."""
-    try:
-        return client.request(method, path, timeout=ANSWER_WITHIN_S, **more).status_code
-    except httpx.TimeoutException:
-        raise
-    except (httpx.TransportError, httpx.InvalidURL, UnicodeEncodeError, ValueError):
-        return NO_ANSWER
-
-
-def sent_raw(target: Target, head: bytes, body: bytes = b"", *, host: bytes = b"Host: 127.0.0.1\r\n") -> int:
-    """Return the status of a request that no client would write."""
-    with socket.create_connection(("127.0.0.1", target.port), timeout=ANSWER_WITHIN_S) as line:
-        try:
-            line.sendall(head + b"\r\n" + host + b"Connection: close\r\n\r\n" + body)
-            first = line.makefile("rb").readline().split()
-        except TimeoutError:
-            raise httpx.ReadTimeout(f"no answer to {head[:80]!r}") from None
-        except OSError:
-            return NO_ANSWER
-    return int(first[1]) if len(first) > 1 and first[1].isdigit() else NO_ANSWER
 
 
 # Sheets.

@@ -13,8 +13,9 @@ from typing import cast
 
 import httpx
 
-from tests.attack.attacks import ATTACKS, NO_ANSWER, Target, every_route
+from tests.attack.attacks import ATTACKS, every_route
 from tests.attack.honest import Visit, honest_person, visits
+from tests.attack.target import NO_ANSWER, Target
 from tests.kill.processes import ProcessServer, Zygote
 from tests.support.server import RunningServer, World
 
