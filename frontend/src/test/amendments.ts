@@ -1,8 +1,8 @@
 import { type Answers } from './server'
 
 export const SHA = 'a'.repeat(64)
-export const cue = (name: string) => ({ id: name, label: 'SW-001', name })
-export const stated = (name: string, state: string, part: number, owed: number) => ({
+const cue = (name: string) => ({ id: name, label: 'SW-001', name })
+const stated = (name: string, state: string, part: number, owed: number) => ({
   cue: cue(name),
   milestone: 'Alpha',
   state,
@@ -53,7 +53,7 @@ export const ENDING = {
   signatures_needed: 2,
   may: { give_notice: true, withdraw: false, agree: false },
 }
-export const NOTICE = {
+const NOTICE = {
   number: 1,
   party: 'studio',
   given_by: 'Producer',
@@ -124,7 +124,7 @@ export const ORDERS = {
   cues_to_add: [cue('shield_down')],
 }
 export const ME = { id: 'x3', name: 'Sound designer' }
-export const PROJECT = {
+const PROJECT = {
   id: 'p1',
   name: 'Shield Wing',
   studio_id: 's1',

@@ -1,13 +1,13 @@
 import { type Answers } from './server'
 
-export const span = (text: string) => ({ text, strong: false, emphatic: false })
+const span = (text: string) => ({ text, strong: false, emphatic: false })
 export const block = (kind: 'head' | 'text' | 'item', text: string, level = 0) => ({
   kind,
   level,
   spans: [span(text)],
   rows: [],
 })
-export const CLAUSES = [
+const CLAUSES = [
   { key: 'rounds', title: 'Rounds', text: 'It includes {rounds_included} rounds.', stands: true },
   { key: 'bonus', title: 'Bonus', text: 'A bonus.', stands: false },
 ]

@@ -1,6 +1,6 @@
 import { screen, waitFor } from '@testing-library/react'
 import axe from 'axe-core'
-import { beforeAll, beforeEach, expect } from 'vitest'
+import { beforeEach, expect } from 'vitest'
 
 import type { ContractMoney, Figures, Invoice, ProjectMoney } from '@/money/api'
 
@@ -8,8 +8,8 @@ import { openApp } from './openApp'
 import { aMe, aServer, PROJECT } from './review'
 
 const AT = '2026-11-20T10:00:00Z'
-export const PING = { id: 'ping', label: 'SW-005', name: 'radar_ping' }
-export const LAUNCH = { id: 'launch', label: 'SW-019', name: 'missile_launch' }
+const PING = { id: 'ping', label: 'SW-005', name: 'radar_ping' }
+const LAUNCH = { id: 'launch', label: 'SW-019', name: 'missile_launch' }
 export const figures = (more: Partial<Figures> = {}): Figures => ({
   agreed_minor: 324_000,
   accepted_minor: 198_000,
@@ -140,9 +140,8 @@ export const opened = async () => {
   await waitFor(() => expect(screen.getAllByRole('table')).toHaveLength(2))
 }
 
-/** Before each test: the page's code, and a server with two contracts as a producer reads them. */
+/** Before each test: a server with two contracts as a producer reads them. */
 export function serveMoneyPage() {
-  beforeAll(() => import('@/features/money/MoneyPage'))
   beforeEach(() => {
     server = aServer()
       .on('GET /v1/me', aMe({ is_producer: true }))

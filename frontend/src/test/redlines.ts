@@ -1,6 +1,6 @@
 import { type Answers } from './server'
 
-export const CLAUSES = [
+const CLAUSES = [
   { key: 'parties', title: 'Parties', text: 'Between us.', stands: true },
   { key: 'rounds', title: 'Rounds', text: 'It includes {rounds_included} rounds.', stands: true },
 ]
@@ -55,8 +55,8 @@ export const CONTRACT = {
   signature_time: { first_sent_at: '2026-11-20T10:00:00Z', waits_since: '2026-11-20T10:00:00Z' },
   may: { ...MAY, request_change: true },
 }
-export const same = (text: string, kind = 'text') => ({ kind, change: 'same', runs: [{ is_in: 'both', text }] })
-export const marked = (key: string, number: number | null, lines: object[], redline: object | null = null) => ({
+const same = (text: string, kind = 'text') => ({ kind, change: 'same', runs: [{ is_in: 'both', text }] })
+const marked = (key: string, number: number | null, lines: object[], redline: object | null = null) => ({
   key,
   number,
   lines,
@@ -67,7 +67,7 @@ export const UNMARKED = [
   marked('parties', 1, [same('Parties', 'head'), same('Between us.')]),
   marked('rounds', 2, [same('Rounds', 'head'), same('It includes 2 rounds.')]),
 ]
-export const redline = (number: number, clause: string, more: object = {}) => ({
+const redline = (number: number, clause: string, more: object = {}) => ({
   number,
   kind: 'replace',
   clause_key: clause,
@@ -76,7 +76,7 @@ export const redline = (number: number, clause: string, more: object = {}) => ({
   answer: null,
   ...more,
 })
-export const CHANGED = {
+const CHANGED = {
   kind: 'text',
   change: 'changed',
   runs: [
@@ -86,7 +86,7 @@ export const CHANGED = {
     { is_in: 'both', text: ' rounds.' },
   ],
 }
-export const ADDED = { kind: 'text', change: 'added', runs: [{ is_in: 'later', text: 'At four.' }] }
+const ADDED = { kind: 'text', change: 'added', runs: [{ is_in: 'later', text: 'At four.' }] }
 export const round = (answers: (object | null)[] = [null, null], more: object = {}) => ({
   number: 1,
   version: 2,
@@ -122,7 +122,7 @@ export const page = (of: object | null, mayAnswer = false) => ({
   round: of,
   may_answer: mayAnswer,
 })
-export const PROJECT = {
+const PROJECT = {
   id: 'p1',
   name: 'Shield Wing',
   studio_id: 's1',
@@ -132,8 +132,8 @@ export const PROJECT = {
   is_producer: false,
   engagement_kind: 'contract',
 }
-export const ME = { person: { id: 'x3', name: 'Someone' }, email: 'x@sound.example', studios: [], projects: [PROJECT] }
-export const LIBRARY = {
+const ME = { person: { id: 'x3', name: 'Someone' }, email: 'x@sound.example', studios: [], projects: [PROJECT] }
+const LIBRARY = {
   kind: 'single',
   notice: '',
   variables: {},

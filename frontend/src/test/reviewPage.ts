@@ -1,5 +1,5 @@
 import { screen } from '@testing-library/react'
-import { beforeAll, beforeEach, vi } from 'vitest'
+import { beforeEach, vi } from 'vitest'
 
 import { dismissToast } from '@/app/toast'
 import type { CueReview, QueueItem } from '@/judging/api'
@@ -26,9 +26,8 @@ export const queueIs = (...items: QueueItem[]) => (queue = items)
 
 export const serveReview = (review: CueReview) => server.on(`GET /v1/cues/${review.cue.id}/review`, review)
 
-/** Before each test: the page's code, and a server with two cues in the queue. */
+/** Before each test: a server with two cues in the queue. */
 export function serveReviewPage() {
-  beforeAll(() => Promise.all([import('@/features/review/ReviewPage'), import('@/features/review/ReviewStart')]))
   beforeEach(() => {
     dismissToast()
     vi.stubGlobal('AudioContext', HandContext)

@@ -1,5 +1,5 @@
 import { screen } from '@testing-library/react'
-import { beforeAll, beforeEach, vi } from 'vitest'
+import { beforeEach, vi } from 'vitest'
 
 import { dismissToast } from '@/app/toast'
 
@@ -10,9 +10,8 @@ import { aTakeServer } from './take'
 export let server: ReturnType<typeof aTakeServer>
 let contexts: HandContext[]
 
-/** Before each test: the page's code, and a server with one version that came back. */
+/** Before each test: a server with one version that came back. */
 export function serveTakePage() {
-  beforeAll(() => import('@/features/take/TakePage'))
   beforeEach(() => {
     dismissToast()
     contexts = []

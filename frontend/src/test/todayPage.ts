@@ -1,13 +1,15 @@
 import { screen } from '@testing-library/react'
-import { beforeAll, beforeEach, vi } from 'vitest'
+import { beforeEach, vi } from 'vitest'
 
+import type { components } from '@/api/schema.gen'
 import { dismissToast } from '@/app/toast'
-import type { TodayAnswer } from '@/features/today/api'
 import type { QueueItem } from '@/judging/api'
 
 import { HandContext } from './audioContext'
 import { aMe, anItem, aPreview, aServer, aTake, PROJECT, somePeaks } from './review'
 import { openApp } from './openApp'
+
+type Today = components['schemas']['Today']
 
 export const TODAY = `/v1/projects/${PROJECT}/today`
 export const DRAFTS = `/v1/projects/${PROJECT}/change-requests`
@@ -20,7 +22,7 @@ export const single = anItem({ id: 'suit', name: 'suit_hit', label: 'SW-011' }, 
   waiting_since: '2026-11-20T11:00:00Z',
 })
 
-export function day(answer: Partial<TodayAnswer> = {}): TodayAnswer {
+export function day(answer: Partial<Today> = {}): Today {
   return {
     questions: [],
     with_others: [],
@@ -38,9 +40,8 @@ let queue: QueueItem[]
 /** Let other cues wait. */
 export const queueIs = (...items: QueueItem[]) => (queue = items)
 
-/** Before each test: the page's code, and a server with two cues in the queue. */
+/** Before each test: a server with two cues in the queue. */
 export function serveTodayPage() {
-  beforeAll(() => import('@/features/today/TodayPage'))
   beforeEach(() => {
     dismissToast()
     vi.stubGlobal('AudioContext', HandContext)

@@ -1,12 +1,13 @@
 import { fireEvent, screen, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { describe, expect, test } from 'vitest'
+import { beforeAll, describe, expect, test } from 'vitest'
 
 import type { Bonus } from '@/money/api'
 import { faults, figures, LINE, opened, serveMoneyPage, server } from '@/test/moneyPage'
 import { aMe } from '@/test/review'
 import { refusal } from '@/test/server'
 
+beforeAll(() => import('./MoneyPage'))
 serveMoneyPage()
 
 describe('a bonus', () => {

@@ -1,12 +1,13 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { beforeEach, describe, expect, test, vi } from 'vitest'
+import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest'
 
 import { aContract, anInvoice, DRAFT, faults, opened, PAGE, serveMoneyPage, server, tell } from '@/test/moneyPage'
 import { openApp } from '@/test/openApp'
 import { aMe, PROJECT } from '@/test/review'
 import { answer, type Asked, refusal } from '@/test/server'
 
+beforeAll(() => import('./MoneyPage'))
 serveMoneyPage()
 
 const WORKED = {

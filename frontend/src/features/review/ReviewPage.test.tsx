@@ -1,12 +1,13 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
-import { beforeEach, describe, expect, test } from 'vitest'
+import { beforeAll, beforeEach, describe, expect, test } from 'vitest'
 
 import { aDraft, aMe, APPROVER, PROJECT, somePeaks } from '@/test/review'
 import { open, opened, queueIs, server, serveReviewPage, walk } from '@/test/reviewPage'
 import { refusal } from '@/test/server'
 
+beforeAll(() => Promise.all([import('./ReviewPage'), import('./ReviewStart')]))
 serveReviewPage()
 
 test('references of the cue stand beside its notes, where there are any', async () => {

@@ -1,11 +1,12 @@
 import { fireEvent, screen, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { describe, expect, test } from 'vitest'
+import { beforeAll, describe, expect, test } from 'vitest'
 
 import { anItem, aReview, aTake } from '@/test/review'
 import { opened, queueIs, server, serveReview, serveReviewPage, shield, walk } from '@/test/reviewPage'
 import { refusal } from '@/test/server'
 
+beforeAll(() => Promise.all([import('./ReviewPage'), import('./ReviewStart')]))
 serveReviewPage()
 
 const alternate = (letter: string) =>

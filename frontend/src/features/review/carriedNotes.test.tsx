@@ -1,12 +1,13 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
-import { beforeEach, describe, expect, test } from 'vitest'
+import { beforeAll, beforeEach, describe, expect, test } from 'vitest'
 
 import { aDraft, aNote, anItem, aReview, aTake, APPROVER } from '@/test/review'
 import { opened, queueIs, server, serveReview, serveReviewPage } from '@/test/reviewPage'
 import { type Asked, refusal } from '@/test/server'
 
+beforeAll(() => Promise.all([import('./ReviewPage'), import('./ReviewStart')]))
 serveReviewPage()
 
 describe('a version that answers a change', () => {

@@ -1,11 +1,12 @@
 import { screen, waitFor } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { describe, expect, test } from 'vitest'
+import { beforeAll, describe, expect, test } from 'vitest'
 
 import { aMe, aReview } from '@/test/review'
 import { opened, server, serveReview, serveReviewPage, walk } from '@/test/reviewPage'
 import { answer } from '@/test/server'
 
+beforeAll(() => Promise.all([import('./ReviewPage'), import('./ReviewStart')]))
 serveReviewPage()
 
 describe('what a pick makes due', () => {

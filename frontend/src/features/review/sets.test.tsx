@@ -1,11 +1,12 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
-import { describe, expect, test } from 'vitest'
+import { beforeAll, describe, expect, test } from 'vitest'
 
 import { aDraft, aReview } from '@/test/review'
 import { opened, posts, server, serveReview, serveReviewPage, walk } from '@/test/reviewPage'
 
+beforeAll(() => Promise.all([import('./ReviewPage'), import('./ReviewStart')]))
 serveReviewPage()
 
 describe('a set', () => {

@@ -1,11 +1,12 @@
 import { act, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { describe, expect, test } from 'vitest'
+import { beforeAll, describe, expect, test } from 'vitest'
 
 import { aFinding, aReview, aTake, APPROVER } from '@/test/review'
 import { opened, posts, server, serveReview, serveReviewPage, shield } from '@/test/reviewPage'
 import { refusal } from '@/test/server'
 
+beforeAll(() => Promise.all([import('./ReviewPage'), import('./ReviewStart')]))
 serveReviewPage()
 
 describe('what is said', () => {

@@ -1,11 +1,12 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { expect, test } from 'vitest'
+import { beforeAll, expect, test } from 'vitest'
 
 import { answer, type Asked } from '@/test/server'
 import { anItem, aReview, aTake, PROJECT } from '@/test/review'
 import { opened, queueIs, server, serveReview, serveReviewPage, shield, walk } from '@/test/reviewPage'
 
+beforeAll(() => Promise.all([import('./ReviewPage'), import('./ReviewStart')]))
 serveReviewPage()
 
 const unheardWalk = { ...walk, takes: walk.takes.map((take) => ({ ...take, is_heard: false })) }

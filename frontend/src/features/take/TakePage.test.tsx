@@ -1,7 +1,7 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
-import { describe, expect, test } from 'vitest'
+import { beforeAll, describe, expect, test } from 'vitest'
 
 import { openApp } from '@/test/openApp'
 import { aFinding, aMe, PROJECT } from '@/test/review'
@@ -9,6 +9,7 @@ import { refusal } from '@/test/server'
 import { aCheck, aGameFile, aFix, aVersion, DESIGNER, LATE, someSounds } from '@/test/take'
 import { card, lastStarted, opened, server, serveTakePage } from '@/test/takePage'
 
+beforeAll(() => import('./TakePage'))
 serveTakePage()
 
 describe('findings', () => {

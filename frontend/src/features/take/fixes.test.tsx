@@ -1,12 +1,13 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { describe, expect, test } from 'vitest'
+import { beforeAll, describe, expect, test } from 'vitest'
 
 import { aMe } from '@/test/review'
 import { refusal } from '@/test/server'
 import { aFix, aVersion, DESIGNER } from '@/test/take'
 import { card, lastContext, lastStarted, opened, server, serveTakePage } from '@/test/takePage'
 
+beforeAll(() => import('./TakePage'))
 serveTakePage()
 
 describe('the fix', () => {

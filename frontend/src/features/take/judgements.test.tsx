@@ -1,9 +1,10 @@
 import { screen, within } from '@testing-library/react'
-import { describe, expect, test } from 'vitest'
+import { beforeAll, describe, expect, test } from 'vitest'
 
 import { aCheck } from '@/test/take'
 import { card, opened, server, serveTakePage } from '@/test/takePage'
 
+beforeAll(() => import('./TakePage'))
 serveTakePage()
 
 describe('the judgement of reverb', () => {

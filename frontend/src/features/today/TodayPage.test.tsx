@@ -1,13 +1,14 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
-import { describe, expect, test } from 'vitest'
+import { beforeAll, describe, expect, test } from 'vitest'
 
 import { aMe, anItem, aTake, PROJECT } from '@/test/review'
 import { openApp } from '@/test/openApp'
 import { type Asked, refusal } from '@/test/server'
 import { alternates, day, open, opened, queueIs, server, serveTodayPage, single, TODAY } from '@/test/todayPage'
 
+beforeAll(() => import('./TodayPage'))
 serveTodayPage()
 
 const question = {

@@ -1,11 +1,12 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { describe, expect, test } from 'vitest'
+import { beforeAll, describe, expect, test } from 'vitest'
 
 import { aDraft, aMe, aTake, PROJECT } from '@/test/review'
 import { refusal } from '@/test/server'
 import { alternates, day, DRAFTS, open, opened, queueIs, server, serveTodayPage, single, TODAY } from '@/test/todayPage'
 
+beforeAll(() => import('./TodayPage'))
 serveTodayPage()
 
 const question = {
