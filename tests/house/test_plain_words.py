@@ -18,11 +18,11 @@ MODULES = (
     "jobs",
     "links",
     "settlement",
-    "mends",
-    "sendings",
-    "agreeing",
-    "book",
-    "saving",
+    "fixes",
+    "sending",
+    "signing",
+    "ledger_book",
+    "save_edits",
 )
 ODD = (
     "silence first", "lost in mono", "flat tops", "stand-in", "stand-ins", "mended", "mender", "anew", "last word",
