@@ -8,7 +8,7 @@
 #include "kernel.h"
 
 enum { TAPS = 24, PHASES = 8, MIDDLE_TAPS = 504, HALF_TAPS = 12, FINE_PHASES = 16 };
-enum { BESIDE = HALF_TAPS / 4, TOUCHED_BY_FINE = MIDDLE_TAPS + 8 }; /* middles on either side; samples a fine point takes */
+enum { CONTEXT = HALF_TAPS / 4, TOUCHED_BY_FINE = MIDDLE_TAPS + 8 }; /* middles on either side; samples a fine point takes */
 enum { REACH = TOUCHED_BY_FINE - 1 };
 enum { LEAD = TOUCHED_BY_FINE / 2 - 1, NEAR = (TOUCHED_BY_FINE - TAPS) / 2 }; /* taps before an interval's sample; to the first of 24 */
 enum { PART = 4, PARTS = ROW / PART, SPAN = TAPS / PART, TOUCHED = ROW + TAPS };
@@ -63,14 +63,14 @@ typedef struct {
     const double *samples; /* that the row's first interval touches */
     Py_ssize_t first, count; /* its place amid all that is searched */
     unsigned known; /* which groups */
-    double middles[1 + ROW + 2 * BESIDE + MIDDLES]; /* [1]: of the interval BESIDE before the first */
+    double middles[1 + ROW + 2 * CONTEXT + MIDDLES]; /* [1]: of the interval CONTEXT before the first */
 } drawn_row;
 
 /* Return the middles around an interval of the row. */
 static const double *middles_around(drawn_row *row, Py_ssize_t interval, const double *taps) {
-    for (Py_ssize_t group = interval / MIDDLES; group <= (interval + 2 * BESIDE) / MIDDLES; group++) {
+    for (Py_ssize_t group = interval / MIDDLES; group <= (interval + 2 * CONTEXT) / MIDDLES; group++) {
         if (row->known >> group & 1) continue;
-        const Py_ssize_t last = row->count + 2 * BESIDE - MIDDLES; /* touches what the last interval touches */
+        const Py_ssize_t last = row->count + 2 * CONTEXT - MIDDLES; /* touches what the last interval touches */
         const Py_ssize_t from = group * MIDDLES < last ? group * MIDDLES : last;
         in_lanes()->middles(row->samples + 1 + from, taps, MIDDLE_TAPS / 2, row->middles + 1 + from);
         row->known |= 1U << group;
@@ -95,8 +95,8 @@ static void half_curve(const double *points, const double *taps, int phase, doub
 
 static double fine_curve(drawn_row *row, Py_ssize_t interval, const interpolator *by, int *at) {
     const double *middles = middles_around(row, interval, by->middle_taps);
-    const double *samples = row->samples + interval + LEAD - BESIDE + 1;
-    double points[HALF_TAPS + 1], highest = fabs(middles[BESIDE]);
+    const double *samples = row->samples + interval + LEAD - CONTEXT + 1;
+    double points[HALF_TAPS + 1], highest = fabs(middles[CONTEXT]);
     for (int pair = 0; pair < HALF_TAPS / 2; pair++) points[2 * pair] = middles[pair], points[2 * pair + 1] = samples[pair];
     points[HALF_TAPS] = middles[HALF_TAPS / 2];
     *at = FINE_PHASES / 2;

@@ -27,7 +27,7 @@ DULL_FRAMES = 6  # of a cell that are left without the highs
 REACH = 40  # cells on either side that are compared: 20 ms
 BURST_STANDS_OUT = 4.0  # times as sharp as all beyond, within the reach: worth a closer look, against the sound beyond
 BURST_GOES_ON = 2.8  # the power of sixth differences may fall or rise by 4.5 dB there: strokes and crackle leave a tail
-BESIDE = 24  # cells of the sound before a click, and of that after it, from which it is predicted: 12 ms
+CONTEXT = 24  # cells of the sound before a click, and of that after it, from which it is predicted: 12 ms
 LEVEL_CELLS = 20  # 10 ms on either side, by which a sound is said to go on
 GOES_ON = 30.0  # power, or that of sixth differences, may fall or rise by 15 dB; more is a sound that starts or stops
 BELOW_PEAK = 6.3e-3  # 44 dB under the file's peak: smaller clicks count for nothing
@@ -237,7 +237,7 @@ class Clicks:
             samples,
             thin,
             starts[late],
-            _window(BESIDE * size),
+            _window(CONTEXT * size),
             _window((rule.cells + 2 * REACH) * size),
             ORDER,
             size,

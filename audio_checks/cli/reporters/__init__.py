@@ -2,7 +2,7 @@
 
 A format has `judged(report, style)`, which returns the whole output of `check` as text, and may have
 `measured(report, style)`, the output of `measure`. One whose lines are read by a machine out of
-other text has `BESIDE = True`, and may go to the same place as another format.
+other text has `SHARES_OUTPUT = True`, and may go to the same place as another format.
 """
 
 import pkgutil
@@ -59,7 +59,7 @@ def measured_as(name: str, report: Report, style: Style) -> str:
 
 def goes_beside(name: str) -> bool:
     """Return whether a format may share its place with another."""
-    return getattr(_module(name), "BESIDE", False)
+    return getattr(_module(name), "SHARES_OUTPUT", False)
 
 
 def _module(name: str) -> ModuleType:

@@ -14,7 +14,7 @@ from audio_checks.cli.reporters import Style
 from audio_checks.report.findings import FileReport, Finding, Report, printable
 from audio_checks.spec.check_names import Severity
 
-BESIDE = True  # the runner picks its commands out of any other output
+SHARES_OUTPUT = True  # the runner picks its commands out of any other output
 MOST_OF_A_LEVEL = 10
 SUMMARY_BYTES = 900_000  # of the 1 MiB that a step may write
 MOST_IN_A_CELL = 5

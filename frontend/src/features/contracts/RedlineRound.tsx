@@ -99,7 +99,7 @@ export function RedlineRound({ contract, round, mayAnswer, back }: RedlineRoundP
           id="round"
           title={`Round ${round.number}`}
           note={`${plural(redlines.length, 'change')} to version ${round.version} by ${round.by}, ${day(round.at)}`}
-          end={<Standing round={round} />}
+          end={<RoundState round={round} />}
         />
         {round.note !== '' && <blockquote className={classes.asked}>{round.note}</blockquote>}
         <div className={`${classes.form} ${styles.tools}`}>
@@ -171,7 +171,7 @@ export function RedlineRound({ contract, round, mayAnswer, back }: RedlineRoundP
   )
 }
 
-function Standing({ round }: { round: Round }) {
+function RoundState({ round }: { round: Round }) {
   if (round.sent_version !== null) return <State kind="accepted">{`Version ${round.sent_version} was sent`}</State>
   if (round.unanswered === 0) return <State kind="to_review">All answered</State>
   return <State kind="change_requested">{`${round.unanswered} without an answer`}</State>
