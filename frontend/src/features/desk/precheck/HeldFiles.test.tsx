@@ -26,7 +26,7 @@ const ODD = pick('odd.wav', 'bytes after the end')
 const CUE = { id: 'c1', label: 'SW-001', name: 'laser' }
 const NO_CUE = { cue: null, variation: null, length: null, spec: 0, is_dry_stem: false, list_name: null, findings: [] }
 
-function precheck(files: object[], failing = false) {
+function precheck(files: object[], failing = false, isSound: (file: File) => boolean = () => true) {
   const sent: string[] = []
   const { asked } = serve({
     'POST /v1/projects/p1/check-preview': {
@@ -40,7 +40,12 @@ function precheck(files: object[], failing = false) {
     sent.push(...picked.map(({ path }) => path))
     return Promise.resolve()
   })
-  const made = new Precheck({ projectId: 'p1', isSound: () => Promise.resolve(true), send, judge: judgeFile })
+  const made = new Precheck({
+    projectId: 'p1',
+    isSound: (file) => Promise.resolve(isSound(file)),
+    send,
+    judge: judgeFile,
+  })
   return { made, sent, asked }
 }
 
@@ -60,6 +65,14 @@ test('what passes is sent at once; what would come back waits, with what is wron
   expect(held().getByRole('listitem')).toHaveTextContent('Sample peak 0.00 dBFS. Limit −1.0 dBFS.')
   expect(held().getByRole('listitem')).toHaveTextContent('Lower the level by 1.00 dB or more.')
   expect(screen.getByText(/2 other files passed and are on the way/)).toHaveTextContent('sample peak')
+})
+
+test('what the queue refuses goes to it, and is not said to have passed', async () => {
+  const { made, sent } = precheck([{ ...NO_CUE, cue: CUE }, NO_CUE], false, ({ name }) => name.endsWith('.wav'))
+  draw(<HeldFiles precheck={made} />)
+  await made.add([LOUD, pick('sting.aiff', 'AIFF as sound.aiff'), GOOD], null)
+  expect(sent).toEqual(['sting.aiff', 'shield.wav'])
+  expect(await screen.findByText(/1 other file passed and is on the way/)).toBeVisible()
 })
 
 test('one that waits is sent all the same, by keys', async () => {

@@ -34,7 +34,7 @@ export interface PrecheckState {
   /** Files that were judged, of those that were dropped since all were. */
   judged: number
   dropped: number
-  /** Files that passed and were sent since then. */
+  /** Sounds that passed and were sent since then. */
   passed: number
   /** What is checked before the upload, in words of the server. */
   labels: readonly string[]

@@ -1,4 +1,5 @@
 import { check, type CueLength, type Finding, otherThanAccepted, type SpecView, whole } from './checks'
+import { flacSlices, readFlacLayout } from './flac'
 import { peaksOf, wavSlices } from './peaks'
 import { LeftToServer, type Read, readLayout, Unreadable } from './wav'
 
@@ -24,7 +25,6 @@ const isFlac = async (file: File, read: Read): Promise<boolean> =>
   file.name.toLowerCase().endsWith('.flac') && String.fromCharCode(...(await read(0, 4))) === 'fLaC'
 
 async function findingsOfFlac({ file, spec, length }: Judgeable, read: Read): Promise<Finding[]> {
-  const { flacSlices, readFlacLayout } = await import('./flac')
   const layout = await readFlacLayout(read, file.size)
   return check({ layout, peaks: await peaksOf(layout, flacSlices(layout, read)), spec, length })
 }

@@ -175,13 +175,14 @@ export class Precheck {
     const sounds = picked.filter((_, index) => areSounds[index])
     const held = this.#isSkipped || sounds.length === 0 ? [] : await this.#toHold(sounds, cueId)
     const waiting = new Set(held.map(({ picked: { file } }) => file))
-    const passed = picked.filter(({ file }) => !waiting.has(file))
-    if (passed.length > 0) await this.#options.send(passed, cueId)
+    // What the queue refuses, it lists with the reason.
+    const going = picked.filter(({ file }) => !waiting.has(file))
+    if (going.length > 0) await this.#options.send(going, cueId)
     const { judged, passed: before } = this.#state
     this.#set({
       held: [...this.#state.held, ...held],
       judged: judged + picked.length,
-      passed: before + passed.length,
+      passed: before + sounds.length - held.length,
     })
   }
 
