@@ -100,6 +100,17 @@ describe('playing', () => {
   })
 })
 
+test('aligned with a position that moves on, it is there when the device begins', async () => {
+  const made = await playing(A)
+  Object.assign(context, { baseLatency: 0.01, currentTime: 0.1 })
+  made.align(0.5)
+  expect(last()?.atS).toBeCloseTo(0.12, 9)
+  expect(last()?.fromS).toBeCloseTo(0.52, 9)
+  made.pause()
+  made.align(0.3)
+  expect(made.positionS()).toBe(0.3)
+})
+
 describe('repeating', () => {
   test('a range repeats inside the sound itself, without a new start', async () => {
     const made = await playing()

@@ -114,6 +114,12 @@ export class Player implements Clock {
     this.#soundOrMove(this.#voice?.buffer, positionS)
   }
 
+  /** Go to a position that moves on by itself: what plays is there when the device begins it, not a lead later. */
+  align(s: number): void {
+    const leadS = this.isPlaying() ? soonS(this.#contextNow()) - this.#contextNow().currentTime : 0
+    this.seek(s + leadS)
+  }
+
   setLooping(looping: boolean): void {
     this.#change({ looping })
   }

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 
-import { correction, DRIFT_S, expectedS, offsetMs } from './live'
+import { Drift, DRIFT_S, expectedS, offsetMs } from './live'
 
 test('the clock offset is that of the shortest round trip', () => {
   expect(offsetMs([])).toBe(0)
@@ -26,17 +26,43 @@ test('a playhead moves on with the server’s clock while it plays', () => {
   expect(expectedS({ ...live, is_playing: false }, 4_000, 60_000)).toBe(2)
 })
 
-test('a page jumps when it is more than 150 ms away, and not past the end', () => {
-  expect(DRIFT_S).toBe(0.15)
-  expect(correction(1.1, 1, 5)).toBeNull()
-  expect(correction(1.149, 1, 5)).toBeNull()
-  expect(correction(1.151, 1, 5)).toBe(1.151)
-  expect(correction(0.8, 1, 5)).toBe(0.8)
-  expect(correction(9, 4.9, 5)).toBeNull()
-  expect(correction(9, 1, 5)).toBe(5)
+test('a page that is far away jumps at once, and not past the end', () => {
+  const jump = (wantedS: number, actualS: number) => new Drift().correction(wantedS, actualS, 5)
+  expect(jump(1.1, 1)).toBeNull()
+  expect(jump(1.151, 1)).toBe(1.151)
+  expect(jump(0.8, 1)).toBe(0.8)
+  expect(jump(9, 4.9)).toBeNull()
+  expect(jump(9, 1)).toBe(5)
 })
 
-test('two pages that follow one playhead are at most 150 ms apart and the error of their clocks', () => {
+test('a page that is a little away jumps once several readings say so, and one alone moves nothing', () => {
+  const jumps = (aways: readonly number[]) => {
+    const drift = new Drift()
+    return aways.map((awayS, index) => drift.correction(index + awayS, index, 60))
+  }
+  expect(jumps([0.04, 0.04, 0.04, 0.04, 0.04, 0.04])).toEqual([null, null, null, null, 4.04, null])
+  expect(jumps([0.02, 0.02, 0.14, 0.02, -0.14, 0.02, 0.02])).toEqual(Array(7).fill(null))
+})
+
+test('two clocks that run apart by 100 ppm stay within the drift for five minutes', () => {
+  const drift = new Drift()
+  let [actualS, most, jumps] = [0, 0, 0]
+  for (let tick = 1; tick <= 1_200; tick += 1) {
+    const wantedS = tick / 4
+    actualS += 1.0001 / 4
+    // The device's time comes in steps of 10 ms.
+    const read = Math.floor(actualS * 100) / 100
+    const jumpS = drift.correction(wantedS, read, 600)
+    most = Math.max(most, Math.abs(wantedS - actualS))
+    if (jumpS === null) continue
+    jumps += 1
+    actualS = jumpS
+  }
+  expect(most).toBeLessThanOrEqual(DRIFT_S + 0.01)
+  expect(jumps).toBeLessThanOrEqual(1)
+})
+
+test('two pages that follow one playhead are apart by no more than the error of their clocks', () => {
   const live = { position_s: 0, server_ms: 50_000, is_playing: true }
   // Each page's clock and round trip differ; the playhead each aims at differs by half of the round trips at most.
   const pages = [

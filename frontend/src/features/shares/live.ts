@@ -1,7 +1,11 @@
 import type { Live } from './api'
 
-/** What a page may be away from the playhead that all hear; farther away it jumps there. */
-export const DRIFT_S = 0.15
+/** What a page may be away from the playhead that all hear, by the middle of several readings. */
+export const DRIFT_S = 0.03
+/** Farther away it jumps at once. */
+export const FAR_S = 0.15
+/** The clock of a device moves in steps of up to 40 ms: no single reading counts. */
+const READINGS = 5
 
 /** One exchange with the server: when it was sent and answered by our clock, and the server's clock in between. */
 export interface Exchange {
@@ -25,8 +29,19 @@ export function expectedS(live: Pick<Live, 'position_s' | 'server_ms' | 'is_play
   return Math.max(0, live.position_s + (nowMs + aheadMs - live.server_ms) / 1000)
 }
 
-/** Where to jump, so that a page hears what all hear; null while it is near enough. */
-export function correction(wantedS: number, actualS: number, durationS: number): number | null {
-  const soughtS = Math.min(wantedS, durationS)
-  return Math.abs(soughtS - actualS) > DRIFT_S ? soughtS : null
+/** How far a page is from the playhead that all hear, and when it jumps there. */
+export class Drift {
+  #awayS: number[] = []
+
+  /** Where to jump, so that a page hears what all hear; null while it is near enough. */
+  correction(wantedS: number, actualS: number, durationS: number): number | null {
+    const soughtS = Math.min(wantedS, durationS)
+    const awayS = soughtS - actualS
+    this.#awayS = [...this.#awayS.slice(1 - READINGS), awayS]
+    const middleS = [...this.#awayS].sort((a, b) => a - b)[(READINGS - 1) / 2] ?? 0
+    const isAway = this.#awayS.length === READINGS && Math.abs(middleS) > DRIFT_S
+    if (!isAway && Math.abs(awayS) <= FAR_S) return null
+    this.#awayS = []
+    return soughtS
+  }
 }

@@ -6,7 +6,7 @@ import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { Player } from '@/audio'
 
 import { type Live, movePlayhead, passKeys, readLive, reportPresence } from './api'
-import { correction, type Exchange, expectedS, offsetMs } from './live'
+import { Drift, type Exchange, expectedS, offsetMs } from './live'
 import type { Playthrough } from './usePlaythrough'
 
 const REPORT_MS = 3_000 // presence ends 10 s after the last report
@@ -46,6 +46,7 @@ export function useLive(playlistId: string, mayJoin: boolean, player: Player, pl
   const [problem, setProblem] = useState('')
   const [pageId] = useState(() => crypto.randomUUID())
   const exchanges = useRef<Exchange[]>([])
+  const [drift] = useState(() => new Drift())
 
   const exchange = async (send: () => Promise<Live>): Promise<Live> => {
     const sentMs = Date.now()
@@ -138,9 +139,9 @@ export function useLive(playlistId: string, mayJoin: boolean, player: Player, pl
     const { status, durationS } = player.getState()
     if (status === 'loading' || durationS === 0) return
     if (!live.is_playing && player.isPlaying()) player.pause()
-    const jumpS = correction(wantedS, player.positionS(), durationS)
+    const jumpS = drift.correction(wantedS, player.positionS(), durationS)
     if (live.is_playing && !player.isPlaying() && wantedS < durationS) void player.play(wantedS)
-    else if (jumpS !== null) player.seek(jumpS)
+    else if (jumpS !== null) player.align(jumpS)
     else isCatchingUp.current = false
   })
   useEffect(() => {
