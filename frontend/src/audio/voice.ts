@@ -1,5 +1,5 @@
 import type { TimeRange } from './draw'
-import { soonS } from './schedule'
+import { isLate, soonS } from './schedule'
 
 /** Long enough that a switch does not click, too short to hear as a fade. */
 export const FADE_S = 0.005
@@ -61,7 +61,7 @@ export class Voice {
 
   static start(context: AudioContext, start: Start): Voice {
     let voice = Voice.#schedule(context, start)
-    for (let tries = 1; tries < MOST_TRIES && context.currentTime > voice.startsAtS; tries += 1) {
+    for (let tries = 1; tries < MOST_TRIES && isLate(context, voice.startsAtS); tries += 1) {
       // The page was held up: nobody knows from which sample on the device plays it.
       const atS = soonS(context)
       voice.#discard()
