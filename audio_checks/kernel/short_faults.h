@@ -31,4 +31,10 @@ static inline Py_ssize_t next_above(const double *maxima, Py_ssize_t row, Py_ssi
     return row;
 }
 
+/* Where, of the cells `from` until `until`, a height is `times` what lies around it, `reach` cells before and after, and
+ * more than `least`. Of the `core` cells on either side the one may belong to it too: only the lower of two neighbours
+ * counts. Beyond the heights given lies nothing. */
+Py_ssize_t find_outstanding(const double *heights, Py_ssize_t count, Py_ssize_t from, Py_ssize_t until,
+                            Py_ssize_t reach, Py_ssize_t core, double times, double least, int64_t *places);
+
 #endif

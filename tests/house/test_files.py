@@ -30,8 +30,6 @@ CODE = {".c", ".cs", ".css", ".h", ".js", ".mjs", ".py", ".sh", ".sql", ".ts", "
 FOLDERS = ["app", "audio_checks", "benchmarks", "deploy", "frontend/e2e", "frontend/scripts", "frontend/src",
            "integrations", "migrations", "tests", "training"]  # fmt: skip
 MAY_BE_LONGER = {
-    "audio_checks/kernel/clicks.c": "one detector: its steps share what is private to the file",
-    "audio_checks/kernel/fourier.c": "one transform: its passes share what is private to the file",
     "frontend/src/api/schema.gen.ts": "generated from the OpenAPI document",
     "migrations/versions/0027_tables_of_the_first_release.py": "all tables of a release, in the order of their keys",
 }
