@@ -151,7 +151,7 @@ def _ask(server: DeskServer, pages: int = MAX_PAGES) -> Answer:
 
 
 def _cue(server: DeskServer, said: Any) -> dict[str, Any]:
-    last = said["last_word"]
+    last = said["latest_comment"]
     if said["due_on"] is not None:
         date.fromisoformat(said["due_on"])
     return {

@@ -10,7 +10,7 @@ from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
 from app.dashboards import own_desk_queries as queries
 from app.dashboards.own_desk_queries import NO_DAY, OwedRow, Said
-from app.dashboards.own_desk_schemas import LastWord, OwedCue, OwnDesk
+from app.dashboards.own_desk_schemas import LatestComment, OwedCue, OwnDesk
 from app.dashboards.rules import CAME_BACK, UNFINISHED, cue_status, statuses_of
 from app.deliveries.schemas import CueBrief
 from app.kit.http import cursor_of, day_cursor
@@ -34,7 +34,7 @@ def own_desk(session: Session, actor: Actor, cursor: str | None) -> OwnDesk:
         limit=CUES + 1,
     )
     page = found[:CUES]
-    said = _last_words(session, [row.id for row in page], actor.person)
+    said = _latest_comments(session, [row.id for row in page], actor.person)
     return OwnDesk(
         person=PersonBrief.model_validate(session.get_one(Person, actor.person)),
         projects=len(projects),
@@ -57,11 +57,11 @@ def _owed(project: Project, row: OwedRow, said: Said | None) -> OwedCue:
         studio_name=project.studio.name,
         status=cue_status(row.state, statuses, is_asked=row.is_asked, placeholder=row.placeholder),
         due_on=row.due_on,
-        last_word=LastWord(text=said.text, by=said.by, at=said.at) if said else None,
+        latest_comment=LatestComment(text=said.text, by=said.by, at=said.at) if said else None,
     )
 
 
-def _last_words(session: Session, cue_ids: Sequence[UUID], designer_id: UUID) -> dict[UUID, Said]:
+def _latest_comments(session: Session, cue_ids: Sequence[UUID], designer_id: UUID) -> dict[UUID, Said]:
     """Return what was said last on each cue: a comment, a change request, an answer, or the check's first finding."""
     said = [
         *queries.comments(session, cue_ids, designer_id),

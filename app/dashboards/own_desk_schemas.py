@@ -11,7 +11,7 @@ from app.deliveries.schemas import CueBrief
 from app.kit.http import Schema
 
 
-class LastWord(Schema):
+class LatestComment(Schema):
     """What was said last on the caller's work for a cue."""
 
     text: str
@@ -28,7 +28,7 @@ class OwedCue(Schema):
     studio_name: str
     status: CueStatus
     due_on: date | None
-    last_word: LastWord | None
+    latest_comment: LatestComment | None
 
 
 class OwnDesk(Schema):

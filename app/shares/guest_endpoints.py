@@ -35,7 +35,7 @@ from app.shares.rules import MAX_SOUNDS
 from app.shares.schemas import (
     GuestCommentAdd,
     GuestCommentRead,
-    GuestDoor,
+    GuestAccess,
     GuestRoom,
     GuestVisitAdd,
     GuestVisitMade,
@@ -47,14 +47,14 @@ ANYONE: Actor = allows(Audience.ANYONE)
 Place = Annotated[int, Path(ge=1, le=MAX_SOUNDS, description="Of the sound in the link, from 1.")]
 
 
-@router.get("/guest-doors/{secret}", responses=problems(GuestLinkNotFound))
-def see_guest_door(secret: str, session: DbSession, _actor: Actor = ANYONE) -> GuestDoor:
+@router.get("/guest-access/{secret}", responses=problems(GuestLinkNotFound))
+def see_guest_access(secret: str, session: DbSession, _actor: Actor = ANYONE) -> GuestAccess:
     """Return whether a link asks for a password; 404 in the same words for every link that opens nothing."""
-    return GuestDoor(needs_password=guests.door_password(session, secret) is not None)
+    return GuestAccess(needs_password=guests.access_password(session, secret) is not None)
 
 
 @_unsaved_router.post(
-    "/guest-doors/{secret}/visits",
+    "/guest-access/{secret}/visits",
     status_code=201,
     responses=problems(GuestLinkNotFound, GuestPasswordWrong, TooManyAttempts),
 )

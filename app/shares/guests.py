@@ -40,7 +40,7 @@ class Opened(NamedTuple):
     room: GuestRoom
 
 
-def door_password(session: Session, secret: str) -> str | None:
+def access_password(session: Session, secret: str) -> str | None:
     """Return the hash of a link's password, None where it asks for none; raise unless the link opens."""
     with bypass_row_policies(session):  # only the secret identifies the link
         return _open_link(session, secret).password_hash
@@ -55,7 +55,7 @@ def ensure_password(password_hash: str | None, password: str | None) -> None:
 def password_hash_of(database: Database, secret: str) -> str | None:
     """Return the hash of a link's password in a transaction of its own, so that no hashing holds one."""
     with database.reading() as session:
-        return door_password(session, secret)
+        return access_password(session, secret)
 
 
 def open_link(session: Session, secret: str, guest_name: str) -> Opened:

@@ -95,7 +95,7 @@ class GuestVisitRead(Schema):
     played: list[SoundPlayed]
 
 
-class GuestDoor(Schema):
+class GuestAccess(Schema):
     """What a guest sees before the sounds: whether a password is asked for."""
 
     needs_password: bool

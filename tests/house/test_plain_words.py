@@ -75,7 +75,6 @@ OLD_WORDS = (
 )  # fmt: skip
 OLD = re.compile(rf"(?<![\w-])({'|'.join(map(re.escape, OLD_WORDS))})(?![\w-])", re.IGNORECASE)
 ALLOWED = re.compile(r"cannot tell", re.IGNORECASE)  # the third verdict of a judgement, a value of the API
-API_NAMES = {"LastWord", "last_word"}  # of a field that programs read
 ROOT = Path(__file__).parents[2]
 STRINGS = (tokenize.STRING, getattr(tokenize, "FSTRING_MIDDLE", tokenize.STRING))  # f-strings, from Python 3.12 on
 CODE = ("app", "audio_checks", "benchmarks", "training", "deploy", "integrations", "migrations", "tests")
@@ -103,8 +102,7 @@ def names_of_python(source: str) -> Iterator[tuple[int, str]]:
             name = node.id
         else:
             continue
-        if name not in API_NAMES:
-            yield node.lineno, words_of(name)
+        yield node.lineno, words_of(name)
 
 
 def words_of(name: str) -> str:

@@ -132,7 +132,7 @@ export const queryKeys = {
   playlists: family<[projectId: string]>('playlists'),
   playlist: family<[playlistId: string, part?: 'live']>('playlist'),
   savedViews: family<[projectId: string]>('saved-views'),
-  guestDoor: family<[secret: string]>('guest-door'),
+  guestAccess: family<[secret: string]>('guest-access'),
   guestRoom: family<[visit: string]>('guest-room'),
 
   // voice lines

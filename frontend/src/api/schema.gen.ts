@@ -5849,7 +5849,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/v1/guest-doors/{secret}": {
+    "/v1/guest-access/{secret}": {
         parameters: {
             query?: never;
             header?: never;
@@ -5857,10 +5857,10 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * See Guest Door
+         * See Guest Access
          * @description Return whether a link asks for a password; 404 in the same words for every link that opens nothing.
          */
-        get: operations["see_guest_door"];
+        get: operations["see_guest_access"];
         put?: never;
         post?: never;
         delete?: never;
@@ -5929,7 +5929,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/v1/guest-doors/{secret}/visits": {
+    "/v1/guest-access/{secret}/visits": {
         parameters: {
             query?: never;
             header?: never;
@@ -14634,6 +14634,14 @@ export interface components {
             part: string;
         };
         /**
+         * GuestAccess
+         * @description What a guest sees before the sounds: whether a password is asked for.
+         */
+        GuestAccess: {
+            /** Needs Password */
+            needs_password: boolean;
+        };
+        /**
          * GuestCommentAdd
          * @description Advice of a guest on a sound.
          */
@@ -14661,14 +14669,6 @@ export interface components {
              * Format: date-time
              */
             created_at: string;
-        };
-        /**
-         * GuestDoor
-         * @description What a guest sees before the sounds: whether a password is asked for.
-         */
-        GuestDoor: {
-            /** Needs Password */
-            needs_password: boolean;
         };
         /**
          * GuestLinkAdd
@@ -15874,10 +15874,10 @@ export interface components {
             behind: number;
         };
         /**
-         * LastWord
+         * LatestComment
          * @description What was said last on the caller's work for a cue.
          */
-        LastWord: {
+        LatestComment: {
             /** Text */
             text: string;
             /**
@@ -17855,7 +17855,7 @@ export interface components {
             status: components["schemas"]["CueStatus"];
             /** Due On */
             due_on: string | null;
-            last_word: components["schemas"]["LastWord"] | null;
+            latest_comment: components["schemas"]["LatestComment"] | null;
         };
         /**
          * OwnBidRead
@@ -42902,7 +42902,7 @@ export interface operations {
             };
         };
     };
-    see_guest_door: {
+    see_guest_access: {
         parameters: {
             query?: never;
             header?: never;
@@ -42919,7 +42919,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["GuestDoor"];
+                    "application/json": components["schemas"]["GuestAccess"];
                 };
             };
             /** @description `guest-link-not-found` */

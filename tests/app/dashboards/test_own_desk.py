@@ -57,7 +57,7 @@ def test_what_was_said_last_is_named_with_who_said_it(world: World):
         said = world.reviewer.post(f"/v1/takes/{take_id}/comments", json={"text": text})
         assert said.status_code == 201, said.text
     (one,) = world.designer.get("/v1/me/desk").json()["items"]
-    assert (one["last_word"]["text"], one["last_word"]["by"]) == ("Shorter, please.", "Composer")
+    assert (one["latest_comment"]["text"], one["latest_comment"]["by"]) == ("Shorter, please.", "Composer")
 
 
 def test_pages_hold_each_cue_once(world: World, monkeypatch: pytest.MonkeyPatch):
@@ -101,7 +101,7 @@ def test_another_designers_takes_and_words_do_not_show(world: World):
     )
     world.server.in_database(lambda session: session.add(engagement))
     (one,) = world.other_designer.get("/v1/me/desk").json()["items"]
-    assert (one["status"], one["last_word"]) == ("to_make", None)
+    assert (one["status"], one["latest_comment"]) == ("to_make", None)
 
 
 def make_token(world: World) -> tuple[str, str]:

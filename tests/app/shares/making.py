@@ -45,7 +45,7 @@ def made(world: World, **body: Any) -> tuple[dict[str, Any], str]:
 
 def open_link(world: World, secret: str, name: str = "Ada", **body: Any) -> Any:
     """Open a link as a guest."""
-    return world.nobody.post(f"/v1/guest-doors/{secret}/visits", json={"guest_name": name, **body})
+    return world.nobody.post(f"/v1/guest-access/{secret}/visits", json={"guest_name": name, **body})
 
 
 def opened(world: World, secret: str, name: str = "Ada", **body: Any) -> tuple[str, dict[str, Any]]:

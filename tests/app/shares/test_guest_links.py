@@ -40,7 +40,7 @@ def test_a_guest_hears_the_preview_and_the_producer_sees_who_heard_what_how_ofte
     cue_id, take_id = sound(world)
     link, secret = made(world, cue_ids=[cue_id])
     assert (link["state"], link["sounds"], link["openings"], link["plays"]) == ("open", 1, 0, 0)
-    assert world.nobody.get(f"/v1/guest-doors/{secret}").json() == {"needs_password": False}
+    assert world.nobody.get(f"/v1/guest-access/{secret}").json() == {"needs_password": False}
     visit, room = opened(world, secret, "  Ada\nLovelace ")
     assert (room["title"], room["guest_name"], room["may_comment"]) == ("For the composer", "Ada Lovelace", False)
     [one] = room["sounds"]
@@ -116,7 +116,7 @@ def test_unknown_expired_full_and_revoked_links_are_answered_alike(world: World)
     world.server.in_database(expire)
     answers = []
     for gone in (secret, old, "unknown", "%ED%A0%80", "x" * 5_000):
-        answers += [world.nobody.get(f"/v1/guest-doors/{gone}"), open_link(world, gone)]
+        answers += [world.nobody.get(f"/v1/guest-access/{gone}"), open_link(world, gone)]
     for gone in (visit, old_visit, "unknown", secret):
         answers += [
             world.nobody.get(f"/v1/guest-visits/{gone}"),
@@ -132,7 +132,7 @@ def test_the_password_opens_it_and_guesses_are_limited_by_network(world: World) 
     link, secret = made(world, cue_ids=[cue_id], password="four unrelated words")
     assert link["has_password"] is True
     assert "four" not in str(link)
-    assert world.nobody.get(f"/v1/guest-doors/{secret}").json() == {"needs_password": True}
+    assert world.nobody.get(f"/v1/guest-access/{secret}").json() == {"needs_password": True}
     statuses = [open_link(world, secret, password=f"guess {at}").status_code for at in range(11)]
     assert statuses == [403] * 10 + [429]
     world.server.forget_tries()
@@ -300,7 +300,7 @@ def test_a_name_that_is_none_opens_nothing(world: World, body: dict[str, object]
     cue_id, _ = sound(world)
     _, secret = made(world, cue_ids=[cue_id])
     answer = world.nobody.post(
-        f"/v1/guest-doors/{secret}/visits", content=json.dumps(body), headers={"Content-Type": "application/json"}
+        f"/v1/guest-access/{secret}/visits", content=json.dumps(body), headers={"Content-Type": "application/json"}
     )
     assert answer.status_code in (400, 422)
     assert links(world)[0]["openings"] == 0

@@ -215,13 +215,13 @@ export const passKeys = (playlistId: string, body: { act: 'take' | 'give' | 'dro
 
 export const doorQuery = (secret: string) =>
   queryOptions({
-    queryKey: queryKeys.guestDoor(secret),
-    queryFn: () => answered(api.GET('/v1/guest-doors/{secret}', { params: { path: { secret } } })),
+    queryKey: queryKeys.guestAccess(secret),
+    queryFn: () => answered(api.GET('/v1/guest-access/{secret}', { params: { path: { secret } } })),
     retry: false,
   })
 
 export const openLink = (secret: string, body: { guest_name: string; password: string | null }) =>
-  answered(api.POST('/v1/guest-doors/{secret}/visits', { params: { path: { secret } }, body }))
+  answered(api.POST('/v1/guest-access/{secret}/visits', { params: { path: { secret } }, body }))
 
 export const roomQuery = (visit: string) =>
   queryOptions({

@@ -324,8 +324,8 @@ test('a guest types a name and the password, hears the sounds and comments', asy
     answer({ visit: 'visit-secret', room: ROOM }, 201),
   ]
   const asked = openLink({
-    'GET /v1/guest-doors/secret': { needs_password: true },
-    'POST /v1/guest-doors/secret/visits': () => answers.shift(),
+    'GET /v1/guest-access/secret': { needs_password: true },
+    'POST /v1/guest-access/secret/visits': () => answers.shift(),
     'GET /v1/guest-visits/visit-secret': ROOM,
     'POST /v1/guest-visits/visit-secret/sounds/1/comments': answer(
       { text: 'Too bright', start_s: null, end_s: null, created_at: AT },
@@ -345,7 +345,7 @@ test('a guest types a name and the password, hears the sounds and comments', asy
   await userEvent.click(screen.getByRole('button', { name: 'Send comment' }))
   expect(await screen.findByText('sent')).toBeVisible()
   expect(screen.getByLabelText('Comment on laser')).toHaveValue('')
-  expect(wrote(asked, 'POST /v1/guest-doors/secret/visits')[1]?.body).toEqual({ guest_name: 'Ada', password: 'wrong' })
+  expect(wrote(asked, 'POST /v1/guest-access/secret/visits')[1]?.body).toEqual({ guest_name: 'Ada', password: 'wrong' })
   expect(wrote(asked, 'POST /v1/guest-visits/visit-secret/sounds/1/comments')[0]?.body).toMatchObject({
     text: 'Too bright',
     start_s: null,
@@ -354,7 +354,7 @@ test('a guest types a name and the password, hears the sounds and comments', asy
 })
 
 test('a link that opens nothing says so and no more', async () => {
-  openLink({ 'GET /v1/guest-doors/secret': refusal(404, 'guest-link-not-found', GONE, { fix: 'ask for a new one' }) })
+  openLink({ 'GET /v1/guest-access/secret': refusal(404, 'guest-link-not-found', GONE, { fix: 'ask for a new one' }) })
   expect(await screen.findByRole('heading', { name: GONE })).toBeVisible()
   expect(screen.queryByLabelText('Your name')).toBeNull()
 })
@@ -363,10 +363,10 @@ test('a reload goes on with the visit, and a visit that is over says so', async 
   sessionStorage.setItem('soundlist-visit:secret', 'old')
   const asked = openLink({
     'GET /v1/guest-visits/old': refusal(404, 'guest-visit-over', GONE),
-    'GET /v1/guest-doors/secret': { needs_password: false },
+    'GET /v1/guest-access/secret': { needs_password: false },
   })
   expect(await screen.findByRole('heading', { name: GONE })).toBeVisible()
-  expect(wrote(asked, 'POST /v1/guest-doors/secret/visits')).toHaveLength(0)
+  expect(wrote(asked, 'POST /v1/guest-access/secret/visits')).toHaveLength(0)
   await userEvent.click(screen.getByRole('button', { name: 'Open the link again' }))
   expect(await screen.findByLabelText('Your name')).toBeVisible()
 })
