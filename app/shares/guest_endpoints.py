@@ -33,9 +33,9 @@ from app.shares.errors import (
 )
 from app.shares.rules import MAX_SOUNDS
 from app.shares.schemas import (
+    GuestAccess,
     GuestCommentAdd,
     GuestCommentRead,
-    GuestAccess,
     GuestRoom,
     GuestVisitAdd,
     GuestVisitMade,

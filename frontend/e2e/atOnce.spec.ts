@@ -239,8 +239,7 @@ const besideTheWhole = (page: Page) =>
     const from = whole.findIndex((value) => value !== 0)
     const samples = output.samples()
     const most = samples.reduce((worst, value, at) => Math.max(worst, Math.abs(value - (whole[from + at] ?? 0))), 0)
-    const at = samples.findIndex((value, index) => Math.abs(value - (whole[from + index] ?? 0)) > 1e-3)
-    return { most, atS: at / 48_000, seconds: samples.length / 48_000 }
+    return { most, seconds: samples.length / 48_000 }
   })
 
 const middle = (values: readonly number[]): number =>
@@ -263,25 +262,28 @@ async function playCold(page: Page, isBegun: boolean): Promise<number> {
   return soundsWithinMs(page)
 }
 
-for (const isBegun of [false]) {
+for (const isBegun of [false, true]) {
   const here = isBegun ? 'the first bytes are' : 'nothing is'
   test(`a sound of which ${here} here plays before the rest of it comes, and each longer piece goes on without a gap`, async ({
     page,
   }) => {
     const firstMs: number[] = []
+    const compared: Awaited<ReturnType<typeof besideTheWhole>>[] = []
     for (let run = 0; run < RUNS; run += 1) {
       firstMs.push(await playCold(page, isBegun))
       expect(await page.evaluate(() => output.player.getState())).toMatchObject({ isLight: true, durationS: LONG_S })
+      await page.waitForTimeout(run < RUNS - 1 ? 1_000 : 4_000)
+      compared.push(await besideTheWhole(page))
     }
-    await page.waitForTimeout(4_000)
-    const { most, seconds, atS } = await besideTheWhole(page)
     Object.assign(line, { bytesPerS: Infinity, latencyMs: 0 })
     const times = firstMs.map((ms) => ms.toFixed(0)).join(' ')
+    const most = Math.max(...compared.map((one) => one.most))
+    const seconds = compared.reduce((sum, one) => sum + one.seconds, 0)
     console.log(
-      `${here} here: ${middle(firstMs).toFixed(0)} ms (${times}); ${most.toExponential(1)} off in ${seconds.toFixed(1)} s, at ${atS.toFixed(4)}`,
+      `${here} here: ${middle(firstMs).toFixed(0)} ms (${times}); at most ${most.toExponential(1)} off in ${seconds.toFixed(1)} s`,
     )
     expect(middle(firstMs)).toBeLessThan(BUSY * FIRST_SOUND_MS)
-    expect(seconds).toBeGreaterThan(3)
+    expect(seconds).toBeGreaterThan(RUNS)
     expect(most).toBeLessThan(1e-3)
   })
 }

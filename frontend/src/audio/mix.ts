@@ -26,7 +26,7 @@ export class Mix {
 
   setGain(context: BaseAudioContext | null, gainDb: number): void {
     this.#gain = 10 ** (gainDb / 20)
-    if (context && this.#bus) ramp(context, this.#bus, this.#gain)
+    if (context && this.#bus) ramp(this.#bus, { to: this.#gain, atS: context.currentTime })
   }
 
   /** Let an output with a tail know that something begins to sound or ends. */
@@ -54,7 +54,7 @@ export class Mix {
     }
     after.gain.gain.setValueAtTime(0, context.currentTime)
     after.gain.gain.linearRampToValueAtTime(1, context.currentTime + CROSSFADE_S)
-    ramp(context, before.gain, 0, CROSSFADE_S)
+    ramp(before.gain, { to: 0, atS: context.currentTime, fadeS: CROSSFADE_S })
     after.onSounding?.('begins')
     setTimeout(removeBefore, REMOVE_AFTER_MS)
   }

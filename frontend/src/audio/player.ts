@@ -275,7 +275,7 @@ export class Player implements Clock {
 
   /** Sound in the place of what sounds now, at the same moment of it, or so much later. */
   #takeOver(buffer: AudioBuffer, source: Source, laterS = 0): void {
-    const atS = soonS(this.#contextNow())
+    const atS = Math.max(soonS(this.#contextNow()), this.#voice?.settledAtS ?? 0)
     this.#sound(buffer, source, Math.max(0, this.#positionAtS(atS) + laterS), atS)
   }
 

@@ -4,11 +4,14 @@ import { isLate, soonS } from './schedule'
 /** Long enough that a switch does not click, too short to hear as a fade. */
 export const FADE_S = 0.005
 
-/** Bring a gain to another value without a click. */
-export function ramp(context: BaseAudioContext, gain: GainNode, to: number, fadeS = FADE_S, atS = context.currentTime) {
-  gain.gain.cancelScheduledValues(atS)
-  gain.gain.setValueAtTime(gain.gain.value, atS)
-  gain.gain.linearRampToValueAtTime(to, atS + fadeS)
+/** Bring a gain to another value without a click, now, or at a time at which its value is known. */
+export function ramp(
+  { gain }: GainNode,
+  { to, atS, from = gain.value, fadeS = FADE_S }: { to: number; atS: number; from?: number; fadeS?: number },
+): void {
+  gain.cancelScheduledValues(atS)
+  gain.setValueAtTime(from, atS)
+  gain.linearRampToValueAtTime(to, atS + fadeS)
 }
 
 /** A buffer that sounds, and where in it and when it began. */
@@ -21,6 +24,12 @@ export interface Started {
   atS: number
   /** 2 where it is played an octave up. */
   speed: number
+}
+
+interface Fade {
+  from: number
+  to: number
+  atS: number
 }
 
 interface Start {
@@ -48,6 +57,8 @@ export class Voice {
   readonly #speed: number
   #fromS: number
   #atS: number
+  /** The fade that was scheduled last: what a node says of its gain before that is of no use. */
+  #fade: Fade
 
   constructor(context: BaseAudioContext, { node, gain, buffer, fromS, atS, speed }: Started) {
     this.#context = context
@@ -57,6 +68,7 @@ export class Voice {
     this.#speed = speed
     this.#fromS = fromS
     this.#atS = atS
+    this.#fade = { from: gain.gain.value, to: gain.gain.value, atS }
   }
 
   static start(context: AudioContext, start: Start): Voice {
@@ -76,10 +88,11 @@ export class Voice {
     node.buffer = buffer
     node.connect(fader)
     fader.connect(to)
-    // A start at the very beginning keeps its attack; anywhere else a short ramp keeps it from clicking.
-    fader.gain.setValueAtTime(fromS === 0 ? gain : 0, atS)
-    fader.gain.linearRampToValueAtTime(gain, atS + FADE_S)
+    // A start at the very beginning keeps its attack; anywhere else a short ramp keeps it from clicking. The node has
+    // that gain from now on: what is set at a time may hold one sample after it.
+    fader.gain.value = fromS === 0 ? gain : 0
     const voice = new Voice(context, { node, gain: fader, buffer, fromS, atS, speed: 1 })
+    voice.#fadeTo(gain, atS, fader.gain.value)
     voice.#repeat(loop)
     node.start(atS, fromS)
     if (untilS < buffer.duration) {
@@ -93,6 +106,11 @@ export class Voice {
 
   get startsAtS(): number {
     return this.#atS
+  }
+
+  /** From when on it is as loud as it will be. */
+  get settledAtS(): number {
+    return this.#fade.atS + FADE_S
   }
 
   /** Where in the buffer it is at a time of the context. */
@@ -112,7 +130,7 @@ export class Voice {
   }
 
   setGain(gain: number): void {
-    ramp(this.#context, this.#gain, gain)
+    this.#fadeTo(gain, this.#context.currentTime)
   }
 
   onEnded(callback: () => void): void {
@@ -122,8 +140,18 @@ export class Voice {
   /** Stop with a fade that is too short to hear. */
   stop(atS: number): void {
     this.node.onended = null
-    ramp(this.#context, this.#gain, 0, FADE_S, atS)
+    this.#fadeTo(0, atS)
     this.node.stop(atS + FADE_S)
+  }
+
+  #fadeTo(to: number, atS: number, from = this.#gainAt(atS)): void {
+    ramp(this.#gain, { from, to, atS })
+    this.#fade = { from, to, atS }
+  }
+
+  #gainAt(atS: number): number {
+    const done = Math.min(1, Math.max(0, (atS - this.#fade.atS) / FADE_S))
+    return this.#fade.from + (this.#fade.to - this.#fade.from) * done
   }
 
   #discard(): void {

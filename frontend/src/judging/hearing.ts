@@ -53,9 +53,10 @@ export function matchGains(takes: readonly ReviewTake[], target: string = MASTER
 
 /** What the player is given for a take; null where there is nothing to hear. */
 export function sourceOf(take: ReviewTake, target: string, gains: Gains = AS_SENT): Source | null {
-  const { previewUrl } = soundOf(take, target)
+  const { previewUrl, durationS } = soundOf(take, target)
   if (previewUrl === null) return null
-  return { id: `${take.id} ${target}`, url: previewUrl, matchGainDb: gains.get(take.id) ?? 0 }
+  const matchGainDb = gains.get(take.id) ?? 0
+  return { id: `${take.id} ${target}`, url: previewUrl, matchGainDb, ...(durationS > 0 && { durationS }) }
 }
 
 /** Variations first, then the order in which they were delivered. */

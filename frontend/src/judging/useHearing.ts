@@ -46,21 +46,27 @@ export function useHearing(
   return source
 }
 
+/** Of so many sounds farther down the queue the first bytes are fetched. */
+const BEGUN = 24
+
 /**
  * Have what is heard now, and what the next cue needs, fetched and decoded in this order once sounds may be fetched;
- * of later cues what can be heard soonest.
+ * of later cues what can be heard soonest, and of the others the first bytes.
  */
 export function useReady(
   player: Player,
   takes: readonly ReviewTake[],
   next: QueueItem | undefined,
   later: readonly QueueItem[] = [],
+  others: readonly QueueItem[] = [],
 ): void {
   const list = urlsOf([...takes, ...(next?.takes ?? [])])
   const laterList = urlsOf(later.flatMap((item) => item.takes))
+  const otherList = urlsOf(others.flatMap((item) => item.takes).slice(0, BEGUN))
   useEffect(() => {
-    player.previews.keepReady(list.split('\n').filter(Boolean), laterList.split('\n').filter(Boolean))
-  }, [player, list, laterList])
+    const [now = [], soon, begun] = [list, laterList, otherList].map((urls) => urls.split('\n').filter(Boolean))
+    player.previews.keepReady(now, soon, begun)
+  }, [player, list, laterList, otherList])
 }
 
 const urlsOf = (takes: readonly ReviewTake[]): string => takes.flatMap((take) => take.preview_url ?? []).join('\n')

@@ -62,7 +62,7 @@ export function ReviewPage(): ReactNode {
   const at = waiting.findIndex(({ cue }) => cue.id === cueId)
   const ahead = at < 0 ? waiting : [...waiting.slice(at + 1), ...waiting.slice(0, at)]
   const takes = waiting[at]?.takes ?? NONE
-  useReady(player, takes, ahead[0], ahead.slice(1, AHEAD))
+  useReady(player, takes, ahead[0], ahead.slice(1, AHEAD), ahead.slice(AHEAD))
   usePeaksAhead(inOrder(takes)[0]?.peaks_url, ahead[0]?.takes ?? NONE)
   const aheadIds = ahead
     .slice(0, AHEAD)

@@ -3,7 +3,7 @@ import type { Live } from './api'
 /** What a page may be away from the playhead that all hear, by the middle of several readings. */
 export const DRIFT_S = 0.03
 /** Farther away it jumps at once. */
-export const FAR_S = 0.15
+const FAR_S = 0.15
 /** The clock of a device moves in steps of up to 40 ms: no single reading counts. */
 const READINGS = 5
 
