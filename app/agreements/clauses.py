@@ -101,8 +101,8 @@ class Term:
     min: int | None = None
     max: int | None = None
     choices: Sequence[Choice] = field(default_factory=tuple)
-    struck: TermValue | None = None  # what holds where no clause that stands names it; None: what was written
-    said: bool = False  # the software goes by it, so it is the default or some clause that stands says otherwise
+    struck: TermValue | None = None  # what holds where no clause in force names it; None: what was written
+    said: bool = False  # the software goes by it, so it is the default or some clause in force says otherwise
 
 
 @dataclass(frozen=True)
@@ -207,7 +207,7 @@ def faults_of(clauses: Sequence[Clause], terms: Mapping[str, Any]) -> Iterator[t
         if value == "" and name in written:
             yield place, f"{{{name}}} is empty; fill it in, or remove its clause"
         elif known and known.said and value != known.default and name not in written:
-            yield place, f"{_shown(name, value)}, and no clause that stands says so; let one say {{{name}}}"
+            yield place, f"{_shown(name, value)}, and no clause in force says so; let one say {{{name}}}"
         elif not known and name not in named and (near := difflib.get_close_matches(name, known_terms(), 1, MISTYPED)):
             yield place, f"no clause names {{{name}}}; is it {{{near[0]}}}?"
     days, reminder_days = terms.get("silence_days"), terms.get("silence_reminder_days")

@@ -88,7 +88,7 @@ class NoticeNeeded(Conflict):
 
 
 class BriefOpen(Conflict):
-    """A needed answer of the brief is open, and no clause that stands prints the open questions."""
+    """A needed answer of the brief is open, and no clause in force prints the open questions."""
 
 
 class DraftChanged(Conflict):
@@ -96,7 +96,7 @@ class DraftChanged(Conflict):
 
 
 class TextChanged(Conflict):
-    """The text that was read is not the one that stands."""
+    """The text that was read is not the current one."""
 
 
 class BadDrawing(Invalid):

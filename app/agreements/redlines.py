@@ -74,7 +74,7 @@ def propose(
 ) -> None:
     """Send a contract back to the studio with changes of its clauses, as its designer wants them.
 
-    Raises NotYourContract for all but its designer, TextChanged for another version than the one that stands, and
+    Raises NotYourContract for all but its designer, TextChanged for another version than the current one, and
     BadRedlines for changes that a draft could not have either.
     """
     contract = _to_propose(session, actor, contract_id)

@@ -166,7 +166,7 @@ class _Package:
             )
         name, times = Counter(entry.filename for entry in entries).most_common(1)[0] if entries else ("", 0)
         if times > 1:
-            raise BadWordFile(f"the part {name[:100]} stands in the file {times} times; wanted once", fix=SAVE_AGAIN)
+            raise BadWordFile(f"the part {name[:100]} is in the file {times} times; wanted once", fix=SAVE_AGAIN)
 
     def _main_part(self) -> str:
         if "mimetype" in self._names:

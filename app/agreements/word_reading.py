@@ -78,7 +78,7 @@ class _Section:
 def changes_in(word: WordText, made_from: MadeFrom, standing: Collection[str]) -> ReadChanges:
     """Return what a document changes in the version that it was made from.
 
-    `standing` are the keys of the clauses that read in the text that stands as they did in that version. Raises
+    `standing` are the keys of the clauses that read in the current text as they did in that version. Raises
     OtherContractsFile where the document has no clause of it.
     """
     return _Reading(word, made_from, standing).result()
@@ -238,7 +238,7 @@ class _Reading:
                     clause.key,
                     f"“{clause.title}” was changed after version {self._from.number}, from which the file was made. "
                     "What the file changes in it is not read.",
-                    "Take out the version that stands, or edit the clause here.",
+                    "Take out the current version, or edit the clause here.",
                 )
             return None
         strike = Change(RedlineKind.STRIKE, clause.key, None, Wording(), comment)

@@ -49,5 +49,5 @@ def see_take_sources(take_id: UUID, session: DbSession, actor: Actor = allows(Au
 def state_take_sources(
     take_id: UUID, body: Sources, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
 ) -> TakeSources:
-    """State what one take was made from; once it is approved and nothing is open, that stands."""
+    """State what one take was made from; once it is approved and nothing is open, that is final."""
     return sources.state_take_sources(session, actor, take_id, body)

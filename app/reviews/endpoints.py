@@ -68,7 +68,7 @@ DueBy = Annotated[date | None, Query(description="The last target date; cues wit
 Version = Annotated[VersionKind | None, Query(description="`new`: a version that answers a change request waits.")]
 Unheard = Annotated[bool, Query(description="A version waits that the caller has not heard yet.")]
 Words = Annotated[
-    str, Query(max_length=200, description="Each word stands in the name, the description or the use of the cue.")
+    str, Query(max_length=200, description="Each word is in the name, the description or the use of the cue.")
 ]
 
 

@@ -136,7 +136,7 @@ class ChangeRequest(Base):
     written_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     feedback_id: Mapped[UUID | None] = mapped_column(ForeignKey("reviews_feedback.id"), index=True)
-    mentions: Mapped[dict[str, Any]] = mapped_column(default=dict)  # by person: the name that stands after the @
+    mentions: Mapped[dict[str, Any]] = mapped_column(default=dict)  # by person: the name after the @
     cue: Mapped[Cue] = relationship(lazy="raise")  # its take may be moved to another one, or to none
     take: Mapped[Take] = relationship(lazy="raise")
     author: Mapped[Person] = relationship(lazy="raise")
@@ -192,7 +192,7 @@ class Comment(Base):
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     resolved_at: Mapped[datetime | None]
     resolved_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
-    mentions: Mapped[dict[str, Any]] = mapped_column(default=dict)  # by person: the name that stands after the @
+    mentions: Mapped[dict[str, Any]] = mapped_column(default=dict)  # by person: the name after the @
     author: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[written_by])
     acknowledgements: Mapped[list["Acknowledgement"]] = relationship(lazy="raise", order_by="Acknowledgement.id")
 

@@ -66,7 +66,7 @@ class QueueFilter:
     kind: QueueKind | None = None
     version: VersionKind | None = None
     unheard: bool = False  # a take waits that the caller has not heard
-    text: str = ""  # each word stands in the name, the description or the use of the cue
+    text: str = ""  # each word is in the name, the description or the use of the cue
 
 
 EVERYTHING = QueueFilter()
@@ -189,7 +189,7 @@ def ensure_checklist(items: Sequence[str]) -> None:
     seen: set[str] = set()
     for place, item in enumerate(items):
         if item in seen:
-            message = f"“{item}” stands in the checklist twice"
+            message = f"“{item}” is in the checklist twice"
             raise ChecklistInvalid(
                 message, errors=[{"where": f"items.{place}", "message": message}], fix="keep one of the two"
             )

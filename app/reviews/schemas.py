@@ -62,7 +62,7 @@ class ReviewRender(SoundBrief):
 
 
 class MentionRead(Schema):
-    """A person whom a text mentions, by the name that stands after the @ there."""
+    """A person whom a text mentions, by the name after the @ there."""
 
     person_id: UUID
     name: str

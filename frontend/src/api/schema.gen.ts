@@ -4561,7 +4561,7 @@ export interface paths {
         get: operations["see_take_sources"];
         /**
          * State Take Sources
-         * @description State what one take was made from; once it is approved and nothing is open, that stands.
+         * @description State what one take was made from; once it is approved and nothing is open, that is final.
          */
         put: operations["state_take_sources"];
         post?: never;
@@ -17034,7 +17034,7 @@ export interface components {
         };
         /**
          * MentionRead
-         * @description A person whom a text mentions, by the name that stands after the @ there.
+         * @description A person whom a text mentions, by the name after the @ there.
          */
         MentionRead: {
             /**
@@ -41301,7 +41301,7 @@ export interface operations {
                 version?: components["schemas"]["VersionKind"] | null;
                 /** @description A version waits that the caller has not heard yet. */
                 unheard?: boolean;
-                /** @description Each word stands in the name, the description or the use of the cue. */
+                /** @description Each word is in the name, the description or the use of the cue. */
                 q?: string;
             };
             header?: never;
@@ -41365,7 +41365,7 @@ export interface operations {
                 version?: components["schemas"]["VersionKind"] | null;
                 /** @description A version waits that the caller has not heard yet. */
                 unheard?: boolean;
-                /** @description Each word stands in the name, the description or the use of the cue. */
+                /** @description Each word is in the name, the description or the use of the cue. */
                 q?: string;
             };
             header?: never;

@@ -114,7 +114,7 @@ REFUSALS: dict[str, tuple[Callable[[], bytes], str]] = {
         lambda: with_relation("comments", "\\\\host\\share\\c.xml"),
         "takes a part from outside of the file",
     ),
-    "two of one name": (twice_named, "word/document.xml stands in the file 2 times"),
+    "two of one name": (twice_named, "word/document.xml is in the file 2 times"),
 }
 
 

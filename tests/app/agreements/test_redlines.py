@@ -226,7 +226,7 @@ def test_accepting_keeps_the_draft_whole(redlining: Redlining, contracts: Contra
     redlining.propose({"kind": "strike", "clause_key": "tax"})
     refused = redlining.try_to_answer(1, "accepted")
     assert refusal(refused)[:2] == (422, "bad-redlines")
-    assert "no clause that stands says so" in refused.json()["detail"]
+    assert "no clause in force says so" in refused.json()["detail"]
     draft = redlining.draft()
     contracts.save(draft, terms={**draft["version"]["terms"], "tax_bp": 0})  # what the refusal advises
     redlining.answer(1, "accepted")

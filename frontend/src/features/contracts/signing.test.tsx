@@ -121,7 +121,7 @@ describe('a designer', () => {
   })
 
   test('is told when the text moved on meanwhile, and keeps the name typed', async () => {
-    const detail = 'the text that you read is not the one that stands now; nothing was accepted'
+    const detail = 'the text that you read is not the current one; nothing was accepted'
     serve(contractAnswers({ 'POST /v1/contracts/c1/accept': refusal(409, 'text-changed', detail) }))
     openApp(PAGE)
     const name = await screen.findByLabelText('Your full name')

@@ -50,12 +50,12 @@ test('what was typed stays when it is refused, and after a reload', async () => 
     ...inProject(),
     'GET /v1/projects/p1/categories': [],
     'GET /v1/projects/p1/approval-settings': { ...SETTINGS, checklists: [] },
-    'PUT /v1/projects/p1/checklist': () => refusal(422, 'checklist-invalid', '“Short” stands in the checklist twice.'),
+    'PUT /v1/projects/p1/checklist': () => refusal(422, 'checklist-invalid', '“Short” is in the checklist twice.'),
   })
   openApp('/projects/p1/people')
   await userEvent.type(await within(await card()).findByLabelText('Items for every cue'), 'Short\nShort')
   await userEvent.click(screen.getByRole('button', { name: 'Save checklist' }))
-  expect(await screen.findByText('“Short” stands in the checklist twice.')).toBeVisible()
+  expect(await screen.findByText('“Short” is in the checklist twice.')).toBeVisible()
   cleanup()
   openApp('/projects/p1/people')
   expect(await within(await card()).findByLabelText('Items for every cue')).toHaveValue('Short\nShort')
