@@ -4,7 +4,7 @@ import { useEffect, useMemo, useRef } from 'react'
 import type { Player, Source } from '@/audio'
 
 import type { QueueItem, ReviewTake } from './api'
-import { AS_SENT, type Gains, MASTER, sourceOf } from './hearing'
+import { AS_SENT, type Gains, MASTER, soundOf, sourceOf } from './hearing'
 
 /** Where a sound plays in its scene. */
 export interface Placing {
@@ -46,8 +46,10 @@ export function useHearing(
   return source
 }
 
-/** Of so many sounds farther down the queue the first bytes are fetched. */
+/** Of so many sounds farther down the queue the first bytes are fetched, */
 const BEGUN = 24
+/** where they are so long: shorter ones have no light preview. */
+const LONG_S = 5
 
 /**
  * Have what is heard now, and what the next cue needs, fetched and decoded in this order once sounds may be fetched;
@@ -62,12 +64,14 @@ export function useReady(
 ): void {
   const list = urlsOf([...takes, ...(next?.takes ?? [])])
   const laterList = urlsOf(later.flatMap((item) => item.takes))
-  const otherList = urlsOf(others.flatMap((item) => item.takes).slice(0, BEGUN))
+  const otherList = urlsOf(others.flatMap((item) => item.takes.filter(isLong)).slice(0, BEGUN))
   useEffect(() => {
     const [now = [], soon, begun] = [list, laterList, otherList].map((urls) => urls.split('\n').filter(Boolean))
     player.previews.keepReady(now, soon, begun)
   }, [player, list, laterList, otherList])
 }
+
+const isLong = (take: ReviewTake): boolean => soundOf(take, MASTER).durationS >= LONG_S
 
 const urlsOf = (takes: readonly ReviewTake[]): string => takes.flatMap((take) => take.preview_url ?? []).join('\n')
 
