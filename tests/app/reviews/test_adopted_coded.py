@@ -130,7 +130,7 @@ def test_a_target_of_the_same_codec_takes_the_file_and_others_say_why_not(
     assert {states[name]["strict"][0] for name in ("click.flac", "back.wav")} == {"made"}
     refused = world.producer.get(f"/v1/projects/{world.project_id}/pack.zip", params={"target": "strict"})
     assert (refused.status_code, refused.json()["code"]) == (409, "pack-incomplete")
-    assert "no master" in refused.text
+    assert "is not a master" in refused.text
 
 
 def test_a_coded_file_that_is_delivered_is_returned_though_the_same_one_was_adopted(

@@ -132,7 +132,7 @@ def test_undo_takes_the_levels_along(world: World) -> None:
 @pytest.mark.parametrize(
     ("project", "says"),
     [
-        (packed(b"not packed"), "no gzip"),
+        (packed(b"not packed"), "not a gzip-compressed"),
         (packed(["a list"]), "wanted a JSON object"),
         (packed({"a": 1}), "wanted a JSON object"),
         (packed({"readme.txt": ""}), "was not sent"),
