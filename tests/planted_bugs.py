@@ -27,6 +27,7 @@ TESTED_BY = {
     "app/briefs/rules.py": "tests/app/briefs",
     "app/briefs/spec_proposal.py": "tests/app/briefs/test_spec_proposal.py",
     "app/builds/zip_stream.py": "tests/app/builds/test_zip_stream.py",
+    "app/cli/verifying.py": "tests/app/agreements/test_verify.py tests/app/amendments/test_tampering.py",
     "app/client/desk_servers.py": "tests/app/client/test_desk.py",
     "app/client/lock.py": "tests/app/client/test_lock.py",
     "app/client/planning.py": "tests/app/client/test_pull.py",

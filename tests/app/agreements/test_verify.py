@@ -1,6 +1,7 @@
 """`soundlist verify` finds changes by hand, even where the whole chain was rewritten."""
 
 import json
+import re
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -36,6 +37,12 @@ def lines_on(result: Result, name: object) -> list[str]:
     return [line for line in result.output.splitlines() if str(name) in line]
 
 
+def counted(result: Result) -> tuple[int, ...]:
+    """Return how many records and entries were looked at, and how many are not whole."""
+    (found,) = re.findall(r"^(\d+) records with (\d+) entries and \d+ copies looked at; (\d+) are", result.output, re.M)
+    return tuple(map(int, found))
+
+
 def test_nothing_is_whole(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     settings = Settings(data_dir=tmp_path)
     runtime = Runtime.of(settings)
@@ -59,6 +66,8 @@ def test_what_was_agreed_is_whole(
     assert lines_on(result, agreed["id"]) == []
     assert lines_on(result, copy) == []
     assert "and 1 copies looked at" in result.output
+    records, entries, _ = counted(result)
+    assert 1 <= records <= entries
 
 
 VERSIONS, EVENTS = sa.update(ContractVersion), sa.update(ContractEvent)
@@ -85,6 +94,7 @@ def test_what_was_done_by_hand_is_named(
     world.server.in_database(lambda session: session.execute(statement.where(of_it)))
     result = verify(monkeypatch, world.server.runtime.settings)
     assert result.exit_code == 1
+    assert counted(result)[2] >= 1
     assert any(line.endswith(fault) for line in lines_on(result, agreed["id"])), result.output
 
 

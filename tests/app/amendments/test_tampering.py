@@ -265,6 +265,7 @@ def verified_with(world: World, head: Path, monkeypatch: pytest.MonkeyPatch) -> 
     """Return what `soundlist verify --head` says of a kept head."""
     monkeypatch.setattr(keeping, "read_settings_or_exit", lambda: world.server.runtime.settings)
     output = CliRunner().invoke(cli, ["verify", "--head", str(head)]).output
+    assert "and 1 copies looked at" in output
     return [line.removeprefix(f"{head}: ") for line in output.splitlines() if line.startswith(f"{head}: ")]
 
 
