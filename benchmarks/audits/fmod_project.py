@@ -31,7 +31,10 @@ def _objects(*those: str) -> str:
 
 def write_fmod(root: Path, sounds: int, gains: Gains) -> Path:
     """Write an FMOD Studio project: instruments in playlists on tracks of events, buses with gain effects, a master."""
-    of = lambda *place: gains.get(place)  # noqa: E731
+
+    def of(*place):
+        return gains.get(place)
+
     put_file(
         root, "Game.fspro", '<?xml version="1.0" encoding="UTF-8"?>\n<objects serializationModel="Studio.02.02.00" />\n'
     )

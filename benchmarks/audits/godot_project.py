@@ -9,7 +9,10 @@ from benchmarks.audits.places import IN_BUS, IN_CONTAINER, Gains, put_file
 
 def write_godot(root: Path, sounds: int, gains: Gains) -> Path:
     """Write a Godot project: a scene for each container, a main scene that changes players, buses in a bus."""
-    of = lambda *place: gains.get(place)  # noqa: E731
+
+    def of(*place):
+        return gains.get(place)
+
     put_file(root, "project.godot", 'config_version=5\n\n[application]\n\nconfig/features=PackedStringArray("4.3")\n')
     layout = '[gd_resource type="AudioBusLayout" load_steps=2 format=3]\n\n'
     buses = range(-(-sounds // IN_BUS))

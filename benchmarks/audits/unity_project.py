@@ -15,7 +15,10 @@ def _hex(*names: object) -> str:
 
 def write_unity(root: Path, sounds: int, gains: Gains) -> Path:
     """Write a Unity project: a prefab for each sound, instances that change it, and groups of a mixer."""
-    of = lambda *place: gains.get(place)  # noqa: E731
+
+    def of(*place):
+        return gains.get(place)
+
     put_file(root, "ProjectSettings/ProjectVersion.txt", "m_EditorVersion: 2022.3.10f1\n")
     manager = f"{YAML}--- !u!11 &1\nAudioManager:\n  m_ObjectHideFlags: 0\n  m_Volume: {factor(of('manager', 0))}\n"
     put_file(root, "ProjectSettings/AudioManager.asset", manager)

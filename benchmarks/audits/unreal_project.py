@@ -10,8 +10,13 @@ from benchmarks.audits.places import IN_BUS, IN_CONTAINER, Gains, factor, put_fi
 
 def write_unreal(root: Path, sounds: int, gains: Gains) -> Path:
     """Write what the script in the editor would: waves, cues with nodes, classes in a class, a submix."""
-    of = lambda *place: gains.get(place)  # noqa: E731
-    linear = lambda *place: float(factor(of(*place)))  # noqa: E731
+
+    def of(*place):
+        return gains.get(place)
+
+    def linear(*place):
+        return float(factor(of(*place)))
+
     document = {
         "format": 1,
         "tool": "audio-checks for Unreal",

@@ -46,7 +46,10 @@ def write_wwise(root: Path, sounds: int, gains: Gains) -> Path:
         '<?xml version="1.0" encoding="utf-8"?>\n<WwiseDocument '
         'Type="Project" SchemaVersion="110" WwiseVersion="v2022.1.3"/>\n',
     )
-    of = lambda *place: gains.get(place)  # noqa: E731
+
+    def of(*place):
+        return gains.get(place)
+
     references = ""
     for mixer in range(-(-sounds // IN_MIXER)):
         containers = ""

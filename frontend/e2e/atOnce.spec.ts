@@ -245,7 +245,7 @@ const besideTheWhole = (page: Page) =>
 const middle = (values: readonly number[]): number =>
   [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)] ?? 0
 
-/** Play a sound of 60 s anew in a page of its own, over 5 Mbit/s and 80 ms. */
+/** Play a sound of 60 s in a new page, over 5 Mbit/s and 80 ms. */
 async function playCold(page: Page, isBegun: boolean): Promise<number> {
   Object.assign(line, { bytesPerS: Infinity, latencyMs: 0 })
   await open(page)

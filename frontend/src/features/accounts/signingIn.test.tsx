@@ -104,7 +104,7 @@ describe('signing in', () => {
     expect(screen.getByLabelText('Studio name')).toHaveValue('Blue Hull')
   })
 
-  test('a forgotten password: the page says the same whoever asks', async () => {
+  test('a forgotten password: the page says the same for every address', async () => {
     const { asked } = serve({
       'GET /v1/session': NOBODY,
       'GET /v1/sign-up': AT_ONCE,

@@ -152,7 +152,7 @@ describe('a producer', () => {
     })
   })
 
-  test('cannot save what has a fault, and is told which', async () => {
+  test('cannot save what has a fault, and sees which', async () => {
     const problems = [{ where: 'clauses.rounds', message: 'there is no variable {round}; is it {rounds_included}?' }]
     serve(contractAnswers({ 'GET /v1/contracts/c1': draft, 'POST /v1/contracts/c1/preview': { ...shown, problems } }))
     openApp(`${PAGE}/draft`)

@@ -14,7 +14,7 @@ describe('before the NDA is agreed', () => {
     serve(contractAnswers({ 'GET /v1/me': closed, 'GET /v1/projects/p1/contracts': contracts }))
 
   test.each(['', '/desk', '/sound-list', '/spec', '/money', '/game-files'])(
-    'a designer is told to read it in the place of projects/p1%s',
+    'a designer reads it in the place of projects/p1%s',
     async (page) => {
       const { asked } = found([nda])
       openApp(`/projects/p1${page}`)
@@ -46,7 +46,7 @@ describe('before the NDA is agreed', () => {
     expect(screen.queryByRole('heading', { name: 'Read and sign the NDA to see this project' })).toBeNull()
   })
 
-  test('who accepted it is told that the studio is next', async () => {
+  test('who accepted it reads that the studio is next', async () => {
     found([{ ...nda, waits_for: ['studio'] }])
     openApp('/projects/p1/desk')
     expect(await screen.findByRole('heading', { name: 'Waiting for the studio to sign the NDA' })).toBeVisible()

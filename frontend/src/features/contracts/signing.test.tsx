@@ -120,7 +120,7 @@ describe('a designer', () => {
     expect(screen.getByText('The studio signs first.')).toBeVisible()
   })
 
-  test('is told when the text moved on meanwhile, and keeps the name typed', async () => {
+  test('sees that the text moved on meanwhile, and keeps the name typed', async () => {
     const detail = 'the text that you read is not the current one; nothing was accepted'
     serve(contractAnswers({ 'POST /v1/contracts/c1/accept': refusal(409, 'text-changed', detail) }))
     openApp(PAGE)

@@ -5,7 +5,7 @@ export class OutOfBits extends Error {}
 
 /** Zeros behind the last byte: a word of 32 bits may be read at any place. */
 export const SPARE_BYTES = 8
-/** Bits that a word holds wherever it begins inside a byte. */
+/** Bits that a word holds at any place inside a byte. */
 const WORD_BITS = 25
 
 export class Bits {
