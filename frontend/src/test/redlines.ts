@@ -1,56 +1,15 @@
+import { CONTRACT as A_CONTRACT, MAY as A_MAY, VERSION as A_VERSION } from './contract'
 import { type Answers } from './server'
 
 const CLAUSES = [
   { key: 'parties', title: 'Parties', text: 'Between us.', stands: true },
   { key: 'rounds', title: 'Rounds', text: 'It includes {rounds_included} rounds.', stands: true },
 ]
-export const VERSION = {
-  number: 2,
-  note: '',
-  author: { id: 'x1', name: 'Producer' },
-  created_at: '2026-11-20T09:00:00Z',
-  sent_at: '2026-11-20T10:00:00Z',
-  text_sha256: 'a'.repeat(64),
-  pdf_sha256: 'b'.repeat(64),
-  blocks: [],
-  clauses: CLAUSES,
-  terms: { rounds_included: 2 },
-}
-export const MAY = {
-  change: false,
-  send: false,
-  recall: false,
-  request_change: false,
-  accept: false,
-  end: false,
-  amend: false,
-}
+export const VERSION = { ...A_VERSION, blocks: [], clauses: CLAUSES }
+export const MAY = { ...A_MAY, amend: false }
 export const CONTRACT = {
-  id: 'c1',
-  project_id: 'p1',
-  number: 1,
-  title: 'Effects for Alpha',
-  kind: 'single',
-  state: 'sent',
-  designer: { id: 'x3', name: 'Sound designer' },
-  engagement_id: 'e1',
-  framework_id: null,
-  currency: 'USD',
-  release_clause: 'per_cue',
-  deposit_bp: 2000,
-  holdback_bp: 0,
-  created_at: '2026-11-19T09:00:00Z',
-  agreed_at: null,
-  ended_at: null,
-  end_reason: null,
-  my_party: 'designer',
-  waits_for: ['studio', 'designer'],
-  studio_name: 'Shield Wing studio',
+  ...A_CONTRACT,
   version: VERSION,
-  acceptances: [],
-  signers: [],
-  signs_first: null,
-  change_requested: null,
   redlines: null,
   signature_time: { first_sent_at: '2026-11-20T10:00:00Z', waits_since: '2026-11-20T10:00:00Z' },
   may: { ...MAY, request_change: true },
