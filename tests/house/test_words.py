@@ -1,14 +1,19 @@
-"""Tables and the API's tags are nouns that docs/domain.md defines."""
+"""Words of tables, of the API and of every other name: docs/domain.md defines them, or they are everyday English."""
 
 import json
 import re
+from collections.abc import Iterable
 from pathlib import Path
+
+import pytest
 
 from app.kit.db import Base
 from app.tables import is_ours
+from tests.house import words_in_use
 from tests.house.test_migrations import ROOMS
+from tests.house.words_in_use import ROOT, bases_of, is_among, words_of, words_with_places
 
-ROOT = Path(__file__).resolve().parents[2]
+EVERYDAY = Path(__file__).with_name("everyday_words.txt")
 IRREGULAR = {
     "pass": "pass",
     "people": "person",
@@ -58,3 +63,71 @@ def test_every_tag_of_the_api_is_a_word_of_the_domain() -> None:
 def test_a_word_that_nobody_defined_is_found() -> None:
     assert singular("reverb tail boxes") == "reverb tail box"
     assert singular("reverb tail boxes") not in defined()
+
+
+def everyday() -> list[str]:
+    """Return the words that need no definition."""
+    return EVERYDAY.read_text(encoding="utf-8").splitlines()
+
+
+def of_the_domain() -> set[str]:
+    """Return the words of all terms, a term written as one word too (`handoff`), in every inflection."""
+    words = {word for term in defined() for word in [*re.findall("[a-z]+", term), term.replace(" ", "")]}
+    return inflected(words)
+
+
+def inflected(words: Iterable[str]) -> set[str]:
+    """Return words with what each may be an inflection of."""
+    return {base for word in words for base in bases_of(word)}
+
+
+def faults(places: dict[str, str], known: set[str]) -> list[str]:
+    """Return a message for each word that is neither defined nor everyday."""
+    what_to_do = f"define it in docs/domain.md, or add it to tests/house/{EVERYDAY.name} if it is everyday English"
+    return [f"{word}, in {place}: {what_to_do}" for word, place in sorted(places.items()) if not is_among(word, known)]
+
+
+def test_every_word_of_a_name_is_defined_or_everyday() -> None:
+    assert faults(words_in_use.words_in_use(), of_the_domain() | inflected(everyday())) == []
+
+
+def test_everyday_words_are_sorted_and_each_is_needed() -> None:
+    words = everyday()
+    assert words == sorted(set(words))
+    left = [word for word in words_in_use.words_in_use() if not is_among(word, of_the_domain())]
+    assert [word for word in words if not any(is_among(used, bases_of(word)) for used in left)] == []
+
+
+def test_names_of_every_kind_are_read() -> None:
+    kinds = {place.split(" ")[0] for _, place in words_in_use.names_of_api()}
+    assert {"path", "parameter", "schema", "property", "value"} <= kinds
+    commands = {place for _, place in words_in_use.names_of_commands()}
+    assert {"audio-checks check --fail-level", "soundlist operators add", "soundlist backup --keep"} <= commands
+    assert "ConcurrencyLimiter" in {name for name, _ in words_in_use.names_of_classes()}
+    assert "deliveries_takes.cue_id" in {name for name, _ in words_in_use.names_of_columns()}
+    assert [name for name, _ in words_in_use.names_of_metrics() if name == "soundlist_requests_in_flight"]
+    assert [name for name, _ in words_in_use.names_of_settings() if name == "digest_delay_s"]
+    assert {"sound-list", "/projects/$projectId/sound-list"} <= {name for name, _ in words_in_use.names_of_frontend()}
+
+
+@pytest.mark.parametrize(
+    ("schemas", "word"),
+    [
+        ({"FrobnicRead": {}}, "frobnic"),
+        ({"CueRead": {"properties": {"frobnic_at": {}}}}, "frobnic"),
+        ({"CueRead": {"properties": {"state": {"anyOf": [{"enum": ["frobnics"]}, {"type": "null"}]}}}}, "frobnics"),
+        ({"CueRead": {"properties": {"kind": {"const": "add-frobnic"}}}}, "frobnic"),
+    ],
+)
+def test_an_undefined_word_is_named_with_its_place(schemas: dict[str, object], word: str) -> None:
+    places = words_with_places(words_in_use.names_of_api({"paths": {}, "components": {"schemas": schemas}}))
+    [fault] = faults(places, of_the_domain() | inflected(everyday()))
+    assert fault.startswith(f"{word}, in ")
+    assert "Read: define it in docs/domain.md" in fault
+
+
+def test_names_are_split_and_inflections_found() -> None:
+    assert words_of("/v1/takes/{take_id}/HTTPErrorRead-2x") == ["takes", "take", "id", "http", "error", "read"]
+    known = inflected(["plan", "cue", "ready", "accept", "stem", "person"])
+    assert all(is_among(word, known) for word in ("planned", "cues", "unready", "accepting", "stems", "people"))
+    assert not any(is_among(word, known) for word in ("plane", "system", "restem", "unison"))
