@@ -21,6 +21,7 @@ DOCUMENTS = [
     *sorted((ROOT / "docs").rglob("*.md")),
     *(ROOT / folder / "README.md" for folder in ("frontend", "training")),
 ]
+PAGES = [path for path in sorted((ROOT / "docs").rglob("*.md")) if path.parent.name != "decisions"]
 DECISIONS = sorted((ROOT / "docs" / "decisions").glob("[0-9]*.md"))
 PARTS = ["Status", "Context", "Decision", "Consequences"]
 MAX_WORDS = 1500  # of a page that is read from its beginning; figures in tables count
@@ -196,6 +197,32 @@ def test_anchors_are_those_of_forges(tmp_path: Path):
 def test_pages_are_short(page: Path):
     words = [word for word in page.read_text().split() if re.search(r"\w", word)]
     assert len(words) <= MAX_WORDS or page.name in REFERENCE
+
+
+def beginning(page: str) -> str:
+    """Return what a page has between its title and the first empty line after; "" for a heading, a table or code."""
+    found = re.match(r"(?:<!--.*?-->\s*)?# [^\n]+\n\s*(.+?)(?:\n\s*\n|\Z)", page, re.DOTALL)
+    return "" if found is None or found[1].startswith(("#", "|", "```", "<")) else found[1]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: str(path.relative_to(ROOT)))
+def test_pages_begin_with_a_sentence(page: Path):
+    assert re.search(r"\w+ \w+.*[.:]", beginning(page.read_text()), re.DOTALL), "say first what one can do with it"
+
+
+@pytest.mark.parametrize(
+    ("page", "text"),
+    [
+        ("# Packs\n\n## Targets\nA target says what.\n", ""),
+        ("# Packs\n\n| to | do |\n|---|---|\n| a | b |\n", ""),
+        ("# Packs\n\n```\nmake it.\n```\n", ""),
+        ("# Packs\n", ""),
+        ("# Packs\n\nDownload\nfiles.\n\n## Targets\n", "Download\nfiles."),
+        ("<!-- Made. -->\n\n# Packs\n\n- Download files.\n", "- Download files.\n"),
+    ],
+)
+def test_the_beginning_of_a_page_is_its_first_paragraph(page: str, text: str):
+    assert beginning(page) == text
 
 
 @pytest.mark.parametrize("decision", DECISIONS, ids=lambda path: path.stem)
