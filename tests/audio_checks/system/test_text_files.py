@@ -4,7 +4,6 @@ import contextlib
 import os
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -13,6 +12,7 @@ from hypothesis import strategies as st
 
 from audio_checks import SpecError, new_spec, parse_spec
 from audio_checks.system.text_files import MOST_TOML_CHARACTERS, read_text, read_toml
+from tests.support.steps import at_most
 from tests.support.waves import silence, write_wav
 
 HOSTILE = {
@@ -38,11 +38,10 @@ HOSTILE = {
 @pytest.mark.parametrize("name", HOSTILE)
 def test_hostile_toml_is_refused_quickly_with_a_reason(name: str):
     text, words = HOSTILE[name]
-    begun = time.process_time()
-    with pytest.raises(SpecError) as refused:
+    # The most that one takes is 900,000 lines. Dots took 16 s and 3.4 GB, and the deep table raised RecursionError.
+    with at_most(3_000_000), pytest.raises(SpecError) as refused:
         parse_spec(text)
     assert words in str(refused.value)
-    assert time.process_time() - begun < 3  # dots took 16 s and 3.4 GB, and the deep table raised RecursionError
 
 
 def test_dots_and_brackets_in_texts_and_comments_do_not_count():
@@ -88,13 +87,11 @@ def test_a_file_larger_than_any_is_refused_before_it_is_read_whole(tmp_path):
 def test_a_hostile_tree_does_not_stop_the_command_line(tmp_path):
     write_wav(tmp_path / "door.wav", silence(seconds=0.1))
     (tmp_path / "audio-checks.toml").write_text(HOSTILE["a key of dots"][0])
-    begun = time.monotonic()
     done = subprocess.run(
         [sys.executable, "-m", "audio_checks.cli", "check", str(tmp_path)], capture_output=True, text=True, timeout=120
     )
     assert done.returncode == 2
     assert "more than 16 parts" in done.stdout + done.stderr
-    assert time.monotonic() - begun < 60
 
 
 def test_a_text_of_as_many_bytes_as_allowed_is_read_and_a_longer_one_is_not(tmp_path: Path):
