@@ -61,6 +61,7 @@ from app.reviews.adoption_endpoints import router as adoptions
 from app.reviews.checklist_endpoints import router as checklists
 from app.reviews.endpoints import router as reviews
 from app.reviews.heard_endpoints import router as heard_takes
+from app.reviews.reason_endpoints import router as reasons
 from app.scenes.endpoints import router as scenes
 from app.shares.guest_endpoints import router as guests
 from app.shares.guest_link_endpoints import router as guest_links
@@ -124,6 +125,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     reviews,
     heard_takes,
     checklists,
+    reasons,
     guest_links,
     guests,
     playlists,

@@ -112,7 +112,7 @@ def written(table: sa.Table) -> str | None:
     """Return which rows a request may write where these are fewer than it sees."""
     if table.name == "accounts_people":
         return f"id = {ME}"
-    if table.name in DESIGNERS_READ:
+    if table.name in (*DESIGNERS_READ, "reviews_reason_lists"):
         return f"studio_id = {STUDIOS}"
     columns = set(table.columns.keys())
     if {"designer_id", "studio_id", "project_id"} <= columns:

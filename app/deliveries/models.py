@@ -82,6 +82,9 @@ class Take(Base):
     edition: Mapped[int] = mapped_column(default=1)  # counts matches and re-checks: a job writes only for its own
     rechecked_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # who asked for the last check
     discarded_at: Mapped[datetime | None]  # out of the list and the tray, its master kept; has no cue then
+    label: Mapped[str | None]  # what it is among alternates, in the words of its designer or the team
+    labelled_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
+    labelled_at: Mapped[datetime | None]
     delivery: Mapped[Delivery] = relationship(lazy="raise")
     designer: Mapped[Person] = relationship(lazy="raise", foreign_keys=[designer_id])
     cue: Mapped[Cue | None] = relationship(lazy="raise")

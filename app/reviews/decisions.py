@@ -1,5 +1,6 @@
 """Decisions on takes: their verdicts, what gives way to them, and the record of the contract."""
 
+from collections.abc import Sequence
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -16,6 +17,8 @@ from app.money.settlement import record_work
 from app.reviews import queries
 from app.reviews.errors import NotReviewable
 from app.reviews.models import Verdict
+from app.reviews.reason_rules import ReasonKind
+from app.reviews.reasons import record_reasons
 from app.reviews.rules import VerdictKind
 from app.reviews.settlement import settle_acceptance
 from app.sound_lists.models import Cue
@@ -33,6 +36,7 @@ class Decision:
         person_id: UUID | None,
         note: str,
         *,
+        reasons: Sequence[str] = (),
         on_behalf_of: UUID | None = None,
         deemed_by_contract_id: UUID | None = None,
     ) -> None:
@@ -40,6 +44,7 @@ class Decision:
         self._person_id = person_id
         self._on_behalf_of = on_behalf_of
         self._note = note
+        self._reasons = reasons
         self._silence_contract_id = deemed_by_contract_id
         self.action_id = new_id()
         self.approved: list[Take] = []
@@ -54,8 +59,10 @@ class Decision:
                 self._record(other, VerdictKind.SET_ASIDE, SUPERSEDED, keeps_draft=True)
                 self.gave_way.append(other.id)
         self._session.flush()  # the former pick gives way first: there is never more than one
-        self._record(take, VerdictKind.APPROVE, self._note)
+        verdict = self._record(take, VerdictKind.APPROVE, self._note)
+        verdict.reasons = list(self._reasons)
         self._session.flush()
+        record_reasons(self._session, ReasonKind.PICK, [(verdict, None)])
         record_sources(self._session, take)
         self.approved.append(take)
 
@@ -76,7 +83,7 @@ class Decision:
             publish(self._session, "take.approved", studio_id=take.studio_id, take_id=take.id, cue_accepted=accepted)
         return accepted
 
-    def _record(self, take: Take, kind: VerdictKind, note: str, *, keeps_draft: bool = False) -> None:
+    def _record(self, take: Take, kind: VerdictKind, note: str, *, keeps_draft: bool = False) -> Verdict:
         verdict = new_verdict(
             self._session,
             self._person_id,
@@ -90,10 +97,11 @@ class Decision:
         change_state(self._session, take, STATE_AFTER[kind])
         draft = queries.draft_of(self._session, take.id)
         if draft is not None and not keeps_draft:
-            kept = ("text", "start_s", "end_s", "mentions")
+            kept = ("text", "reasons", "start_s", "end_s", "mentions")
             verdict.dropped_draft = {name: getattr(draft, name) for name in kept}
             self._session.delete(draft)
         self._session.add(verdict)
+        return verdict
 
 
 def new_verdict(

@@ -28,6 +28,7 @@ from app.reviews.errors import (
     NotOfThisCue,
     NotReviewable,
     RangeInvalid,
+    ReasonsInvalid,
     SetIncomplete,
     StaleView,
     TooLateToUndo,
@@ -137,6 +138,7 @@ def get_cue_review(cue_id: UUID, session: DbSession, actor: Actor = allows(Audie
         RangeInvalid,
         NotMentionable,
         ApprovalBlocked,
+        ReasonsInvalid,
     ),
 )
 def give_verdict(
@@ -149,6 +151,7 @@ def give_verdict(
         take_id,
         kind=VerdictKind(body.kind),
         note=body.note,
+        reasons=body.reasons,
         start_s=body.start_s,
         end_s=body.end_s,
         seen_state=body.seen_state,
@@ -178,13 +181,14 @@ def undo_verdict(take_id: UUID, session: DbSession, actor: Actor = allows(Audien
         NotOfThisCue,
         CueIsCut,
         ApprovalBlocked,
+        ReasonsInvalid,
     ),
 )
 def accept_set(
     cue_id: UUID, body: SetAccept, session: DbSession, actor: Actor = allows(Audience.APPROVER)
 ) -> SetAccepted:
     """Approve one take of every variation at once, or none where a variation lacks one."""
-    return service.accept_set(session, actor, cue_id, note=body.note, take_ids=body.take_ids)
+    return service.accept_set(session, actor, cue_id, note=body.note, reasons=body.reasons, take_ids=body.take_ids)
 
 
 @router.get(

@@ -97,3 +97,7 @@ class TooManyChecklists(Conflict):
 
 class ChecklistItemNotFound(NotFound):
     """No such item on the checklist of the version's category."""
+
+
+class ReasonsInvalid(Invalid):
+    """A list has a reason or label twice."""

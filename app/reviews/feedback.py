@@ -20,7 +20,9 @@ from app.reviews import queries
 from app.reviews.decisions import new_verdict
 from app.reviews.errors import AlreadySent, ChangeRequestNotFound, NothingToSend
 from app.reviews.mentions import publish_mentions
-from app.reviews.models import ChangeRequest, Feedback, Round
+from app.reviews.models import ChangeRequest, Feedback, Round, Verdict
+from app.reviews.reason_rules import ReasonKind
+from app.reviews.reasons import record_reasons
 from app.reviews.review_room import change_request_read
 from app.reviews.rules import STATE_WORDS, VerdictKind, why_not_counted
 from app.reviews.schemas import ChangeRequestRead, FeedbackRead, HeldBack, RoundRead
@@ -83,24 +85,27 @@ def send_changes(session: Session, actor: Actor, project_id: UUID, *, note: str 
     session.flush()
     reversals: dict[UUID, list[bool]] = defaultdict(list)
     action_id = new_id()
+    given: list[tuple[Verdict, UUID | None]] = []
     for draft in sorted(sendable, key=lambda each: each.cue_id):  # contracts are locked in one order
         reversals[draft.cue_id].append(draft.take.state is TakeState.APPROVED)
         for_whom = rights.on_behalf_of(actor.person, draft.cue.category)
-        session.add(
-            new_verdict(
-                session,
-                actor.person,
-                draft.take,
-                VerdictKind.REQUEST_CHANGE,
-                draft.text,
-                action_id,
-                on_behalf_of=for_whom,
-            )
+        verdict = new_verdict(
+            session,
+            actor.person,
+            draft.take,
+            VerdictKind.REQUEST_CHANGE,
+            draft.text,
+            action_id,
+            on_behalf_of=for_whom,
         )
+        verdict.reasons = draft.reasons
+        session.add(verdict)
+        given.append((verdict, draft.id))
         change_state(session, draft.take, TakeState.CHANGE_REQUESTED)
         draft.feedback_id = sending.id
     rounds = _count_rounds(session, sending, reversals)
     session.flush()
+    record_reasons(session, ReasonKind.CHANGE, given)
     for one in sorted(rounds, key=lambda each: each.cue_id):  # contracts are locked in one order
         if one.number is not None:
             price_round(session, one.cue_id, number=one.number, person_id=actor.person)

@@ -12,6 +12,7 @@ from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit import clock
 from app.kit.db import Base, new_id
+from app.reviews.reason_rules import ReasonKind
 from app.reviews.rules import ApprovalBlockers, VerdictKind, mentioned_in
 from app.sound_lists.models import Cue
 
@@ -33,6 +34,7 @@ class Verdict(Base):
     action_id: Mapped[UUID] = mapped_column(index=True)  # decisions of one click are undone together
     kind: Mapped[VerdictKind]
     note: Mapped[str] = mapped_column(default="")
+    reasons: Mapped[list[str]] = mapped_column(default=list)  # as they were said
     state_before: Mapped[TakeState]
     since_before: Mapped[datetime]
     dropped_draft: Mapped[dict[str, Any]] = mapped_column(default=dict)  # what was noted to change, and fell away
@@ -131,6 +133,7 @@ class ChangeRequest(Base):
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
     text: Mapped[str]
+    reasons: Mapped[list[str]] = mapped_column(default=list)  # as they were said; the text has them too
     start_s: Mapped[float | None]
     end_s: Mapped[float | None]
     written_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
@@ -301,6 +304,32 @@ class ApprovalRule(Base):
     blockers: Mapped[ApprovalBlockers]
     set_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     set_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class ReasonList(Base):
+    """A studio's own list of reasons or labels; without a row it has ours."""
+
+    __tablename__ = "reviews_reason_lists"
+
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), primary_key=True)
+    kind: Mapped[ReasonKind] = mapped_column(primary_key=True)
+    reasons: Mapped[list[str]]  # in order, one for each digit
+    set_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    set_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class GivenReason(Base):
+    """One reason of a verdict that was not taken back, so that reasons are counted by an index."""
+
+    __tablename__ = "reviews_given_reasons"
+    __table_args__ = (Index("ix_reviews_given_reasons_found", "project_id", "kind", "reason", "verdict_id"),)
+
+    verdict_id: Mapped[UUID] = mapped_column(ForeignKey("reviews_verdicts.id"), primary_key=True)
+    reason: Mapped[str] = mapped_column(primary_key=True)
+    kind: Mapped[ReasonKind]
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
+    change_request_id: Mapped[UUID | None] = mapped_column(ForeignKey("reviews_change_requests.id"))  # of a change
 
 
 # Of a cue's variation at most one take is picked, even when two people click at once.

@@ -257,6 +257,7 @@ def change_request_read(request: ChangeRequest, prefix: str) -> ChangeRequestRea
         variation=request.take.variation,
         number=request.take.number or 0,
         text=request.text,
+        reasons=request.reasons,
         mentions=[MentionRead.model_validate(one) for one in request.mentioned],
         start_s=request.start_s,
         end_s=request.end_s,
@@ -322,6 +323,7 @@ def _verdicts_read(verdicts: Iterable[Verdict]) -> Iterable[VerdictRead]:
             take_id=one.take_id,
             kind=one.kind,
             note=one.note,
+            reasons=one.reasons,
             given_by=PersonBrief.model_validate(one.author) if one.author else None,
             on_behalf_of=PersonBrief.model_validate(one.represented) if one.represented else None,
             created_at=one.created_at,
@@ -372,6 +374,7 @@ def _said(session: Session, take: Take) -> Iterable[HistoryEntry]:
                 by_deemed_acceptance=verdict.deemed_by_contract_id is not None,
                 by_adoption=verdict.adoption_id is not None,
                 text=verdict.note,
+                reasons=verdict.reasons,
             )
     sent = (ChangeRequest.take_id == take.id, ChangeRequest.feedback_id.is_not(None))
     for request in queries.change_requests_of(session, *sent):

@@ -14,6 +14,7 @@ from app.kit.http import Schema
 from app.renders.rules import RenderState
 from app.renders.schemas import SoundBrief, ThumbRead
 from app.reviews.checklist_schemas import BlockedTake, CueChecklist
+from app.reviews.reason_schemas import Reasons
 from app.reviews.rules import QueueKind, VerdictKind
 from app.sound_lists.rules import CueState, Reverb
 
@@ -79,6 +80,7 @@ class ChangeRequestRead(Schema):
     variation: int
     number: int
     text: str
+    reasons: list[str] = Field(description="Chosen of the studio's list; the text has them too.")
     mentions: list[MentionRead]
     start_s: float | None
     end_s: float | None
@@ -154,6 +156,7 @@ class VerdictGive(Schema):
 
     kind: Literal["approve", "request_change", "set_aside"]
     note: Note = ""
+    reasons: Reasons = Field(default=[])
     start_s: Seconds | None = None
     end_s: Seconds | None = None
     seen_state: TakeState = Field(
@@ -201,6 +204,7 @@ class SetAccept(Schema):
     """The acceptance of a whole set; where no take is named, the newest conforming one of a variation is meant."""
 
     note: Note = ""
+    reasons: Reasons = Field(default=[])
     take_ids: list[UUID] = Field(default=[], max_length=99)
 
 
@@ -335,6 +339,7 @@ class HistoryEntry(Schema):
     by_deemed_acceptance: bool = Field(False, description="Whether a clause on silence approved it; then nobody did.")
     by_adoption: bool = Field(False, description="Whether it was approved by adopting a folder, without a review.")
     text: str
+    reasons: list[str] = Field([], description="Why it was approved; a change has them in its text.")
     start_s: float | None = None
     end_s: float | None = None
 
@@ -346,6 +351,7 @@ class VerdictRead(Schema):
     take_id: UUID
     kind: VerdictKind
     note: str
+    reasons: list[str]
     given_by: PersonBrief | None = Field(description="Null where a clause on silence decided it.")
     on_behalf_of: PersonBrief | None = Field(description="The approver whose deputy decided; null in one's own right.")
     created_at: datetime

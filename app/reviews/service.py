@@ -30,6 +30,8 @@ from app.reviews.errors import (
 )
 from app.reviews.mentions import mentions_in
 from app.reviews.models import ChangeRequest, Verdict
+from app.reviews.reason_rules import ensure_distinct
+from app.reviews.reasons import forget_reasons
 from app.reviews.review_room import change_request_read
 from app.reviews.rules import (
     STATE_WORDS,
@@ -63,6 +65,7 @@ def give_verdict(
     *,
     kind: VerdictKind,
     note: str = "",
+    reasons: Sequence[str] = (),
     start_s: float | None = None,
     end_s: float | None = None,
     seen_state: TakeState = TakeState.CONFORMING,
@@ -73,10 +76,21 @@ def give_verdict(
     for_whom = _ensure_may_approve(session, access, take)
     cue = _cue_to_judge(session, take)
     ensure_seen(take.state, seen_state)
+    ensure_distinct(reasons, "reasons")
     if kind is VerdictKind.REQUEST_CHANGE:
         named = mentions_in(session, take, note, mentions)
-        return _draft_change(session, access, take, cue, text=note, start_s=start_s, end_s=end_s, mentions=named)
-    decision = Decision(session, actor.person, note, on_behalf_of=for_whom)
+        return _draft_change(
+            session,
+            access,
+            take,
+            cue,
+            text=note,
+            reasons=list(reasons),
+            start_s=start_s,
+            end_s=end_s,
+            mentions=named,
+        )
+    decision = Decision(session, actor.person, note, reasons=reasons, on_behalf_of=for_whom)
     if kind is VerdictKind.APPROVE:
         ensure_nothing_open(session, cue, [take])
         decision.approve(take)
@@ -118,6 +132,7 @@ def _draft_change(
     cue: Cue,
     *,
     text: str,
+    reasons: list[str],
     start_s: float | None,
     end_s: float | None,
     mentions: dict[str, str],
@@ -138,6 +153,7 @@ def _draft_change(
             written_by=access.actor.person,
         )
         session.add(draft)
+    draft.reasons = reasons
     draft.cue_id, draft.text, draft.start_s, draft.end_s, draft.mentions = cue.id, text, start_s, end_s, mentions
     draft.written_by = access.actor.person
     draft.created_at = clock.now()
@@ -209,6 +225,7 @@ def _take_back(
     on_behalf_of: UUID | None,
 ) -> list[TakeStateRead]:
     action_id = new_id()
+    forget_reasons(session, decided)
     # Approvals first: a former pick comes back only where there is none.
     for verdict in sorted(decided, key=lambda one: one.kind is not VerdictKind.APPROVE):
         take = takes[verdict.take_id]
@@ -238,11 +255,18 @@ def _standing_of(take: Take) -> TakeStateRead:
 
 
 def accept_set(
-    session: Session, actor: Actor, cue_id: UUID, *, note: str = "", take_ids: Sequence[UUID] = ()
+    session: Session,
+    actor: Actor,
+    cue_id: UUID,
+    *,
+    note: str = "",
+    reasons: Sequence[str] = (),
+    take_ids: Sequence[UUID] = (),
 ) -> SetAccepted:
     """Approve one take of every variation of a cue at once: those named, else the newest that waits."""
     access, cue = visible_cue(session, actor, cue_id)
     for_whom = ensure_may_approve(session, access, cue.category)
+    ensure_distinct(reasons, "reasons")
     queries.lock_cue(session, cue.id)
     session.refresh(cue, ["state"])
     if cue.state is CueState.CUT:
@@ -252,7 +276,7 @@ def accept_set(
     if not new:
         raise AlreadyAccepted(f"{cue.name} is accepted, and no newer version waits")
     ensure_nothing_open(session, cue, new)
-    decision = Decision(session, actor.person, note, on_behalf_of=for_whom)
+    decision = Decision(session, actor.person, note, reasons=reasons, on_behalf_of=for_whom)
     for take in new:
         decision.approve(take)
     accepted = decision.finish(cue)

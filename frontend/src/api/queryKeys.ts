@@ -118,6 +118,7 @@ export const queryKeys = {
   takeHistory: family<[takeId: string]>('take-history'),
   approvalSettings: family<[projectId: string]>('approval-settings'),
   judged: family<[projectId: string]>('judged'),
+  reviewReasons: family<[projectId: string]>('review-reasons'),
   adoptions: family<[projectId: string]>('adoptions'),
   adoption: family<[adoptionId: string, part?: 'plan']>('adoption'),
 

@@ -5745,6 +5745,50 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/studios/{studio_id}/review-reasons": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Review Reasons
+         * @description Return the reasons and labels of a studio, in the order of the digits.
+         */
+        get: operations["get_review_reasons"];
+        /**
+         * Set Review Reasons
+         * @description Write whole lists; what was said before stays as it was said. An empty list gives ours back.
+         */
+        put: operations["set_review_reasons"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/review-reasons": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Review Reasons Of Project
+         * @description Return the reasons and labels of a project's studio, for its team and designers.
+         */
+        get: operations["get_review_reasons_of_project"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/projects/{project_id}/guest-links": {
         parameters: {
             query?: never;
@@ -9648,7 +9692,7 @@ export interface components {
              */
             task_id: string | null;
             /** @description The approved sound; the build's own file is not on the server. */
-            sound: components["schemas"]["SoundBrief"] | null;
+            sound: components["schemas"]["TakeSound"] | null;
         };
         /**
          * Awaited
@@ -11205,6 +11249,11 @@ export interface components {
             number: number;
             /** Text */
             text: string;
+            /**
+             * Reasons
+             * @description Chosen of the studio's list; the text has them too.
+             */
+            reasons: string[];
             /** Mentions */
             mentions: components["schemas"]["MentionRead"][];
             /** Start S */
@@ -12846,6 +12895,11 @@ export interface components {
             waived: boolean;
             /** Not To Spec */
             not_to_spec: boolean;
+            /**
+             * Unheard Take Ids
+             * @description Of its takes that wait or are approved, those that the caller has not heard; none for designers.
+             */
+            unheard_take_ids: string[];
         };
         /**
          * CueRead
@@ -13023,7 +13077,7 @@ export interface components {
              */
             suggested_db: number | null;
             /** @description The approved sound. */
-            sound: components["schemas"]["SoundBrief"] | null;
+            sound: components["schemas"]["TakeSound"] | null;
             /**
              * Heard
              * @description Whether it was heard in this pass.
@@ -14958,6 +15012,12 @@ export interface components {
             by_adoption: boolean;
             /** Text */
             text: string;
+            /**
+             * Reasons
+             * @description Why it was approved; a change has them in its text.
+             * @default []
+             */
+            reasons: string[];
             /** Start S */
             start_s?: number | null;
             /** End S */
@@ -18248,6 +18308,11 @@ export interface components {
          */
         PaletteSound: {
             cue: components["schemas"]["CueBrief"];
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
             /** Loop */
             loop: boolean;
             /** Thumb */
@@ -18872,6 +18937,11 @@ export interface components {
              * @description Whether the caller approves this cue today.
              */
             may_approve: boolean;
+            /**
+             * Is Heard
+             * @description By the caller; null for designers, of whom nothing is recorded.
+             */
+            is_heard: boolean | null;
         };
         /**
          * PositionSet
@@ -19914,6 +19984,19 @@ export interface components {
             reason: string;
         };
         /**
+         * ReasonListRead
+         * @description One list of a studio, in the order of the digits.
+         */
+        ReasonListRead: {
+            /** Reasons */
+            reasons: string[];
+            /**
+             * Is Own
+             * @description Whether the studio wrote it; otherwise it is ours.
+             */
+            is_own: boolean;
+        };
+        /**
          * RecallAdd
          * @description Why a text is taken back.
          */
@@ -20844,6 +20927,30 @@ export interface components {
             palette: boolean;
             /** Due On */
             due_on: string | null;
+        };
+        /**
+         * ReviewReasonsRead
+         * @description What a studio says most in Review, each on its digit.
+         */
+        ReviewReasonsRead: {
+            /** @description Why a change is requested. */
+            change: components["schemas"]["ReasonListRead"];
+            /** @description Why a version is approved. */
+            pick: components["schemas"]["ReasonListRead"];
+            /** @description What an alternate is. */
+            label: components["schemas"]["ReasonListRead"];
+        };
+        /**
+         * ReviewReasonsSet
+         * @description Whole lists; one that is left out stays as it is, and an empty one gives ours back.
+         */
+        ReviewReasonsSet: {
+            /** Change */
+            change?: string[] | null;
+            /** Pick */
+            pick?: string[] | null;
+            /** Label */
+            label?: string[] | null;
         };
         /**
          * ReviewRender
@@ -22034,6 +22141,12 @@ export interface components {
              * @default
              */
             note: string;
+            /**
+             * Reasons
+             * @description Of the studio's list or in other words.
+             * @default []
+             */
+            reasons: string[];
             /**
              * Take Ids
              * @default []
@@ -23437,6 +23550,28 @@ export interface components {
             becomes: string;
         };
         /**
+         * TakeSound
+         * @description A take's master, to play.
+         */
+        TakeSound: {
+            /** Picture Id */
+            picture_id: string | null;
+            /** Duration S */
+            duration_s: number | null;
+            thumb: components["schemas"]["ThumbRead"] | null;
+            /** Preview Url */
+            preview_url: string | null;
+            /** Peaks Url */
+            peaks_url: string | null;
+            /** Spectrum Url */
+            spectrum_url: string | null;
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+        };
+        /**
          * TakeSoundsRead
          * @description Everything of a take that can be played.
          */
@@ -24051,6 +24186,12 @@ export interface components {
              * @default
              */
             note: string;
+            /**
+             * Reasons
+             * @description Of the studio's list or in other words.
+             * @default []
+             */
+            reasons: string[];
             /** Start S */
             start_s?: number | null;
             /** End S */
@@ -24121,6 +24262,8 @@ export interface components {
             kind: components["schemas"]["VerdictKind"];
             /** Note */
             note: string;
+            /** Reasons */
+            reasons: string[];
             /** @description Null where a clause on silence decided it. */
             given_by: components["schemas"]["PersonBrief"] | null;
             /** @description The approver whose deputy decided; null in one's own right. */
@@ -41512,7 +41655,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `note-needed`, `range-invalid`, `not-mentionable` */
+            /** @description `note-needed`, `range-invalid`, `not-mentionable`, `reasons-invalid` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -41632,7 +41775,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `not-of-this-cue` */
+            /** @description `not-of-this-cue`, `reasons-invalid` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -42568,6 +42711,139 @@ export interface operations {
                 };
             };
             /** @description `take-not-found`, `checklist-item-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    get_review_reasons: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReviewReasonsRead"];
+                };
+            };
+            /** @description `studio-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    set_review_reasons: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                studio_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ReviewReasonsSet"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReviewReasonsRead"];
+                };
+            };
+            /** @description `producer-needed` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `studio-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `reasons-invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_review_reasons_of_project: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReviewReasonsRead"];
+                };
+            };
+            /** @description `project-not-found` */
             404: {
                 headers: {
                     [name: string]: unknown;

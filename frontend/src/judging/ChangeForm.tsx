@@ -14,19 +14,6 @@ import classes from './ChangeForm.module.css'
 import { Mentions } from './Mentions'
 import type { ChangeSaid } from './useJudge'
 
-/** What approvers say most, each on its digit. */
-const REASONS = [
-  'Too loud',
-  'Too quiet',
-  'Too long',
-  'Too short',
-  'Starts too late',
-  'Too bright',
-  'Too dull',
-  'Doesn’t read in game',
-  'Off style',
-] as const
-
 type Where = 'whole' | 'point' | 'range'
 
 interface ChangeFormProps {
@@ -34,6 +21,8 @@ interface ChangeFormProps {
   takeId: string
   /** What is to change: "shield_hit A". */
   what: string
+  /** The studio's list, in the order of the digits. */
+  listed: readonly string[]
   /** Where the playhead stands; 0 is not a place. */
   positionS: number
   range: TimeRange | null
@@ -45,7 +34,17 @@ interface ChangeFormProps {
 }
 
 /** What to change: reasons on the digits, a line of text, where in the sound. Enter notes it as a draft. */
-export function ChangeForm({ takeId, what, positionS, range, saving, problem, onSave, onClose }: ChangeFormProps) {
+export function ChangeForm({
+  takeId,
+  what,
+  listed,
+  positionS,
+  range,
+  saving,
+  problem,
+  onSave,
+  onClose,
+}: ChangeFormProps) {
   const [{ reasons, text }, setSaid, draft] = useDraft<{ reasons: readonly string[]; text: string }>(
     `change:${takeId}`,
     { reasons: [], text: '' },
@@ -74,11 +73,11 @@ export function ChangeForm({ takeId, what, positionS, range, saving, problem, on
       field.current?.focus()
       return
     }
-    if (where === 'range' && range) onSave({ note, startS: range.startS, endS: range.endS }, draft.discard)
-    else onSave({ note, startS: where === 'point' ? positionS : undefined }, draft.discard)
+    if (where === 'range' && range) onSave({ note, reasons, startS: range.startS, endS: range.endS }, draft.discard)
+    else onSave({ note, reasons, startS: where === 'point' ? positionS : undefined }, draft.discard)
   }
   const onKeyDown = (event: KeyboardEvent) => {
-    const reason = /^[1-9]$/.test(event.key) ? REASONS[Number(event.key) - 1] : undefined
+    const reason = /^[1-9]$/.test(event.key) ? listed[Number(event.key) - 1] : undefined
     if (reason !== undefined && text === '' && reasons.length === 0) {
       // The first digit is a reason; after it one types, and "3 dB less" begins with a digit too.
       event.preventDefault()
@@ -88,6 +87,9 @@ export function ChangeForm({ takeId, what, positionS, range, saving, problem, on
       if (!saving) save()
     }
   }
+
+  // One that was chosen and is off the list since can still be taken back.
+  const offered = [...listed, ...reasons.filter((reason) => !listed.includes(reason))]
 
   const places: { value: Where; label: string }[] = [
     { value: 'whole', label: 'Whole sound' },
@@ -105,10 +107,10 @@ export function ChangeForm({ takeId, what, positionS, range, saving, problem, on
       }}
     >
       <div className={classes.reasons} role="group" aria-label="Reasons">
-        {REASONS.map((reason, index) => (
+        {offered.map((reason, index) => (
           <Button
             key={reason}
-            keys={String(index + 1)}
+            keys={index < listed.length ? String(index + 1) : undefined}
             pressed={reasons.includes(reason)}
             onClick={() => {
               toggle(reason)

@@ -95,6 +95,7 @@ describe('words', () => {
     expect(historyText({ kind: 'received', text: 'laser_01.wav, delivery 2' })).toBe('laser_01.wav, delivery 2')
     expect(historyText({ kind: 'comment', text: 'laser_01 is too loud' })).toBe('laser_01 is too loud')
     expect(historyText({ kind: 'checked', text: 'returned: DC -3 %' })).toBe('Returned: DC −3 %')
+    expect(historyText({ kind: 'approve', text: '', reasons: ['Best timing'] })).toBe('Best timing.')
   })
 
   test('a cue asks for what can be done with it', () => {

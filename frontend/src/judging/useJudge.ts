@@ -26,19 +26,29 @@ export interface Refusal {
 
 export interface ChangeSaid {
   note: string
+  /** Chosen of the studio's list; the note has those of a change too. */
+  reasons: readonly string[]
   startS?: number
   endS?: number
 }
 
 const asProblem = (error: unknown): ApiProblem => (error instanceof ApiProblem ? error : lineLost())
 
-const giveVerdict = (take: ReviewTake, kind: 'approve' | 'request_change', said: ChangeSaid, mentions: string[] = []) =>
+const giveVerdict = (
+  take: ReviewTake,
+  kind: 'approve' | 'request_change',
+  { note, reasons, startS, endS }: ChangeSaid,
+  mentions: string[] = [],
+) =>
   answered(
     api.POST('/v1/takes/{take_id}/verdict', {
       params: { path: { take_id: take.id } },
-      body: { kind, note: said.note, start_s: said.startS, end_s: said.endS, seen_state: take.state, mentions },
+      body: { kind, note, reasons: [...reasons], start_s: startS, end_s: endS, seen_state: take.state, mentions },
     }),
   )
+
+/** What follows a verdict in its toast: ": Fits the scene". */
+const because = (reasons: readonly string[]): string => (reasons.length > 0 ? `: ${reasons.join(', ')}` : '')
 
 const takeBack = (takeId: string) =>
   answered(api.DELETE('/v1/takes/{take_id}/verdict', { params: { path: { take_id: takeId } } }))
@@ -103,31 +113,41 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
     if (others === 0) await refresh(client, projectId)
   }
 
-  const approve = (cue: ReviewCue, takes: readonly ReviewTake[], name: string) => {
+  const approve = (cue: ReviewCue, takes: readonly ReviewTake[], name: string, reasons: readonly string[] = []) => {
     const send = async () => {
-      for (const take of takes) await giveVerdict(take, 'approve', { note: '' })
+      for (const take of takes) await giveVerdict(take, 'approve', { note: '', reasons })
     }
     return decide(
-      { cue, takes, done: `${cue.name} ${name} approved.`, refused: `${cue.name} ${name} is not approved.` },
+      {
+        cue,
+        takes,
+        done: `${cue.name} ${name} approved${because(reasons)}.`,
+        refused: `${cue.name} ${name} is not approved.`,
+      },
       send,
       takes.map(({ id }) => id).reverse(),
     )
   }
 
   /** Accept a set with the takes that were picked, one a variation. */
-  const acceptSet = (cue: ReviewCue, waiting: readonly ReviewTake[], picked: readonly ReviewTake[]) =>
+  const acceptSet = (
+    cue: ReviewCue,
+    waiting: readonly ReviewTake[],
+    picked: readonly ReviewTake[],
+    reasons: readonly string[] = [],
+  ) =>
     decide(
       {
         cue,
         takes: waiting,
-        done: `The set of ${cue.variations} for ${cue.name} accepted.`,
+        done: `The set of ${cue.variations} for ${cue.name} accepted${because(reasons)}.`,
         refused: `The set for ${cue.name} is not accepted.`,
       },
       () =>
         answered(
           api.POST('/v1/cues/{cue_id}/accept-set', {
             params: { path: { cue_id: cue.id } },
-            body: { note: '', take_ids: picked.map(({ id }) => id) },
+            body: { note: '', reasons: [...reasons], take_ids: picked.map(({ id }) => id) },
           }),
         ),
       picked.slice(0, 1).map(({ id }) => id),

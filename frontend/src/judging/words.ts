@@ -9,9 +9,17 @@ export function sentence(text: string): string {
   return written.charAt(0).toUpperCase() + written.slice(1)
 }
 
-/** The text of an entry of the history: the checker's words as a sentence; names and people's texts unchanged. */
-export const historyText = ({ kind, text }: { kind: string; text: string }): string =>
-  kind === 'checked' ? sentence(text) : text
+/** The text of an entry of the history: the checker's words as a sentence; reasons, names and people's texts unchanged. */
+export const historyText = ({
+  kind,
+  text,
+  reasons = [],
+}: {
+  kind: string
+  text: string
+  reasons?: string[]
+}): string =>
+  kind === 'checked' ? sentence(text) : [...reasons.map((reason) => `${reason}.`), text].filter(Boolean).join(' ')
 
 /** What a finding measured: up to the comma that begins its limit. */
 export function measuredPart(finding: ReviewFinding): [measured: string, rest: string] {

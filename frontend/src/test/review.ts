@@ -9,9 +9,33 @@ import type {
   ReviewTake,
 } from '@/judging/api'
 
+import type { ReviewReasons } from '@/judging/reasons'
+
 import { type Asked, serve } from './server'
 
 export const PROJECT = 'project-1'
+/** The lists of a studio that wrote none. */
+export const OURS: ReviewReasons = {
+  change: {
+    is_own: false,
+    reasons: [
+      'Too loud',
+      'Too quiet',
+      'Too long',
+      'Too short',
+      'Starts too late',
+      'Too bright',
+      'Too dull',
+      'Doesn’t read in game',
+      'Off style',
+    ],
+  },
+  pick: {
+    is_own: false,
+    reasons: ['Fits the scene', 'Best timing', 'Best weight', 'Cleanest', 'Most readable', 'Most like the palette'],
+  },
+  label: { is_own: false, reasons: ['longer', 'shorter', 'layered', 'dry', 'wild', 'safe'] },
+}
 const AT = '2026-11-20T10:00:00Z'
 const DESIGNER = { id: 'designer', name: 'Sound designer' }
 export const APPROVER = { id: 'approver', name: 'Audio director' }
@@ -149,6 +173,7 @@ export function aDraft(take: ReviewTake, cue: ReviewCue, text: string): ChangeRe
     variation: take.variation,
     number: take.number,
     text,
+    reasons: [],
     mentions: [],
     start_s: null,
     end_s: null,
@@ -219,7 +244,10 @@ export const somePeaks = {
 
 /** A server with queued answers, which records the requests to one path. */
 export function aServer() {
-  const { asked, answers } = serve({ 'GET /v1/session': { signed_in: true, demo: false, person: APPROVER } })
+  const { asked, answers } = serve({
+    'GET /v1/session': { signed_in: true, demo: false, person: APPROVER },
+    [`GET /v1/projects/${PROJECT}/review-reasons`]: OURS,
+  })
   const server = {
     asked,
     on: (what: string, answer: unknown) => {

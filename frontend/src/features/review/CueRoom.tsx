@@ -9,6 +9,7 @@ import { blockedWords, whyBlocked } from '@/judging/blocked'
 import { isWholeSet, pickedOfSet } from '@/judging/choice'
 import { inOrder, matchGains, soundOf, sourceOf, targetsOf } from '@/judging/hearing'
 import { matchedWords } from '@/judging/levels'
+import { useReasons } from '@/judging/reasons'
 import { type Placing, useHearing } from '@/judging/useHearing'
 import type { Judge } from '@/judging/useJudge'
 import { takeName } from '@/judging/words'
@@ -31,7 +32,7 @@ import type { Conditions } from './useCondition'
 import { useRoomKeys } from './useRoomKeys'
 import { useSetWay } from './useSetWay'
 import { useTakesHeard } from './useTakesHeard'
-import { Verdict } from './Verdict'
+import { type Asking, Verdict } from './Verdict'
 import { WaveStage } from './WaveStage'
 
 const loadScene = () => import('./scene/SceneStage').then(({ SceneStage }) => SceneStage)
@@ -68,6 +69,8 @@ export function CueRoom(props: CueRoomProps) {
   const { waiting, heard, hand, isSet, chosen, before, current, flip, choose, stepTake, picked, pick, blind, nameOf } =
     takes
   const [changing, setChanging] = useState<{ positionS: number } | null>(null)
+  const [asking, setAsking] = useState<Asking>(null)
+  const reasons = useReasons(projectId)
   const [writing, setWriting] = useState<Writing | null>(null)
   useEffect(() => {
     if (writing !== null) keepDraft(`comment:${cue.id}`, writing.text.trim() === '' ? null : writing)
@@ -121,11 +124,12 @@ export function CueRoom(props: CueRoomProps) {
     const variations = new Set(takes.map(({ variation }) => variation))
     return waiting.every((take) => variations.has(take.variation) || take.draft_change !== null)
   }
-  const approve = () => {
+  const approve = (because: readonly string[] = []) => {
     if (free.length === 0) return
     player.pause()
+    setAsking(null)
     const last = leaves(free)
-    void judge.approve(cue, free, meantName)
+    void judge.approve(cue, free, meantName, because)
     takes.showNames()
     takes.unpick()
     if (last) onJudged()
@@ -134,9 +138,10 @@ export function CueRoom(props: CueRoomProps) {
       takes.moveOn(({ variation }) => decided.has(variation))
     }
   }
-  const acceptSet = () => {
+  const acceptSet = (because: readonly string[] = []) => {
     player.pause()
-    void judge.acceptSet(cue, waiting, pickedOfSet(waiting, chosen))
+    setAsking(null)
+    void judge.acceptSet(cue, waiting, pickedOfSet(waiting, chosen), because)
     onJudged()
   }
   const ofSet = whole ? pickedOfSet(waiting, chosen) : meant
@@ -148,7 +153,30 @@ export function CueRoom(props: CueRoomProps) {
   const openChange = () => {
     player.pause()
     judge.change.reset()
+    setAsking(null)
     flushSync(() => setChanging({ positionS: inside(player.positionS() - firstS, hand, target) }))
+  }
+  const ask = (next: Asking) => {
+    player.pause()
+    judge.change.reset()
+    flushSync(() => setAsking(next))
+  }
+  const changed = (takesChanged: readonly ReviewTake[]) => {
+    setChanging(null)
+    setAsking(null)
+    takes.unpick()
+    const noted = new Set(takesChanged.map(({ id }) => id))
+    if (!isSet || !takes.moveOn(({ id }) => noted.has(id))) onJudged()
+  }
+  const changeBecause = (reason: string) => {
+    if (judge.change.isPending) return
+    const range = placing ? null : playing.range
+    const atS = inside(player.positionS() - firstS, hand, target)
+    const where = range ?? { startS: atS > 0 ? atS : undefined }
+    judge.change.mutate(
+      { takes: meant, said: { note: `${reason}.`, reasons: [reason], ...where } },
+      { onSuccess: () => changed(meant) },
+    )
   }
   const write = (text = '') => {
     if (hand === undefined) return
@@ -194,7 +222,20 @@ export function CueRoom(props: CueRoomProps) {
   }
   const canBlind = !isSet && waiting.length > 1
 
-  useRoomKeys({ heard, isSet, choose, pick, setEnd, targets, target, onTarget, write, asGame, player })
+  useRoomKeys({
+    heard,
+    isSet,
+    asking: asking !== null,
+    choose,
+    pick,
+    setEnd,
+    targets,
+    target,
+    onTarget,
+    write,
+    asGame,
+    player,
+  })
 
   return (
     <>
@@ -327,18 +368,17 @@ export function CueRoom(props: CueRoomProps) {
             judge={judge}
             range={placing ? null : playing.range}
             changing={changing}
+            reasons={reasons}
+            asking={asking}
+            onAsking={ask}
+            onChangeBecause={changeBecause}
             isPlaying={playing.status === 'playing'}
             onPlay={source === null ? null : () => void player.toggle()}
             onApprove={approve}
             onAcceptSet={acceptSet}
             onChange={openChange}
             onCloseChange={() => setChanging(null)}
-            onChanged={(changed) => {
-              setChanging(null)
-              takes.unpick()
-              const noted = new Set(changed.map(({ id }) => id))
-              if (!isSet || !takes.moveOn(({ id }) => noted.has(id))) onJudged()
-            }}
+            onChanged={changed}
             onComment={() => write()}
             onWouldTake={wouldTake}
           />

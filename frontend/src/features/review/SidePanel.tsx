@@ -382,7 +382,7 @@ function History({ take }: { take: ReviewTake }) {
               {age(entry.at)}
             </time>
           </p>
-          {entry.text && <Quoted spotWords={spot(entry.start_s, entry.end_s)}>{historyText(entry)}</Quoted>}
+          {historyText(entry) && <Quoted spotWords={spot(entry.start_s, entry.end_s)}>{historyText(entry)}</Quoted>}
         </li>
       ))}
     </ol>

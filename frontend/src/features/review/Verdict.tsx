@@ -1,9 +1,10 @@
 import type { ReactNode } from 'react'
 
-import { HotkeyButton } from '@/app/keys'
+import { HotkeyButton, useHotkeys } from '@/app/keys'
 import type { TimeRange } from '@/audio'
 import type { CueReview, ReviewTake } from '@/judging/api'
 import { ChangeForm } from '@/judging/ChangeForm'
+import { ReasonRow } from '@/judging/ReasonRow'
 import type { Judge } from '@/judging/useJudge'
 import { namesOf } from '@/judging/words'
 import type { CueMoney } from '@/money/api'
@@ -14,6 +15,9 @@ import { ProblemNote } from '@/ui/ProblemNote'
 import { VerdictBar } from '@/ui/VerdictBar'
 
 import classes from './Review.module.css'
+
+/** Whose reasons are on the digits: those of an approval, of a change, or none. */
+export type Asking = 'pick' | 'change' | null
 
 interface VerdictProps {
   review: CueReview
@@ -32,11 +36,18 @@ interface VerdictProps {
   judge: Judge
   range: TimeRange | null
   changing: { positionS: number } | null
+  /** What the studio says most, on the digits. */
+  reasons: { change: readonly string[]; pick: readonly string[] }
+  /** Which reasons are open. */
+  asking: Asking
+  onAsking: (asking: Asking) => void
+  /** Note a change for one reason, at once. */
+  onChangeBecause: (reason: string) => void
   isPlaying: boolean
   /** Play or pause; null where there is nothing to hear. */
   onPlay: (() => void) | null
-  onApprove: () => void
-  onAcceptSet: () => void
+  onApprove: (because?: readonly string[]) => void
+  onAcceptSet: (because?: readonly string[]) => void
   onChange: () => void
   onCloseChange: () => void
   onChanged: (takes: readonly ReviewTake[]) => void
@@ -64,14 +75,49 @@ export function Verdict(props: VerdictProps) {
   const isCut = cue.state === 'cut'
   const refusal = judge.refusal
 
-  const above = (changing || refusal || props.checklist) && (
+  const mayPick = may_approve && !isCut && (whole || canApprove)
+  const isBlocked = whole ? blocked.isSet : blocked.free === 0
+  const mayAsk = may_approve && !isCut && canChange
+  const isPicking = props.asking === 'pick' && mayPick && !isBlocked && !changing
+  const isAsking = props.asking === 'change' && mayAsk && !changing
+  useHotkeys([
+    {
+      keys: 'shift+r',
+      label: 'Request a change for one reason, then 1–9',
+      group: 'Review',
+      run: () => props.onAsking(props.asking === 'change' ? null : 'change'),
+      disabled: !mayAsk,
+    },
+  ])
+
+  const above = (changing || refusal || isPicking || isAsking || props.checklist) && (
     <>
-      {!changing && props.checklist}
+      {!changing && !isPicking && !isAsking && props.checklist}
       {refusal && <ProblemNote detail={`${refusal.what} ${refusal.problem.detail}`} fix={refusal.problem.fix} />}
+      {isPicking && (
+        <ReasonRow
+          reasons={props.reasons.pick}
+          title={`Approve ${whole ? `the set of ${cue.variations}` : `${cue.name} ${name}`} because`}
+          onReason={(reason) => (whole ? props.onAcceptSet([reason]) : props.onApprove([reason]))}
+          onClose={() => props.onAsking(null)}
+        />
+      )}
+      {isAsking && (
+        <ReasonRow
+          reasons={props.reasons.change}
+          title={`Request a change of ${cue.name} ${name} because`}
+          onReason={props.onChangeBecause}
+          onClose={() => props.onAsking(null)}
+        />
+      )}
+      {isAsking && judge.changeProblem && (
+        <ProblemNote detail={judge.changeProblem.detail} fix={judge.changeProblem.fix} />
+      )}
       {changing && (
         <ChangeForm
           takeId={meant[0]?.id ?? cue.id}
           what={`${cue.name} ${name}`}
+          listed={props.reasons.change}
           positionS={changing.positionS}
           range={props.range}
           saving={judge.change.isPending}
@@ -114,7 +160,7 @@ export function Verdict(props: VerdictProps) {
           Comment
         </Button>
       )}
-      {may_approve && !isCut && canChange && (
+      {mayAsk && (
         <HotkeyButton
           keys="r"
           keyLabel="Request a change"
@@ -127,6 +173,19 @@ export function Verdict(props: VerdictProps) {
           Request a change
         </HotkeyButton>
       )}
+      {mayPick && (
+        <HotkeyButton
+          keys="p"
+          keyLabel="Approve with a reason, then 1–9"
+          keyGroup="Review"
+          tall
+          pressed={isPicking}
+          disabled={isBlocked}
+          onPress={() => props.onAsking(isPicking ? null : 'pick')}
+        >
+          With a reason
+        </HotkeyButton>
+      )}
       {may_approve && !isCut && canApprove && isSet && (
         <HotkeyButton
           keys={whole ? 'shift+a' : 'a'}
@@ -137,7 +196,7 @@ export function Verdict(props: VerdictProps) {
           tall
           className={whole ? classes.optional : undefined}
           disabled={blocked.free === 0}
-          onPress={props.onApprove}
+          onPress={() => props.onApprove()}
         >
           Approve {name}
         </HotkeyButton>
@@ -151,7 +210,7 @@ export function Verdict(props: VerdictProps) {
           icon="tick"
           tall
           disabled={blocked.isSet}
-          onPress={props.onAcceptSet}
+          onPress={() => props.onAcceptSet()}
         >
           Accept the set
         </HotkeyButton>
@@ -165,7 +224,7 @@ export function Verdict(props: VerdictProps) {
           icon="tick"
           tall
           disabled={blocked.free === 0}
-          onPress={props.onApprove}
+          onPress={() => props.onApprove()}
         >
           Approve {name}
         </HotkeyButton>

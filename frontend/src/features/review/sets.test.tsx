@@ -15,7 +15,11 @@ describe('a set', () => {
     await opened('/walk')
     await userEvent.keyboard('a')
     await waitFor(() =>
-      expect(server.of('POST /v1/cues/walk/accept-set')[0]?.body).toEqual({ note: '', take_ids: ['w1', 'w2'] }),
+      expect(server.of('POST /v1/cues/walk/accept-set')[0]?.body).toEqual({
+        note: '',
+        reasons: [],
+        take_ids: ['w1', 'w2'],
+      }),
     )
     expect(await screen.findByRole('heading', { name: 'shield_hit', level: 1 })).toBeVisible()
   })

@@ -6,6 +6,8 @@ import type { ReviewTake } from '@/judging/api'
 interface RoomActs {
   heard: readonly ReviewTake[]
   isSet: boolean
+  /** The digits are those of reasons. */
+  asking: boolean
   choose: (take: ReviewTake) => void
   pick: (extend: boolean) => void
   setEnd: (end: 'startS' | 'endS') => void
@@ -19,13 +21,14 @@ interface RoomActs {
 
 /** The keys of one cue's review; those of the verdict are its own. */
 export function useRoomKeys(acts: RoomActs): void {
-  const { heard, isSet, choose, pick, setEnd, targets, target, onTarget, write, asGame, player } = acts
+  const { heard, isSet, asking, choose, pick, setEnd, targets, target, onTarget, write, asGame, player } = acts
   useHotkeys([
     ...heard.slice(0, 9).map((take, index) => ({
       keys: String(index + 1),
       label: isSet ? 'Choose a variation' : 'Choose an alternate',
       group: 'Review',
       unlisted: index > 0,
+      disabled: asking,
       run: () => choose(take),
     })),
     { keys: '[', label: 'Loop from here', group: 'Review', run: () => setEnd('startS') },

@@ -1,6 +1,7 @@
 import { useQuery, useQueryClient } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 import { useState } from 'react'
+import { flushSync } from 'react-dom'
 
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import { HotkeyButton } from '@/app/keys'
@@ -8,6 +9,8 @@ import type { Player } from '@/audio'
 import { reviewQuery } from '@/judging/api'
 import { blockedWords, whyBlocked } from '@/judging/blocked'
 import { ChangeForm } from '@/judging/ChangeForm'
+import { ReasonRow } from '@/judging/ReasonRow'
+import { useReasons } from '@/judging/reasons'
 import { useJudge } from '@/judging/useJudge'
 import { takeName } from '@/judging/words'
 import { ProblemNote } from '@/ui/ProblemNote'
@@ -41,6 +44,8 @@ export function VerdictOfTake({ projectId, playlistId, take, player, mayReview, 
   const client = useQueryClient()
   const { data: review } = useQuery({ ...reviewQuery(take.cue_id), enabled: take.may_approve })
   const judge = useJudge(projectId)
+  const [picking, setPicking] = useState(false)
+  const reasons = useReasons(projectId)
   const [changing, setChanging] = useState<{ positionS: number } | null>(null)
   const judged = review?.takes.find(({ id }) => id === take.take_id)
   const mayApprove = take.may_approve && judged !== undefined
@@ -49,6 +54,11 @@ export function VerdictOfTake({ projectId, playlistId, take, player, mayReview, 
   const name = review && judged ? takeName(judged, review.cue, review.takes) : ''
   const blocked =
     mayApprove && canApprove && review ? blockedWords([judged], whyBlocked(review.checklist.blocked), () => name) : ''
+  const approve = (because: readonly string[] = []) => {
+    if (!judged || !review) return
+    setPicking(false)
+    void judge.approve(review.cue, [judged], name, because).then(done)
+  }
   const done = () => {
     void invalidate(client, queryKeys.playlist(playlistId))
     onJudged()
@@ -62,6 +72,7 @@ export function VerdictOfTake({ projectId, playlistId, take, player, mayReview, 
         <ChangeForm
           takeId={judged.id}
           what={`${review.cue.name} ${name}`}
+          listed={reasons.change}
           positionS={changing.positionS}
           range={null}
           saving={judge.change.isPending}
@@ -81,6 +92,14 @@ export function VerdictOfTake({ projectId, playlistId, take, player, mayReview, 
           }
         />
       )}
+      {picking && canApprove && review && blocked === '' && (
+        <ReasonRow
+          reasons={reasons.pick}
+          title={`Approve ${review.cue.name} ${name} because`}
+          onReason={(reason) => approve([reason])}
+          onClose={() => setPicking(false)}
+        />
+      )}
       {blocked && <p className="small">{blocked}</p>}
       <div className={classes.acts}>
         <State kind={STATES[judged?.state ?? take.state]} />
@@ -91,9 +110,24 @@ export function VerdictOfTake({ projectId, playlistId, take, player, mayReview, 
             keyGroup="Playlist"
             icon="pencil"
             iconTone="change"
-            onPress={() => setChanging({ positionS: player.positionS() })}
+            onPress={() => {
+              setPicking(false)
+              setChanging({ positionS: player.positionS() })
+            }}
           >
             Request a change
+          </HotkeyButton>
+        )}
+        {mayApprove && canApprove && (
+          <HotkeyButton
+            keys="p"
+            keyLabel="Approve with a reason, then 1–9"
+            keyGroup="Playlist"
+            pressed={picking}
+            disabled={blocked !== ''}
+            onPress={() => flushSync(() => setPicking(!picking))}
+          >
+            With a reason
           </HotkeyButton>
         )}
         {mayApprove && canApprove && review && (
@@ -103,9 +137,7 @@ export function VerdictOfTake({ projectId, playlistId, take, player, mayReview, 
             keyGroup="Playlist"
             icon="tick"
             disabled={blocked !== ''}
-            onPress={() => {
-              void judge.approve(review.cue, [judged], name).then(done)
-            }}
+            onPress={() => approve()}
           >
             Approve
           </HotkeyButton>

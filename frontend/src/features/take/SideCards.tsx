@@ -138,7 +138,7 @@ export function HistoryCard({ takeId }: { takeId: string }) {
                 {age(entry.at)}
               </time>
             </p>
-            {entry.text && (
+            {historyText(entry) && (
               <p className={`small mid ${classes.entryText}`}>
                 {entry.start_s !== null && <span className="mono dim">{spot(entry.start_s, entry.end_s)} </span>}
                 {historyText(entry)}

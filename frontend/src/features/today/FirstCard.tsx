@@ -11,8 +11,9 @@ import { ChangeForm } from '@/judging/ChangeForm'
 import { isWholeSet, pickedOfSet } from '@/judging/choice'
 import { type Gains, MASTER, matchGains, soundOf, sourceOf } from '@/judging/hearing'
 import { loweredWords } from '@/judging/levels'
-import { useHeard } from '@/judging/useHeard'
 import { useHearing } from '@/judging/useHearing'
+import { ReasonRow } from '@/judging/ReasonRow'
+import { useReasons } from '@/judging/reasons'
 import type { Judge } from '@/judging/useJudge'
 import { asked, asks, heardTakes, takeName } from '@/judging/words'
 import { usePeaks } from '@/judging/peaks'
@@ -52,13 +53,10 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
   const narrow = useMediaQuery('(max-width: 760px)')
   const { cue } = item
   const [changing, setChanging] = useState(false)
+  const [picking, setPicking] = useState(false)
+  const reasons = useReasons(projectId)
   const gains = useMemo(() => matchGains(takes), [takes])
   const source = useHearing(player, cue.id, hand, MASTER, gains)
-  useHeard(
-    player,
-    projectId,
-    takes.map(({ id }) => id),
-  )
   const peaks = usePeaks(hand?.peaks_url)
   const sound = soundOf(hand, MASTER)
   const name = takeName(hand, cue, takes)
@@ -71,10 +69,11 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
   const next = takes[(takes.indexOf(hand) + 1) % takes.length]
   const isPlaying = playing.status === 'playing'
 
-  const approve = () => {
+  const approve = (because: readonly string[] = []) => {
     player.pause()
-    if (whole) void judge.acceptSet(cue, takes, meant)
-    else void judge.approve(cue, [hand], name)
+    setPicking(false)
+    if (whole) void judge.acceptSet(cue, takes, meant, because)
+    else void judge.approve(cue, [hand], name, because)
   }
   const openReview = () =>
     void navigate({ to: '/projects/$projectId/review/$cueId', params: { projectId, cueId: cue.id } })
@@ -87,6 +86,7 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
       label: `Choose ${takeName(take, cue, takes)}`,
       group: 'Review',
       unlisted: index > 0,
+      disabled: picking,
       run: () => onChoose(take.id),
     })),
     {
@@ -188,9 +188,19 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
               variant="primary"
               icon="tick"
               disabled={blocked !== ''}
-              onPress={approve}
+              onPress={() => approve()}
             >
               {whole ? `Accept the set of ${cue.variations}` : `Approve ${name}`}
+            </HotkeyButton>
+            <HotkeyButton
+              keys="p"
+              keyLabel="Approve with a reason, then 1–9"
+              keyGroup="Review"
+              pressed={picking}
+              disabled={blocked !== ''}
+              onPress={() => flushSync(() => setPicking(!picking))}
+            >
+              With a reason
             </HotkeyButton>
             <HotkeyButton
               keys="r"
@@ -201,6 +211,7 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
               onPress={() => {
                 player.pause()
                 judge.change.reset()
+                setPicking(false)
                 flushSync(() => setChanging(true))
               }}
             >
@@ -219,11 +230,22 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
       {judge.refusal && (
         <ProblemNote detail={`${judge.refusal.what} ${judge.refusal.problem.detail}`} fix={judge.refusal.problem.fix} />
       )}
+      {picking && mayApprove && blocked === '' && (
+        <div className={classes.change}>
+          <ReasonRow
+            reasons={reasons.pick}
+            title={`Approve ${whole ? `the set of ${cue.variations}` : `${cue.name} ${name}`} because`}
+            onReason={(reason) => approve([reason])}
+            onClose={() => setPicking(false)}
+          />
+        </div>
+      )}
       {changing && (
         <div className={classes.change}>
           <ChangeForm
             takeId={hand.id}
             what={`${cue.name} ${name}`}
+            listed={reasons.change}
             positionS={player.positionS()}
             range={null}
             saving={judge.change.isPending}

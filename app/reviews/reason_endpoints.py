@@ -1,0 +1,40 @@
+"""The endpoints of the studio's reasons and labels, and of reasons that were given."""
+
+from uuid import UUID
+
+from app.accounts.errors import ProducerNeeded, StudioNotFound
+from app.accounts.policies import allows
+from app.accounts.rules import Actor, Audience
+from app.kit.http import DbSession, Route, Router, problems
+from app.projects.errors import ProjectNotFound
+from app.reviews import reasons
+from app.reviews.errors import ReasonsInvalid
+from app.reviews.reason_rules import ReasonKind
+from app.reviews.reason_schemas import ReviewReasonsRead, ReviewReasonsSet
+
+router = Router(prefix="/v1", tags=["reviews"], route_class=Route)
+
+
+@router.get("/studios/{studio_id}/review-reasons", responses=problems(StudioNotFound))
+def get_review_reasons(
+    studio_id: UUID, session: DbSession, actor: Actor = allows(Audience.STUDIO)
+) -> ReviewReasonsRead:
+    """Return the reasons and labels of a studio, in the order of the digits."""
+    return reasons.reasons_of_studio(session, actor, studio_id)
+
+
+@router.put("/studios/{studio_id}/review-reasons", responses=problems(StudioNotFound, ProducerNeeded, ReasonsInvalid))
+def set_review_reasons(
+    studio_id: UUID, body: ReviewReasonsSet, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> ReviewReasonsRead:
+    """Write whole lists; what was said before stays as it was said. An empty list gives ours back."""
+    wanted = {kind: said for kind in ReasonKind if (said := getattr(body, kind.value)) is not None}
+    return reasons.set_reasons(session, actor, studio_id, wanted)
+
+
+@router.get("/projects/{project_id}/review-reasons", responses=problems(ProjectNotFound))
+def get_review_reasons_of_project(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> ReviewReasonsRead:
+    """Return the reasons and labels of a project's studio, for its team and designers."""
+    return reasons.reasons_of_project(session, actor, project_id)

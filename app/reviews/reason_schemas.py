@@ -1,0 +1,37 @@
+"""The bodies of the studio's reasons and labels, and of those that were given."""
+
+from typing import Annotated
+
+from pydantic import Field, StringConstraints
+
+from app.kit.http import Schema
+from app.reviews.reason_rules import MAX_REASON_CHARS, MAX_REASONS
+
+ONE_LINE = r"^[^\x00-\x1f\x7f-\x9f\u2028\u2029]*$"
+Reason = Annotated[
+    str, StringConstraints(strip_whitespace=True, min_length=1, max_length=MAX_REASON_CHARS, pattern=ONE_LINE)
+]
+Reasons = Annotated[list[Reason], Field(max_length=MAX_REASONS, description="Of the studio's list or in other words.")]
+
+
+class ReasonListRead(Schema):
+    """One list of a studio, in the order of the digits."""
+
+    reasons: list[str]
+    is_own: bool = Field(description="Whether the studio wrote it; otherwise it is ours.")
+
+
+class ReviewReasonsRead(Schema):
+    """What a studio says most in Review, each on its digit."""
+
+    change: ReasonListRead = Field(description="Why a change is requested.")
+    pick: ReasonListRead = Field(description="Why a version is approved.")
+    label: ReasonListRead = Field(description="What an alternate is.")
+
+
+class ReviewReasonsSet(Schema):
+    """Whole lists; one that is left out stays as it is, and an empty one gives ours back."""
+
+    change: Reasons | None = None
+    pick: Reasons | None = None
+    label: Reasons | None = None

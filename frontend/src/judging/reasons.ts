@@ -1,0 +1,28 @@
+import { queryOptions, useQuery } from '@tanstack/react-query'
+
+import { answered, api } from '@/api'
+import { queryKeys } from '@/api/queryKeys'
+import type { components } from '@/api/schema.gen'
+
+export type ReviewReasons = components['schemas']['ReviewReasonsRead']
+export type ReasonKind = keyof ReviewReasons
+
+const NONE: readonly string[] = []
+
+/** The lists of reasons and labels of the studio that a project belongs to. */
+export const reasonsQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: queryKeys.reviewReasons(projectId),
+    queryFn: () =>
+      answered(api.GET('/v1/projects/{project_id}/review-reasons', { params: { path: { project_id: projectId } } })),
+  })
+
+/** What the studio says most, each on its digit; nothing until it is here, so that no digit means something else. */
+export function useReasons(projectId: string): Record<ReasonKind, readonly string[]> {
+  const { data } = useQuery(reasonsQuery(projectId))
+  return {
+    change: data?.change.reasons ?? NONE,
+    pick: data?.pick.reasons ?? NONE,
+    label: data?.label.reasons ?? NONE,
+  }
+}
