@@ -10,7 +10,7 @@ from app.accounts.schemas import PersonBrief
 from app.builds.audit_rules import AuditStatus, CueMark
 from app.builds.schemas import ReportTool
 from app.kit.http import Schema
-from app.renders.schemas import SoundBrief
+from app.renders.schemas import TakeSound
 
 MAX_AUDITED_SOUNDS = 20_000
 MAX_PATH_CHARS = 1_000
@@ -209,7 +209,7 @@ class AuditedSoundRead(Schema):
     events: list[str]
     accepted: AcceptedDriftRead | None
     task_id: UUID | None = Field(description="The open task that it was sent back by.")
-    sound: SoundBrief | None = Field(description="The approved sound; the build's own file is not on the server.")
+    sound: TakeSound | None = Field(description="The approved sound; the build's own file is not on the server.")
 
 
 class SoundInBuild(Schema):

@@ -36,7 +36,7 @@ from app.projects.errors import ProjectNotFound
 from app.projects.models import Project
 from app.projects.service import ProjectAccess, project_access
 from app.renders.queries import pictures_of_sounds
-from app.renders.schemas import SoundBrief
+from app.renders.schemas import TakeSound
 from app.renders.service import sound_places
 from app.sound_lists.queries import cues_by_id
 from app.voice_lines.rules import stem_in
@@ -218,7 +218,7 @@ def read_sounds(
     return found
 
 
-def approved_sounds(session: Session, project: Project, sounds: Sequence[AuditedSound]) -> dict[int, SoundBrief]:
+def approved_sounds(session: Session, project: Project, sounds: Sequence[AuditedSound]) -> dict[int, TakeSound]:
     """Return by their places the approved sounds to play, where they are drawn: those that sounds were held to."""
     takes = audit_queries.takes_named(session, project.id, {sound.take_id for sound in sounds if sound.take_id})
     without = {sound.cue_id for sound in sounds if sound.cue_id and sound.take_id not in takes}
@@ -231,7 +231,7 @@ def approved_sounds(session: Session, project: Project, sounds: Sequence[Audited
     hashes = {take.master_sha256 for take in chosen.values()}
     pictures = pictures_of_sounds(session, [project.studio_id], hashes)
     return {
-        place: SoundBrief(**sound_places(picture, None))
+        place: TakeSound(**sound_places(picture, None), take_id=take.id)
         for place, take in chosen.items()
         if (picture := pictures.get(take.master_sha256)) is not None
     }

@@ -42,7 +42,7 @@ from app.projects.service import ProjectAccess, project_access
 from app.references.errors import ReferenceNotFound
 from app.references.rules import ReferenceKind
 from app.references.service import version_seen
-from app.renders.schemas import SoundBrief
+from app.renders.schemas import TakeSound
 from app.sound_lists.errors import CueNotFound
 from app.sound_lists.models import Cue
 from app.sound_lists.queries import cues_by_id
@@ -245,7 +245,7 @@ def _cue_to_hear(
     access: ProjectAccess,
     cue: Cue,
     sounds: Sequence[AuditedSound],
-    approved: Mapping[int, SoundBrief],
+    approved: Mapping[int, TakeSound],
     *,
     is_heard: bool,
 ) -> CueToHear:

@@ -11,7 +11,7 @@ from app.builds.audit_rules import MAX_AMOUNT_DB, HeardAs, TaskKind, TaskRole
 from app.builds.audit_schemas import AuditSummary, Move, SoundCue
 from app.kit.http import Schema
 from app.references.rules import MAX_RANGE_S
-from app.renders.schemas import SoundBrief
+from app.renders.schemas import TakeSound
 
 MAX_NOTE_CHARS = 1_000
 
@@ -29,7 +29,7 @@ class CueToHear(Schema):
     depends: list[str]
     move: Move | None = Field(description="The gain that is furthest from the approved one.")
     suggested_db: float | None = Field(description="The change that would bring the approved level back.")
-    sound: SoundBrief | None = Field(description="The approved sound.")
+    sound: TakeSound | None = Field(description="The approved sound.")
     heard: bool = Field(description="Whether it was heard in this pass.")
 
 

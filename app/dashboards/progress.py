@@ -22,7 +22,7 @@ from app.projects.service import ProjectAccess, project_access
 from app.renders.thumbs import thumbs
 from app.sound_lists.models import Cue
 from app.sound_lists.queries import stems_by_cue
-from app.sound_lists.rules import Need, label
+from app.sound_lists.rules import CueState, Need, label
 from app.sound_lists.service import page_of
 
 LATELY = timedelta(days=7)
@@ -139,6 +139,10 @@ class _Page(Statuses):
             self._of_sets[word.cue_id] += word.findings
         self._review_facts = progress_queries.review_facts_of_cues(session, ids, designer_id, spec.id)
         self._stems = stems_by_cue(session, ids)
+        self._unheard: dict[UUID, list[UUID]] = {}  # of designers nothing is recorded
+        if access.is_team:
+            live = [cue.id for cue in cues if cue.state is not CueState.CUT]
+            self._unheard = progress_queries.unheard_takes(session, access.actor.person, live)
 
     def progress_of(self, cue: Cue) -> schemas.CueProgress:
         """Return where one cue of the page stands."""
@@ -162,6 +166,7 @@ class _Page(Statuses):
             open_question=self._questions.get(cue.id),
             waived=review.is_waived,
             not_to_spec=review.is_elsewhere,
+            unheard_take_ids=self._unheard.get(cue.id, []),
         )
 
     def _newest_take(self, take: ShownTake) -> schemas.NewestTake:

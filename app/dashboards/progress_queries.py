@@ -18,7 +18,7 @@ from app.deliveries.sum_rules import CODE_BASE, STATE_CODES
 from app.kit.exists import row_exists
 from app.kit.in_array import in_array
 from app.renders.models import Picture
-from app.reviews.models import Round
+from app.reviews.models import HeardTake, Round
 from app.sound_lists.models import Cue, Question
 from app.sound_lists.rules import CueState, Need
 
@@ -298,6 +298,21 @@ def _review_facts(is_own: bool) -> Select[UUID, int | None, bool, bool]:
     )
     columns = (Cue.id, rounds, row_exists(waived, Cue), row_exists(elsewhere, Cue))
     return select(*columns).where(in_array(Cue.id, "cue_ids"))
+
+
+def unheard_takes(session: Session, person_id: UUID, cue_ids: Collection[UUID]) -> dict[UUID, list[UUID]]:
+    """Return the takes of some cues that wait or are approved and that a person has not heard, by cue."""
+    found: dict[UUID, list[UUID]] = defaultdict(list)
+    for cue_id, take_id in session.execute(_unheard_takes(), {"cue_ids": cue_ids, "person_id": person_id}):
+        found[cue_id].append(take_id)
+    return found
+
+
+@cache
+def _unheard_takes() -> Select[UUID | None, UUID]:
+    heard = exists().where(HeardTake.take_id == Take.id, HeardTake.person_id == bindparam("person_id"))
+    wanted = (in_array(Take.cue_id, "cue_ids"), Take.state.in_((TakeState.CONFORMING, TakeState.APPROVED)), ~heard)
+    return select(Take.cue_id, Take.id).where(*wanted).order_by(Take.variation, Take.number)
 
 
 def waiting_files(session: Session, project_id: UUID, designer_id: UUID | None) -> int:

@@ -103,6 +103,9 @@ class CueProgress(Schema):
     open_question: str | None
     waived: bool
     not_to_spec: bool
+    unheard_take_ids: list[UUID] = Field(
+        description="Of its takes that wait or are approved, those that the caller has not heard; none for designers."
+    )
 
 
 class ListProgress(Schema):
@@ -260,6 +263,7 @@ class PaletteSound(Schema):
     """One sound of the palette."""
 
     cue: CueBrief
+    take_id: UUID
     loop: bool
     thumb: dict[str, Any] | None
     preview_url: str | None

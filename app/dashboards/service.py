@@ -142,6 +142,7 @@ def overview(session: Session, actor: Actor, project_id: UUID) -> schemas.Overvi
         palette=[
             schemas.PaletteSound(
                 cue=brief(project, row),
+                take_id=shown[row.id].id,
                 loop=row.id in loops,
                 thumb=drawn.get(picture_id) if (picture_id := shown[row.id].picture_id) else None,
                 preview_url=preview_url(picture_id),

@@ -52,6 +52,12 @@ class SoundBrief(Schema):
     spectrum_url: str | None
 
 
+class TakeSound(SoundBrief):
+    """A take's master, to play."""
+
+    take_id: UUID
+
+
 class MasterSoundRead(SoundBrief):
     """A take's master, to show and play; its measurements are in its check."""
 

@@ -59,6 +59,7 @@ class PlaylistTake(SoundBrief):
     number: int
     state: TakeState
     may_approve: bool = Field(description="Whether the caller approves this cue today.")
+    is_heard: bool | None = Field(description="By the caller; null for designers, of whom nothing is recorded.")
 
 
 class PositionSet(Schema):

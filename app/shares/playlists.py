@@ -14,6 +14,7 @@ from app.projects.errors import ProjectNotFound
 from app.projects.service import ProjectAccess, project_access
 from app.renders.service import sound_places
 from app.renders.thumbs import thumbs
+from app.reviews.heard_queries import heard_among
 from app.shares import queries
 from app.shares.errors import NothingToShare, PlaylistChanged, PlaylistInvalid, PlaylistNotFound
 from app.shares.models import Playlist, PlaylistEntry, PlaylistPosition
@@ -162,7 +163,9 @@ def read_playlist(session: Session, access: ProjectAccess, playlist: Playlist) -
     drawn = thumbs(session, [one.picture.id for one in takes if one.picture])
     scope = approval_scope(session, access)
     position = queries.position_of(session, playlist.id, access.actor.person)
-    is_heard = position is not None and position.take_id in {one.take.id for one in takes}
+    take_ids = {one.take.id for one in takes}
+    is_here = position is not None and position.take_id in take_ids
+    heard = heard_among(session, access.actor.person, take_ids) if access.is_team else None
     return PlaylistRead(
         id=playlist.id,
         project_id=playlist.project_id,
@@ -181,10 +184,11 @@ def read_playlist(session: Session, access: ProjectAccess, playlist: Playlist) -
                 number=one.take.number or 0,
                 state=one.take.state,
                 may_approve=scope.covers(one.cue.category),
+                is_heard=None if heard is None else one.take.id in heard,
             )
             for one in takes
         ],
-        position=PositionSet(take_id=position.take_id, at_s=position.at_s) if position and is_heard else None,
+        position=PositionSet(take_id=position.take_id, at_s=position.at_s) if position and is_here else None,
         may_share=access.is_producer or access.is_liaison or access.is_approver,
         may_join=access.is_team,
     )

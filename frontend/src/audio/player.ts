@@ -63,7 +63,7 @@ export class Player implements Clock {
     }
     const wasPlaying = this.isPlaying()
     this.#source = source
-    this.#notify({ sourceId: source.id, error: null })
+    this.#notify({ sourceId: source.id, takeId: source.takeId ?? null, error: null })
     const asked = ++this.#asked
     const buffer = await this.#read(source, asked, wasPlaying ? 'first' : 'select')
     if (buffer === null) return
@@ -221,7 +221,7 @@ export class Player implements Clock {
     if (!hit || !source || this.#voice?.node === hit.node) return
     this.#source = source
     this.#voice = new Voice(this.#contextNow(), { ...hit, fromS: 0, atS: hit.startsAtS })
-    this.#notify({ sourceId: source.id, durationS: hit.buffer.duration })
+    this.#notify({ sourceId: source.id, takeId: source.takeId ?? null, durationS: hit.buffer.duration })
   }
 
   #contextNow(): AudioContext {

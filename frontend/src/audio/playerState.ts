@@ -14,6 +14,8 @@ export interface PlayerParts extends StepParts {
 export interface Source {
   id: string
   url: string
+  /** The take that is heard, as master or as a game file; without it nothing is recorded as heard. */
+  takeId?: string
   /** How long it is; where that is known, a light preview plays from its first bytes on. */
   durationS?: number
   /** What brings it to the level of the others; used while levels are matched. */
@@ -41,6 +43,7 @@ export interface Company {
 export interface PlayerState {
   status: 'silent' | 'loading' | 'playing' | 'paused'
   sourceId: string | null
+  takeId: string | null
   durationS: number
   looping: boolean
   /** What the loop repeats; the whole sound without it. */
@@ -57,6 +60,7 @@ export interface PlayerState {
 export const SILENT: PlayerState = {
   status: 'silent',
   sourceId: null,
+  takeId: null,
   durationS: 0,
   looping: false,
   range: null,

@@ -61,7 +61,8 @@ export function useFixing(
   const sourceOf = useCallback(
     (wanted: 'before' | 'fixed') => {
       const url = wanted === 'fixed' ? sound?.preview_url : take.previewUrl
-      return url ? { id: wanted === 'fixed' ? fixedId : take.id, url } : null
+      if (!url) return null
+      return wanted === 'fixed' ? { id: fixedId, url } : { id: take.id, takeId: take.id, url }
     },
     [sound, take.previewUrl, take.id, fixedId],
   )

@@ -56,7 +56,13 @@ export function sourceOf(take: ReviewTake, target: string, gains: Gains = AS_SEN
   const { previewUrl, durationS } = soundOf(take, target)
   if (previewUrl === null) return null
   const matchGainDb = gains.get(take.id) ?? 0
-  return { id: `${take.id} ${target}`, url: previewUrl, matchGainDb, ...(durationS > 0 && { durationS }) }
+  return {
+    id: `${take.id} ${target}`,
+    takeId: take.id,
+    url: previewUrl,
+    matchGainDb,
+    ...(durationS > 0 && { durationS }),
+  }
 }
 
 /** Variations first, then the order in which they were delivered. */

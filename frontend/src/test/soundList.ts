@@ -60,6 +60,7 @@ export function aProgress(cue: Cue, progress: Partial<CueProgress> = {}): CuePro
     open_question: null,
     waived: false,
     not_to_spec: false,
+    unheard_take_ids: [],
     ...progress,
   }
 }

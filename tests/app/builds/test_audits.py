@@ -45,6 +45,8 @@ def test_a_sound_turned_up_in_the_project_is_named_with_its_property(world: Worl
     assert laser["cue"]["name"] == "Laser fire"
     assert laser["events"] == ["Play_laser_fire"]
     assert laser["sound"]["preview_url"].startswith("/v1/sounds/")
+    played = world.producer.get(f"/v1/takes/{laser['sound']['take_id']}").json()
+    assert (played["cue"]["name"], played["state"]) == ("Laser fire", "approved")
     assert sounds["ui_confirm.wav"]["has_drifted"] is False
     assert set(sounds_of(world, second, drifted=True)) == set(LASERS)
     read = world.reviewer.get(f"/v1/audits/{second['id']}").json()

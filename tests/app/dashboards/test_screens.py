@@ -71,6 +71,9 @@ def test_the_project_at_one_glance(begun: World):
     overview = screen(begun, "overview")
     assert [step["cue"]["label"] for step in overview["steps"]] == [f"SW-00{number}" for number in range(1, 6)]
     assert {happening["kind"] for happening in overview["lately"]} >= {"delivery", "returned"}
+    of_list = {cue["cue_id"]: cue["newest_take"] for cue in screen(begun, "sound-list/progress")["cues"]}
+    assert overview["palette"], "the palette has a sound"
+    assert all(one["take_id"] == of_list[one["cue"]["id"]]["id"] for one in overview["palette"])
 
 
 def test_find_by_name_number_and_what_was_said(begun: World):

@@ -6,6 +6,7 @@ from uuid import UUID
 import pytest
 from sqlalchemy import func, select
 
+from app.deliveries.rules import TakeState
 from app.kit.db import new_id
 from app.reviews.models import HeardTake
 from app.reviews.schemas import MAX_HEARD
@@ -80,3 +81,46 @@ def test_a_stranger_sees_no_project_and_a_designer_has_no_queue(stage: Stage) ->
 def test_a_batch_has_some_and_not_too_many(stage: Stage, number: int) -> None:
     world = stage.world
     assert hear(world.reviewer, world.project_id, *(new_id() for _ in range(number))).status_code == 422
+
+
+def unheard_of_list(stage: Stage, client: Any) -> dict[str, list[str]]:
+    """Return the takes that the sound list marks as not heard, by the name of their cue."""
+    project = f"/v1/projects/{stage.world.project_id}"
+    names = {cue["id"]: cue["name"] for cue in body_of(client.get(f"{project}/sound-list"))["cues"]}
+    cues = body_of(client.get(f"{project}/sound-list/progress"))["cues"]
+    return {names[cue["cue_id"]]: cue["unheard_take_ids"] for cue in cues}
+
+
+def test_the_list_marks_what_waits_or_is_approved_and_was_not_heard(stage: Stage) -> None:
+    world, reviewer = stage.world, stage.world.reviewer
+    pair, door, cut = stage.cue("pair", variations=2), stage.cue("door"), stage.cue("cut")
+    stage.cue("empty")
+    first, second, waits = stage.take(pair, 1), stage.take(pair, 2), stage.take(door)
+    stage.take(cut)
+    stage.approve(first)
+    stage.take(door, state=TakeState.SET_ASIDE)
+    stage.take(door, state=TakeState.RETURNED)
+    stage.take(door, state=TakeState.CHANGE_REQUESTED)
+    assert world.producer.post(f"/v1/cues/{cut}/cut", json={"reason": "no room"}).status_code == 200
+    expected = {"pair": [str(first), str(second)], "door": [str(waits)], "cut": [], "empty": []}
+    assert unheard_of_list(stage, reviewer) == expected
+    hear(reviewer, world.project_id, first, waits)
+    assert unheard_of_list(stage, reviewer) == {**expected, "pair": [str(second)], "door": []}
+    assert unheard_of_list(stage, world.approver) == expected
+    assert unheard_of_list(stage, world.designer) == {name: [] for name in expected}
+
+
+def test_a_longer_list_costs_no_more_statements(stage: Stage) -> None:
+    server, project = stage.world.server, f"/v1/projects/{stage.world.project_id}"
+
+    def statements() -> int:
+        with server.counted_selects() as selects:
+            body_of(stage.world.reviewer.get(f"{project}/sound-list/progress"))
+        assert any("reviews_heard_takes" in text for text in selects)
+        return len(selects)
+
+    stage.take(stage.cue())
+    for_one = statements()
+    for number in range(20):
+        stage.take(stage.cue(f"cue_{number}"))
+    assert statements() == for_one

@@ -169,6 +169,19 @@ def test_a_designer_only_hears_and_goes_on_where_they_stopped(world: World) -> N
     assert order(world.producer.get(url).json()) == [laser, steps]
 
 
+def test_each_of_the_team_sees_what_they_have_not_heard_and_designers_nothing(world: World) -> None:
+    takes = [sound(world, name)[1] for name in ("laser", "door")]
+    url = f"/v1/playlists/{playlist(world, *takes)['id']}"
+
+    def heard(client: TestClient) -> list[bool | None]:
+        return [one["is_heard"] for one in client.get(url).json()["takes"]]
+
+    recorded = world.approver.post(f"/v1/projects/{world.project_id}/heard-takes", json={"take_ids": takes[1:]})
+    assert recorded.status_code == 204
+    assert [heard(world.approver), heard(world.producer)] == [[False, True], [False, False]]
+    assert heard(world.designer) == [None, None]
+
+
 def test_versions_of_another_project_are_refused(world: World) -> None:
     _, foreign = sound(World(world.server))
     refused = add(world, take_ids=[foreign])

@@ -137,6 +137,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
         <SoundToJudge
           key={cue.cue.id}
           cue={cue}
+          projectId={projectId}
           passId={listening.id}
           buildLabel={audit.label}
           said={notes.notes.find(({ cueId, isMine, isMoment }) => isMine && !isMoment && cueId === cue.cue.id)}

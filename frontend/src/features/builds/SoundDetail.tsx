@@ -5,7 +5,8 @@ import { useMyProject } from '@/api/me'
 import { useDraft } from '@/app/drafts'
 import { HotkeyButton, useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
-import { type Peaks, usePlayer, Waveform } from '@/audio'
+import { type Peaks, Waveform } from '@/audio'
+import { useTakePlayer } from '@/heard/useTakePlayer'
 import { usePeaks } from '@/judging/peaks'
 import { Button } from '@/ui/Button'
 import { plural, shortDay } from '@/ui/format'
@@ -31,7 +32,7 @@ export function SoundDetail({ group, audit, projectId }: SoundDetailProps) {
   const maySpeak = (project?.is_producer || project?.is_liaison || project?.is_approver) ?? false
   return (
     <div className={classes.detail}>
-      {first.sound?.preview_url && <Pair sound={first} audit={audit} />}
+      {first.sound?.preview_url && <Pair sound={first} audit={audit} projectId={projectId} />}
       <p>{sentenceOf(first.message)}</p>
       <Parts sound={first} />
       {first.accepted && (
@@ -53,17 +54,17 @@ export function SoundDetail({ group, audit, projectId }: SoundDetailProps) {
 const sentenceOf = (text: string): string =>
   text === '' ? '' : `${text.charAt(0).toUpperCase()}${text.slice(1)}${/[.?!]$/.test(text) ? '' : '.'}`
 
-function Pair({ sound, audit }: { sound: AuditedSound; audit: AuditSummary }) {
-  const [player, state] = usePlayer()
+function Pair({ sound, audit, projectId }: { sound: AuditedSound; audit: AuditSummary; projectId: string }) {
+  const [player, state] = useTakePlayer(projectId)
   const peaks = usePeaks(sound.sound?.peaks_url)
   const gainDb = sound.gain_db ?? 0
   const isAudible = isAudibleHere(sound)
   const now = useMemo<Peaks | null | undefined>(() => peaks && louder(peaks, gainDb), [peaks, gainDb])
-  const url = sound.sound?.preview_url ?? ''
+  const heard = { url: sound.sound?.preview_url ?? '', takeId: sound.sound?.take_id }
   const durationS = sound.sound?.duration_s ?? 1
   const sources = {
-    approved: { id: 'approved', url, matchGainDb: 0 },
-    built: { id: 'built', url, matchGainDb: gainDb },
+    approved: { id: 'approved', ...heard, matchGainDb: 0 },
+    built: { id: 'built', ...heard, matchGainDb: gainDb },
   }
   const isPlaying = (id: string) => state.status === 'playing' && state.sourceId === id
   const press = async (which: 'approved' | 'built') => {

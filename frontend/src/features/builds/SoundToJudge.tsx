@@ -2,7 +2,8 @@ import { useEffect, useMemo, useRef } from 'react'
 
 import { useDraft } from '@/app/drafts'
 import { useHotkeys } from '@/app/keys'
-import { type Peaks, usePlayer, Waveform } from '@/audio'
+import { type Peaks, Waveform } from '@/audio'
+import { useTakePlayer } from '@/heard/useTakePlayer'
 import { usePeaks } from '@/judging/peaks'
 import { Button } from '@/ui/Button'
 import { Icon } from '@/ui/Icon'
@@ -29,6 +30,7 @@ const NOTHING: Choice = { said: null, amountDb: null, text: '' }
 
 interface SoundToJudgeProps {
   cue: CueToHear
+  projectId: string
   passId: string
   buildLabel: string
   /** What I said of it before. */
@@ -46,7 +48,8 @@ export function proposedDb(said: HeardAs, suggestedDb: number | null): number | 
 }
 
 /** One cue: what the build makes of it, and what it is like. */
-export function SoundToJudge({ cue, passId, buildLabel, said, next, onSay, onUndo }: SoundToJudgeProps) {
+export function SoundToJudge(props: SoundToJudgeProps) {
+  const { cue, projectId, passId, buildLabel, said, next, onSay, onUndo } = props
   const before: Choice = said ? { said: said.said, amountDb: said.amountDb, text: said.text } : NOTHING
   const [choice, setChoice, draft] = useDraft<Choice>(`listening:${passId}:${cue.cue.id}`, before)
   const head = useRef<HTMLHeadingElement>(null)
@@ -89,7 +92,7 @@ export function SoundToJudge({ cue, passId, buildLabel, said, next, onSay, onUnd
         </p>
         {cue.depends.length > 0 && <p className="small mid">{`Its level depends on ${cue.depends.join(', ')}.`}</p>}
       </header>
-      {cue.sound?.preview_url && <Player cue={cue} buildLabel={buildLabel} />}
+      {cue.sound?.preview_url && <Player cue={cue} projectId={projectId} buildLabel={buildLabel} />}
       <div className={classes.keys} role="group" aria-label="What is it like in the game?">
         {SAYINGS.map(({ said: what, word, keys, icon }) => (
           <button
@@ -192,18 +195,18 @@ function Amount({ cue, choice, onChange }: AmountProps) {
   )
 }
 
-function Player({ cue, buildLabel }: { cue: CueToHear; buildLabel: string }) {
-  const [player, state] = usePlayer({ held: true })
+function Player({ cue, projectId, buildLabel }: { cue: CueToHear; projectId: string; buildLabel: string }) {
+  const [player, state] = useTakePlayer(projectId, { held: true })
   const peaks = usePeaks(cue.sound?.peaks_url)
   const gainDb = cue.gain_db ?? 0
-  const url = cue.sound?.preview_url ?? ''
+  const heard = { url: cue.sound?.preview_url ?? '', takeId: cue.sound?.take_id }
   const shown = useMemo<Peaks | null | undefined>(
     () => peaks && (state.sourceId === 'approved' ? peaks : louder(peaks, gainDb)),
     [peaks, gainDb, state.sourceId],
   )
   const sources = {
-    approved: { id: 'approved', url, matchGainDb: 0 },
-    built: { id: 'built', url, matchGainDb: gainDb },
+    approved: { id: 'approved', ...heard, matchGainDb: 0 },
+    built: { id: 'built', ...heard, matchGainDb: gainDb },
   }
   const hear = async (which: 'approved' | 'built') => {
     if (state.status === 'playing' && state.sourceId === which) return player.pause()

@@ -2,7 +2,8 @@ import { Link, type LinkProps } from '@tanstack/react-router'
 import { useEffect, useRef, useState } from 'react'
 
 import { useHotkeys } from '@/app/keys'
-import { usePlayer, WaveThumb } from '@/audio'
+import { WaveThumb } from '@/audio'
+import { useTakePlayer } from '@/heard/useTakePlayer'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
@@ -23,7 +24,7 @@ interface PaletteCardProps {
 
 /** The sounds that set the tone, each to hear alone or all of them one after another. */
 export function PaletteCard({ projectId, palette, cues }: PaletteCardProps) {
-  const { playing, goesOn, error, play, stop } = useOneAfterAnother(palette)
+  const { playing, goesOn, error, play, stop } = useOneAfterAnother(projectId, palette)
   const heard = palette.filter(({ preview_url }) => preview_url !== null)
   const all = () => (goesOn ? stop() : play(heard[0]?.cue.id, true))
   useHotkeys([
@@ -92,8 +93,8 @@ export function PaletteCard({ projectId, palette, cues }: PaletteCardProps) {
   )
 }
 
-function useOneAfterAnother(palette: readonly PaletteSound[]) {
-  const [player, { status, sourceId, error }] = usePlayer()
+function useOneAfterAnother(projectId: string, palette: readonly PaletteSound[]) {
+  const [player, { status, sourceId, error }] = useTakePlayer(projectId)
   const [goesOn, setGoesOn] = useState(false)
   const before = useRef(status)
 
@@ -102,7 +103,7 @@ function useOneAfterAnother(palette: readonly PaletteSound[]) {
     if (!sound?.preview_url) return
     setGoesOn(onwards)
     player.pause()
-    void player.select({ id: sound.cue.id, url: sound.preview_url })
+    void player.select({ id: sound.cue.id, takeId: sound.take_id, url: sound.preview_url })
     void player.play(0)
   }
   const stop = () => {

@@ -2,6 +2,7 @@ import { Link, useRouter } from '@tanstack/react-router'
 import { type UIEvent, useEffect, useRef } from 'react'
 
 import { WaveThumb } from '@/audio'
+import { NotHeard } from '@/heard/NotHeard'
 import type { QueueItem } from '@/judging/api'
 import { isUnheard } from '@/judging/afterVerdict'
 import { Drafts, useDraftCount } from '@/judging/Drafts'
@@ -149,12 +150,7 @@ function QueueLine({ item, projectId, filter, current, onOpen }: QueueLineProps)
       >
         <span className="strong cut-text">{cue.name}</span>{' '}
         <span className="small dim nowrap num">
-          {isUnheard(item) && (
-            <span className={classes.unheard} title="You have not heard it yet">
-              <span className="visually-hidden">not heard</span>
-            </span>
-          )}{' '}
-          {age(item.waiting_since)}
+          {isUnheard(item) && <NotHeard />} {age(item.waiting_since)}
         </span>{' '}
         <span className={classes.itemWave}>
           <WaveThumb peaks={heardTakes(item)[0]?.thumb ?? null} lit={current} heightPx={24} />

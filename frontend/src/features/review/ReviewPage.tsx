@@ -7,13 +7,12 @@ import { useMyProject } from '@/api/me'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
-import { usePlayer } from '@/audio'
+import { useTakePlayer } from '@/heard/useTakePlayer'
 import { isUnheard, nextAfter } from '@/judging/afterVerdict'
 import { firstUnheard, reviewQuery } from '@/judging/api'
 import { inOrder, MASTER } from '@/judging/hearing'
 import { usePeaksAhead } from '@/judging/peaks'
 import { filterOf } from '@/judging/queueFilter'
-import { useHeard } from '@/judging/useHeard'
 import { useReady } from '@/judging/useHearing'
 import { useJudge } from '@/judging/useJudge'
 import { useQueue } from '@/judging/useQueue'
@@ -43,9 +42,8 @@ export function ReviewPage(): ReactNode {
   // Sums are a matter of producers and of the cue's own designer; who decides and neither is, needs none to decide.
   const seesMoney = project?.is_producer === true || project?.part === 'designer'
   const { data: money } = useQuery({ ...cueMoneyQuery(cueId), enabled: seesMoney })
-  const [player, playing] = usePlayer({ held: true, light: true })
+  const [player, playing] = useTakePlayer(projectId, { held: true, light: true })
   const conditions = useCondition(player)
-  useHeard(player, projectId, review?.takes.map(({ id }) => id) ?? NONE)
   const [queueOpen, setQueueOpen] = useState(false)
   const [isFiltering, setFiltering] = useState(false)
   const [target, setTarget] = useState(MASTER)

@@ -7,8 +7,9 @@ import { meQuery } from '@/api/me'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
-import { usePlayer, WaveThumb } from '@/audio'
-import { useHeard } from '@/judging/useHeard'
+import { WaveThumb } from '@/audio'
+import { NotHeard } from '@/heard/NotHeard'
+import { useTakePlayer } from '@/heard/useTakePlayer'
 import { Button } from '@/ui/Button'
 import { Count } from '@/ui/Count'
 import { length, plural } from '@/ui/format'
@@ -48,7 +49,7 @@ function Room({ playlist }: { playlist: Playlist }) {
   const { id, project_id: projectId, takes, position, may_share: mayChange, may_join: mayJoin } = playlist
   const navigate = useNavigate()
   const { data: me } = useQuery(meQuery)
-  const [player, playing] = usePlayer()
+  const [player, playing] = useTakePlayer(projectId)
   const change = useChangePlaylist(id)
   const remove = useRemovePlaylist(projectId, id)
   const [dragged, setDragged] = useState<string | null>(null)
@@ -58,10 +59,10 @@ function Room({ playlist }: { playlist: Playlist }) {
   )
   const { current, step } = playthrough
   const hand = useLive(id, mayJoin, player, playthrough)
+  const currentId = current?.take_id
   const follows = hand.isIn && hand.live?.is_holder === false
   const isPlaying = playing.status === 'playing'
   const order = takes.map(({ take_id }) => take_id)
-  useHeard(player, projectId, order)
 
   const open = async (takeId: string) => {
     if (follows) return
@@ -82,6 +83,14 @@ function Room({ playlist }: { playlist: Playlist }) {
     const take = step(by)
     if (take) void open(take.take_id)
   }
+  const unheard = takes.filter(({ is_heard: isHeard }) => isHeard === false)
+  const toUnheard = () => {
+    const at = takes.findIndex(({ take_id }) => take_id === currentId)
+    const ahead = [...takes.slice(at + 1), ...takes.slice(0, Math.max(0, at))]
+    const next = ahead.find((take) => unheard.includes(take) && take.preview_url !== null)
+    if (next) void open(next.take_id)
+    else showToast('You have heard every other sound of this playlist.')
+  }
   const move = (takeId: string, to: number) => {
     const next = moved(order, takeId, to)
     if (next.join() !== order.join()) change.mutate({ take_ids: next })
@@ -94,6 +103,13 @@ function Room({ playlist }: { playlist: Playlist }) {
     { keys: 'Space', label: 'Play or pause', group: GROUP, run: () => void toggle() },
     { keys: 'j', label: 'Next sound', group: GROUP, run: () => goBy(1), repeats: true },
     { keys: 'k', label: 'Previous sound', group: GROUP, run: () => goBy(-1), repeats: true },
+    {
+      keys: 'shift+j',
+      label: 'Next that you have not heard',
+      group: GROUP,
+      run: toUnheard,
+      disabled: !mayJoin || follows,
+    },
     { keys: 'alt+ArrowUp', label: 'Move the sound up', group: GROUP, run: () => moveFocused(-1), disabled: !mayChange },
     {
       keys: 'alt+ArrowDown',
@@ -108,7 +124,6 @@ function Room({ playlist }: { playlist: Playlist }) {
   const keep = useEffectEvent(() => {
     if (current) void savePosition(id, current.take_id, player.positionS()).catch(() => undefined)
   })
-  const currentId = current?.take_id
   useEffect(() => {
     if (playing.status === 'paused') keep()
   }, [playing.status, currentId])
@@ -121,6 +136,7 @@ function Room({ playlist }: { playlist: Playlist }) {
         <h1>{playlist.name}</h1>
         <Count of={takes.length} />
         <span className="small dim">by {playlist.made_by.name}</span>
+        {unheard.length > 0 && <span className="small mid num">{unheard.length} not heard yet</span>}
         <span className={`end ${classes.acts}`}>
           {mayChange && (
             <Link className="link" to="/projects/$projectId/sharing" params={{ projectId }} search={{ playlist: id }}>
@@ -233,6 +249,7 @@ function Room({ playlist }: { playlist: Playlist }) {
                 >
                   <span className="strong cut-text">{titleOf(take)}</span>
                   <span className="small dim nowrap">version {take.number}</span>
+                  {take.is_heard === false && <NotHeard />}
                 </button>
                 <span className={classes.thumb}>
                   <WaveThumb peaks={take.thumb} lit={take.take_id === currentId} />

@@ -4,6 +4,7 @@ import axe from 'axe-core'
 import { beforeEach, expect, test } from 'vitest'
 
 import { openApp } from '@/test/openApp'
+import { aPlaylistTake as take, LIVE, PLAYLIST } from '@/test/playlist'
 import { inProject, people } from '@/test/project'
 import { anItem, aReview, aTake } from '@/test/review'
 import { answer, type Asked, refusal, serve, wrote } from '@/test/server'
@@ -40,47 +41,6 @@ const CUES = [
   { id: 'c3', label: 'SW-003', name: 'door', category: 'doors', state: 'locked' },
   { id: 'c4', label: 'SW-004', name: 'gone', category: 'doors', state: 'cut' },
 ]
-const take = (id: string, name: string, more: object = {}) => ({
-  take_id: id,
-  cue_id: `c-${id}`,
-  cue_label: 'SW-001',
-  cue_name: name,
-  category: '',
-  variation: null,
-  number: 2,
-  state: 'conforming',
-  may_approve: false,
-  picture_id: `p-${id}`,
-  duration_s: 0.8,
-  thumb: null,
-  preview_url: `/v1/sounds/p-${id}/preview`,
-  peaks_url: null,
-  spectrum_url: null,
-  ...more,
-})
-const PLAYLIST = {
-  id: 'l1',
-  project_id: 'p1',
-  name: 'Combat',
-  edition: 4,
-  made_by: people.producer,
-  takes: [take('t1', 'laser'), take('t2', 'door'), take('t3', 'steps')],
-  position: { take_id: 't2', at_s: 0.4 },
-  may_share: true,
-  may_join: true,
-}
-const LIVE = {
-  sequence: 1,
-  holder: null,
-  is_holder: false,
-  is_elsewhere: false,
-  take_id: null,
-  is_playing: false,
-  position_s: 0,
-  server_ms: Date.parse(AT),
-  present: [],
-}
-
 function open(path: string, more: object = {}, part: 'producer' | 'reviewer' | 'designer' = 'producer') {
   const { asked } = serve(
     inProject(part, {

@@ -14,7 +14,11 @@ export interface Playthrough {
   step: (by: 1 | -1) => PlaylistTake | undefined
 }
 
-const sourceOf = ({ take_id, preview_url }: PlaylistTake) => ({ id: take_id, url: preview_url ?? '' })
+const sourceOf = ({ take_id, preview_url }: PlaylistTake) => ({
+  id: take_id,
+  takeId: take_id,
+  url: preview_url ?? '',
+})
 
 /** Plays takes one after another. `onBegin` hears of each that begins because the one before it came to its end. */
 export function usePlaythrough(

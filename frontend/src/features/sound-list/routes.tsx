@@ -18,7 +18,17 @@ export const soundListRoutes = [
   createRoute({
     getParentRoute: () => shellRoute,
     path: '/projects/$projectId/sound-list',
-    validateSearch: ({ state, category, need, person, by, view, unclear, q }: Record<string, unknown>): ListSearch => ({
+    validateSearch: ({
+      state,
+      category,
+      need,
+      person,
+      by,
+      view,
+      unclear,
+      heard,
+      q,
+    }: Record<string, unknown>): ListSearch => ({
       state: STATUS_ORDER.find((status) => status === state),
       category: typeof category === 'string' && category !== '' ? category : undefined,
       need: NEEDS.find(({ value }) => value === need)?.value,
@@ -26,6 +36,7 @@ export const soundListRoutes = [
       view: view === 'content' ? view : undefined,
       by: by === 'category' || by === 'state' ? by : undefined,
       unclear: unclear === true ? true : undefined,
+      heard: heard === 'no' ? heard : undefined,
       // "12" in an address is read as a number.
       q: typeof q === 'string' || typeof q === 'number' ? String(q) : undefined,
     }),

@@ -23,6 +23,8 @@ export interface CueRow {
   stands: Stands
   /** What its words leave open to a designer. */
   unclear: readonly FactQuestion[]
+  /** A version of it waits or is approved that the current person has not heard. */
+  isUnheard: boolean
   /** An action is needed: the name is bold. */
   needsSomeone: boolean
   peaks: Peaks | null
@@ -74,6 +76,7 @@ export function rowsOf(
         status === 'partly_accepted' && progress ? `${progress.accepted} of ${progress.wanted} accepted` : undefined,
       stands,
       unclear: open,
+      isUnheard: (progress?.unheard_take_ids.length ?? 0) > 0,
       needsSomeone: !RESTING.includes(status),
       // A picture is an open object in the schema; its shape is that of a thumb.
       peaks: (newest?.thumb ?? null) as Peaks | null,
@@ -101,11 +104,16 @@ export interface Filter {
   need?: Need
   person?: PersonFilter
   unclear?: boolean
+  heard?: 'no'
+  /** The take in the player: its cue stays once it is heard. */
+  playedId?: string | null
   words: string
 }
 
 /** The rows that match: every typed word must stand somewhere in the row. */
-export function matching(rows: readonly CueRow[], { state, category, need, person, unclear, words }: Filter): CueRow[] {
+export function matching(rows: readonly CueRow[], filter: Filter): CueRow[] {
+  const { state, category, need, person, unclear, heard, playedId, words } = filter
+  const isPlayed = ({ progress }: CueRow) => playedId != null && progress?.newest_take?.id === playedId
   const wanted = words.toLowerCase().split(/\s+/).filter(Boolean)
   return rows.filter(
     (row) =>
@@ -114,6 +122,7 @@ export function matching(rows: readonly CueRow[], { state, category, need, perso
       (need === undefined || row.cue.need === need) &&
       (person === undefined || isOf(row.cue, person)) &&
       (!unclear || row.unclear.length > 0) &&
+      (heard === undefined || row.isUnheard || isPlayed(row)) &&
       wanted.every((word) => row.text.includes(word)),
   )
 }
@@ -132,6 +141,8 @@ export interface ListSearch {
   view?: 'content'
   /** Only cues whose words leave something open. */
   unclear?: true
+  /** Only cues with a version that the current person has not heard. */
+  heard?: 'no'
   /** Words that were typed to filter by. */
   q?: string
 }

@@ -43,12 +43,12 @@ export function SoundCard({ take, sounds, marks, limitDbfs, player, playing, onM
 
   const hear = (fromS?: number) => {
     if (url === null) return
-    void player.select({ id: sourceId, url })
+    void player.select({ id: sourceId, takeId: take.id, url })
     void player.play(fromS)
   }
   const seek = (s: number) => {
     if (url === null) return
-    void player.select({ id: sourceId, url })
+    void player.select({ id: sourceId, takeId: take.id, url })
     player.seek(s)
   }
   const choose = (target: string) => {
@@ -56,7 +56,7 @@ export function SoundCard({ take, sounds, marks, limitDbfs, player, playing, onM
     const next = target === MASTER ? sounds?.master : files.find((each) => each.target === target)
     const id = target === MASTER ? take.id : `${take.id} ${target}`
     // The other one goes on at the same place.
-    if (next?.preview_url && player.isPlaying()) void player.select({ id, url: next.preview_url })
+    if (next?.preview_url && player.isPlaying()) void player.select({ id, takeId: take.id, url: next.preview_url })
   }
   return (
     <Card aria-labelledby="sound">

@@ -8,7 +8,8 @@ import { useHotkeys } from '@/app/keys'
 import { NdaFirst } from '@/app/shell/NdaFirst'
 import { ShellLink } from '@/app/shell/ShellLink'
 import { useTitle } from '@/app/title'
-import { type FindingMark, spotOf as playFrom, usePlayer } from '@/audio'
+import { type FindingMark, spotOf as playFrom } from '@/audio'
+import { useTakePlayer } from '@/heard/useTakePlayer'
 import { ended, wordsOf, worstFirst } from '@/judging/findings'
 import { FixPanel, useFixing, useSounds } from '@/fixing'
 import { TakeSourcesPart } from '@/sources/TakeSourcesPart'
@@ -103,7 +104,7 @@ const NO_MARKS: FindingMark[] = []
 
 function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
   const navigate = useNavigate()
-  const [player, playing] = usePlayer()
+  const [player, playing] = useTakePlayer(take.project_id)
   const { data: me } = useQuery(meQuery)
   const project = useMyProject(take.project_id)
   const [openAt, setOpenAt] = useState<number | null>(null)
@@ -124,7 +125,7 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
     setOpenAt(at)
     const startS = findings[at]?.start_s ?? null
     if (startS === null || fixed.previewUrl === null) return
-    void player.select({ id: take.id, url: fixed.previewUrl })
+    void player.select({ id: take.id, takeId: take.id, url: fixed.previewUrl })
     if (plays) void player.play(playFrom(startS))
     else player.seek(startS)
   }

@@ -8,7 +8,7 @@ import { useHotkeys } from '@/app/keys'
 import { NextCard } from '@/app/NextCard'
 import { nextStepsQuery, stepsToName } from '@/app/nextSteps'
 import { useTitle } from '@/app/title'
-import { usePlayer } from '@/audio'
+import { useTakePlayer } from '@/heard/useTakePlayer'
 import { Drafts, useDraftCount } from '@/judging/Drafts'
 import { useReady } from '@/judging/useHearing'
 import { useJudge } from '@/judging/useJudge'
@@ -42,7 +42,7 @@ export function TodayPage(): ReactNode {
   const today = useQuery(todayQuery(projectId))
   const next = useQuery(nextStepsQuery(projectId))
   const drafts = useDraftCount(projectId)
-  const [player, playing] = usePlayer({ held: true })
+  const [player, playing] = useTakePlayer(projectId, { held: true })
   const judge = useJudge(projectId)
   const page = useRef<HTMLDivElement>(null)
   const client = useQueryClient()

@@ -61,7 +61,8 @@ export function AgainstPanel({ review, projectId, hand, nameOf, source, player, 
   const hear = (id: string, from: string | null, gainDb = 0) => {
     if (source === null || from === null) return
     const isHeard = heardId.startsWith(id)
-    const to = { ...source, id: `${id} ${from}`, url: from, matchGainDb: (source.matchGainDb ?? 0) + gainDb }
+    const takeId = id === OTHER ? otherId : undefined
+    const to = { ...source, id: `${id} ${from}`, takeId, url: from, matchGainDb: (source.matchGainDb ?? 0) + gainDb }
     void player.select(isHeard ? source : to).then(() => (player.isPlaying() ? undefined : player.play()))
   }
   useEffect(

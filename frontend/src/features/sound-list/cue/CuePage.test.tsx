@@ -2,9 +2,11 @@ import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import { expect, test, vi } from 'vitest'
 
+import { HandContext } from '@/test/audioContext'
 import { openApp } from '@/test/openApp'
-import { type Asked, refusal } from '@/test/server'
-import { aCue, ListServer } from '@/test/soundList'
+import { aPreview } from '@/test/review'
+import { answer, type Asked, refusal } from '@/test/server'
+import { aCue, aProgress, ListServer } from '@/test/soundList'
 
 const AT = '2026-11-20T10:00:00Z'
 const PRODUCER = { id: 'someone', name: 'Producer' }
@@ -121,6 +123,23 @@ test('the cue, its versions with findings, and its history stand on one page', a
   expect(history).toHaveTextContent('Asked: What falls in?')
   // A revision that cut another cue is not asked about.
   expect(server.asked.some(({ query }) => query.get('from') === '2' && query.get('to') === '3')).toBe(false)
+})
+
+test('a version that was not heard says so, until it is played for long enough', async () => {
+  vi.stubGlobal('AudioContext', HandContext)
+  const { server, id } = opened()
+  const unheard = aProgress(server.cue('coolant_splash'), { unheard_take_ids: ['t1'] })
+  server.answers[`GET ${server.at}/sound-list/progress`] = { cues: [unheard], next: null }
+  server.answers['GET /v1/sounds/t1/preview'] = { ...aPreview, durationS: 0.2 }
+  server.answers[`POST ${server.at}/heard-takes`] = answer(null, 204)
+  const versions = await screen.findByRole('region', { name: 'Versions' })
+  expect(await within(versions).findByText('not heard yet')).toBeVisible()
+  await userEvent.click(screen.getByRole('button', { name: 'Play version 1' }))
+  await waitFor(() => expect(within(versions).queryByText('not heard yet')).toBeNull(), { timeout: 10_000 })
+  await waitFor(() => expect(server.sent('POST', `${server.at}/heard-takes`)[0]?.body).toEqual({ take_ids: ['t1'] }), {
+    timeout: 10_000,
+  })
+  expect(id).toBe(unheard.cue_id)
 })
 
 test('an answer joins what the cue says', async () => {

@@ -4,7 +4,7 @@ import { type ReactNode, useCallback, useEffect, useMemo, useState } from 'react
 
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
-import { usePlayer } from '@/audio'
+import { useTakePlayer } from '@/heard/useTakePlayer'
 import { ReferenceStrip } from '@/references'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
@@ -39,6 +39,7 @@ import { SpokenPlaceholder } from '../spoken/SpokenPlaceholder'
 import { REVERBS, SETTLED } from '../words'
 
 const NO_VERSIONS: Version[] = []
+const NONE: string[] = []
 
 /** One cue: what it is, what was asked, what was delivered, and how it changed. */
 export function CuePage(): ReactNode {
@@ -74,7 +75,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
   const { data: progressList } = useQuery(progressQuery(projectId))
   const versions = useQuery(versionsQuery(projectId, cue.id))
   const changes = useInfiniteQuery(cueChangesQuery(projectId, cue))
-  const [player, playing] = usePlayer()
+  const [player, playing] = useTakePlayer(projectId)
   const [doing, setDoing] = useState<'edit' | 'cut' | null>(null)
 
   const cues = list?.cues
@@ -91,7 +92,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
         return
       }
       player.setLooping(cue.loop)
-      void player.select({ id: version.take.id, url: version.previewUrl })
+      void player.select({ id: version.take.id, takeId: version.take.id, url: version.previewUrl })
       void player.play(0)
     },
     [player, cue.loop],
@@ -193,6 +194,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
             cue={cue}
             projectId={projectId}
             versions={versions.data}
+            unheardIds={row?.progress?.unheard_take_ids ?? NONE}
             problem={problemIn(versions.error)}
             playingId={playing.status === 'playing' || playing.status === 'loading' ? playing.sourceId : null}
             reviews={rights.reviews}

@@ -2,6 +2,7 @@ import { Link } from '@tanstack/react-router'
 
 import type { ApiProblem } from '@/api'
 import { WaveThumb } from '@/audio'
+import { NotHeard } from '@/heard/NotHeard'
 import { sentence } from '@/judging/words'
 import { Card, CardHead } from '@/ui/Card'
 import { Finding } from '@/ui/Finding'
@@ -27,6 +28,8 @@ interface VersionsProps {
   cue: CueDetail
   projectId: string
   versions: readonly Version[] | undefined
+  /** The takes among them that the current person has not heard. */
+  unheardIds: readonly string[]
   problem: ApiProblem | null
   playingId: string | null
   reviews: boolean
@@ -34,7 +37,7 @@ interface VersionsProps {
 }
 
 /** Everything that was delivered for a cue, the newest first, with what the checker found. */
-export function Versions({ cue, projectId, versions, problem, playingId, reviews, onPlay }: VersionsProps) {
+export function Versions({ cue, projectId, versions, unheardIds, problem, playingId, reviews, onPlay }: VersionsProps) {
   return (
     <Card aria-labelledby="versions">
       <CardHead id="versions" title="Versions" count={versions?.length} end="newest first" />
@@ -47,6 +50,7 @@ export function Versions({ cue, projectId, versions, problem, playingId, reviews
               cue={cue}
               projectId={projectId}
               version={version}
+              unheard={unheardIds.includes(version.take.id)}
               playing={version.take.id === playingId}
               reviews={reviews}
               onPlay={onPlay}
@@ -63,12 +67,13 @@ interface LineProps {
   cue: CueDetail
   projectId: string
   version: Version
+  unheard: boolean
   playing: boolean
   reviews: boolean
   onPlay: (version: Version) => void
 }
 
-function Line({ cue, projectId, version, playing, reviews, onPlay }: LineProps) {
+function Line({ cue, projectId, version, unheard, playing, reviews, onPlay }: LineProps) {
   const { take, thumb, previewUrl, durationS, findings } = version
   const variation = cue.variations > 1 ? `_${String(take.variation).padStart(2, '0')} ` : ''
   const name = `${variation}version ${take.number ?? ''}${
@@ -83,6 +88,7 @@ function Line({ cue, projectId, version, playing, reviews, onPlay }: LineProps) 
           <span className="mono small dim">{take.file_name}</span>
         </span>
         <State kind={KIND_OF_TAKE[take.state]} />
+        {unheard && <NotHeard inWords />}
         <span className="small dim nowrap num">
           {durationS === null ? '' : `${length(durationS)}, `}
           {ago(take.received_at)}

@@ -2,6 +2,7 @@ import { Link } from '@tanstack/react-router'
 import { memo, type MouseEvent, type ReactNode, useCallback, useEffect, useMemo, useRef } from 'react'
 
 import { WaveThumb } from '@/audio'
+import { NotHeard } from '@/heard/NotHeard'
 import { figure } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { NeedMark } from '@/ui/NeedMark'
@@ -289,7 +290,7 @@ const Line = memo(function Line(props: LineProps) {
         )}
         {cue.label}
       </td>
-      <th scope="row" data-place="name">
+      <th scope="row" data-place="name" data-marked={row.isUnheard || undefined}>
         <Link
           to="/projects/$projectId/sound-list/cues/$cueId"
           params={{ projectId, cueId: cue.id }}
@@ -297,6 +298,7 @@ const Line = memo(function Line(props: LineProps) {
         >
           {cue.name}
         </Link>
+        {row.isUnheard && <NotHeard />}
       </th>
       <td className="small">
         {row.status === 'cut' ? <span className="dim">cut</span> : <NeedMark need={cue.need} />}

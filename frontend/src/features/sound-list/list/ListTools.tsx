@@ -44,6 +44,7 @@ export function ListTools({
   const counts = new Map<CueStatus, number>()
   for (const { status } of rows) counts.set(status, (counts.get(status) ?? 0) + 1)
   const unclear = rows.filter((row) => row.unclear.length > 0).length
+  const unheard = rows.filter(({ isUnheard }) => isUnheard).length
   return (
     <div className={classes.tools}>
       <span className="wide-only">
@@ -84,6 +85,15 @@ export function ListTools({
             onPress={() => onSearch({ unclear: search.unclear ? undefined : true })}
           >
             Unclear
+          </FilterChip>
+        )}
+        {(unheard > 0 || search.heard) && (
+          <FilterChip
+            count={unheard}
+            pressed={search.heard === 'no'}
+            onPress={() => onSearch({ heard: search.heard ? undefined : 'no' })}
+          >
+            Not heard yet
           </FilterChip>
         )}
       </div>

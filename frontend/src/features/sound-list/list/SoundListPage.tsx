@@ -4,7 +4,7 @@ import { type ReactNode, useCallback, useDeferredValue, useMemo, useRef, useStat
 
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
-import { usePlayer } from '@/audio'
+import { useTakePlayer } from '@/heard/useTakePlayer'
 import { Button } from '@/ui/Button'
 import { EmptyState } from '@/ui/EmptyState'
 import { ProblemNote } from '@/ui/ProblemNote'
@@ -58,7 +58,7 @@ export function SoundListPage(): ReactNode {
   const { data: own } = useQuery(columnsQuery(projectId))
   const { data: people = NO_PEOPLE } = useQuery(cuePeopleQuery(projectId))
   const change = useChangeCue(projectId)
-  const [player, playing] = usePlayer()
+  const [player, playing] = useTakePlayer(projectId)
 
   const [adding, setAdding] = useState<{ name?: string } | null>(null)
   const [panel, setPanel] = useState<{ id: string; kind: PanelKind } | null>(null)
@@ -72,11 +72,16 @@ export function SoundListPage(): ReactNode {
   )
   const categories = useMemo(() => categoriesOf(rows), [rows])
   const needs = useMemo(() => needSumsOf(rows), [rows])
-  const { state, category, need, person, view, by = 'list', unclear: onlyUnclear, q: words = '' } = search
+  const { state, category, need, person, view, by = 'list', unclear: onlyUnclear, heard, q: words = '' } = search
   const sought = useDeferredValue(words)
+  const playedId = heard && playing.takeId
   const groups = useMemo(
-    () => groupsOf(matching(rows, { state, category, need, person, unclear: onlyUnclear, words: sought }), by),
-    [rows, state, category, need, person, onlyUnclear, sought, by],
+    () =>
+      groupsOf(
+        matching(rows, { state, category, need, person, unclear: onlyUnclear, heard, playedId, words: sought }),
+        by,
+      ),
+    [rows, state, category, need, person, onlyUnclear, heard, playedId, sought, by],
   )
   const shown = useMemo(() => groups.flatMap((group) => group.rows), [groups])
   const { selected, selectedId, select, step, picked, pick, unpick } = useCueSelection(projectId, shown)
@@ -90,7 +95,7 @@ export function SoundListPage(): ReactNode {
         return
       }
       player.setLooping(row.cue.loop)
-      void player.select({ id: take.id, url: row.previewUrl })
+      void player.select({ id: take.id, takeId: take.id, url: row.previewUrl })
       void player.play(0)
     },
     [player],
@@ -141,13 +146,14 @@ export function SoundListPage(): ReactNode {
     )
   }, [selectedId])
   const clear = () => {
-    if ([state, category, need, person].some((filter) => filter !== undefined) || onlyUnclear || words !== '')
+    if ([state, category, need, person, heard].some((filter) => filter !== undefined) || onlyUnclear || words !== '')
       onSearch({
         state: undefined,
         category: undefined,
         need: undefined,
         person: undefined,
         unclear: undefined,
+        heard: undefined,
         q: undefined,
       })
   }

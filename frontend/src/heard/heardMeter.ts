@@ -5,10 +5,10 @@ const ENOUGH_MS = 3_000
 
 const enoughMs = (durationS: number): number => Math.min(ENOUGH_MS, durationS * 500)
 
-/** Call back once for each sound that was played for long enough; the answer stops it. */
+/** Call back once for each take that was played for long enough; the answer stops it. */
 export function meterHeard(
   player: Pick<Player, 'getState' | 'subscribeState'>,
-  onHeard: (sourceId: string) => void,
+  onHeard: (takeId: string) => void,
   now: () => number = () => performance.now(),
 ): () => void {
   const playedMs = new Map<string, number>()
@@ -29,11 +29,11 @@ export function meterHeard(
   const look = () => {
     clearTimeout(timer)
     count()
-    const { status, sourceId, durationS, asGame } = player.getState()
+    const { status, sourceId, takeId, durationS, asGame } = player.getState()
     // One that was just selected sounds only once it is read: until then the one before it goes on.
     const sounds = status === 'playing' && durationS > 0 && (asGame || sourceId === lastId)
     lastId = sourceId
-    sounding = sounds && sourceId !== null ? { id: sourceId, enoughMs: enoughMs(durationS), sinceMs: now() } : null
+    sounding = sounds && takeId !== null ? { id: takeId, enoughMs: enoughMs(durationS), sinceMs: now() } : null
     if (sounding === null || heard.has(sounding.id)) return
     const leftMs = Math.max(0, sounding.enoughMs - (playedMs.get(sounding.id) ?? 0))
     timer = setTimeout(look, Math.ceil(leftMs))

@@ -3,8 +3,11 @@ import type { InfiniteData, QueryClient } from '@tanstack/react-query'
 import { answered, api, ApiProblem } from '@/api'
 import { serverReturns } from '@/api/connection'
 import { queryKeys } from '@/api/queryKeys'
+import type { components } from '@/api/schema.gen'
+import type { CueReview, QueuePage, ReviewTake } from '@/judging/api'
 
-import type { CueReview, QueuePage, ReviewTake } from './api'
+type Playlist = components['schemas']['PlaylistRead']
+type CueProgress = components['schemas']['CueProgress']
 
 const PREFIX = 'soundlist-heard'
 /** What is heard within this time is sent together. */
@@ -108,5 +111,19 @@ export function markHeard(client: QueryClient, projectId: string, takeIds: reado
   client.setQueriesData<CueReview>(
     { queryKey: queryKeys.cueReview.all },
     (review) => review && { ...review, takes: review.takes.map(heard) },
+  )
+  client.setQueriesData<Playlist | object>({ queryKey: queryKeys.playlist.all }, (playlist) =>
+    playlist && 'takes' in playlist
+      ? {
+          ...playlist,
+          takes: playlist.takes.map((one) => (takeIds.includes(one.take_id) ? { ...one, is_heard: true } : one)),
+        }
+      : playlist,
+  )
+  client.setQueryData<CueProgress[]>(queryKeys.progress(projectId, 'cues'), (cues) =>
+    cues?.map((cue) => {
+      const left = cue.unheard_take_ids.filter((id) => !takeIds.includes(id))
+      return left.length < cue.unheard_take_ids.length ? { ...cue, unheard_take_ids: left } : cue
+    }),
   )
 }

@@ -37,7 +37,7 @@ describe('what counts as heard', () => {
     return { heard, set, stop }
   }
   const play = (set: (change: Partial<PlayerState>) => void, id: string, durationS: number) => {
-    set({ sourceId: id, durationS })
+    set({ sourceId: id, takeId: id, durationS })
     set({ status: 'playing' })
   }
 
@@ -77,7 +77,7 @@ describe('what counts as heard', () => {
     const { heard, set } = metered()
     play(set, 'a', 10)
     vi.advanceTimersByTime(1_000)
-    set({ sourceId: 'b' }) // selected: the first goes on until it is read
+    set({ sourceId: 'b', takeId: 'b' }) // selected: the first goes on until it is read
     vi.advanceTimersByTime(5_000)
     set({ durationS: 10 })
     vi.advanceTimersByTime(2_000)
@@ -87,11 +87,25 @@ describe('what counts as heard', () => {
 
   test('each sound of a set that is played as in the game', () => {
     const { heard, set } = metered()
-    set({ asGame: true, status: 'playing', sourceId: 'a', durationS: 1 })
+    set({ asGame: true, status: 'playing', sourceId: 'a', takeId: 'a', durationS: 1 })
     vi.advanceTimersByTime(500)
-    set({ sourceId: 'b', durationS: 0.4 })
+    set({ sourceId: 'b', takeId: 'b', durationS: 0.4 })
     vi.advanceTimersByTime(200)
     expect(heard).toEqual(['a', 'b'])
+  })
+
+  test('a take in parts, as master and as game file, and nothing of a sound that is no take', () => {
+    const { heard, set } = metered()
+    play(set, 'a', 4)
+    vi.advanceTimersByTime(1_000)
+    set({ sourceId: 'a mobile' })
+    set({ durationS: 4 })
+    vi.advanceTimersByTime(1_000)
+    expect(heard).toEqual(['a'])
+    set({ sourceId: 'fixed', takeId: null })
+    set({ durationS: 4 })
+    vi.advanceTimersByTime(10_000)
+    expect(heard).toEqual(['a'])
   })
 
   test('after it is stopped nothing is counted', () => {
@@ -157,6 +171,14 @@ test('a take is shown as heard in every list that has it', () => {
   client.setQueryData(queryKeys.reviewQueue(PROJECT), { pages: [{ items: [unheard], next: null }], pageParams: [null] })
   client.setQueryData(queryKeys.reviewQueue(PROJECT, 'count'), { cues: 1, is_all: true })
   client.setQueryData(queryKeys.cueReview('shield'), aReview(unheard))
+  const entries = [
+    { take_id: 'a', is_heard: false },
+    { take_id: 'b', is_heard: false },
+  ]
+  client.setQueryData(queryKeys.playlist('combat'), { takes: entries })
+  client.setQueryData(queryKeys.playlist('combat', 'live'), { take_id: 'a' })
+  const other = { cue_id: 'door', unheard_take_ids: ['c'] }
+  client.setQueryData(queryKeys.progress(PROJECT, 'cues'), [{ cue_id: 'shield', unheard_take_ids: ['a', 'b'] }, other])
   markHeard(client, PROJECT, ['a'])
   const { pages } =
     client.getQueryData<{ pages: { items: (typeof unheard)[] }[] }>(queryKeys.reviewQueue(PROJECT)) ?? {}
@@ -164,5 +186,12 @@ test('a take is shown as heard in every list that has it', () => {
     takes?.filter(({ is_heard }) => is_heard).map(({ id }) => id)
   expect(heard(pages?.[0]?.items[0]?.takes)).toEqual(['a'])
   expect(heard(client.getQueryData<ReturnType<typeof aReview>>(queryKeys.cueReview('shield'))?.takes)).toEqual(['a'])
+  expect(client.getQueryData(queryKeys.playlist('combat'))).toEqual({
+    takes: [{ take_id: 'a', is_heard: true }, entries[1]],
+  })
+  expect(client.getQueryData(queryKeys.playlist('combat', 'live'))).toEqual({ take_id: 'a' })
+  const listed = client.getQueryData<object[]>(queryKeys.progress(PROJECT, 'cues'))
+  expect(listed).toEqual([{ cue_id: 'shield', unheard_take_ids: ['b'] }, other])
+  expect(listed?.[1]).toBe(other) // a row that does not change is not drawn again
   expect(client.getQueryData(queryKeys.reviewQueue(PROJECT, 'count'))).toEqual({ cues: 1, is_all: true })
 })

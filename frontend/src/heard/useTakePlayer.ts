@@ -1,18 +1,18 @@
 import { useQuery, useQueryClient } from '@tanstack/react-query'
-import { useEffect, useEffectEvent } from 'react'
+import { useEffect } from 'react'
 
 import { meQuery } from '@/api/me'
-import type { Player } from '@/audio'
+import { type Player, type PlayerState, usePlayer } from '@/audio'
 
 const load = () => Promise.all([import('./heardMeter'), import('./heardTakes')])
 
-/** Record what a person of the team hears of a page's takes; a source's id begins with that of its take. */
-export function useHeard(player: Player, projectId: string, takeIds: readonly string[]): void {
+/** A player for a page of a project; what a person of its team hears of its takes is recorded. */
+export function useTakePlayer(projectId: string, how?: Parameters<typeof usePlayer>[0]): [Player, PlayerState] {
+  const [player, state] = usePlayer(how)
   const client = useQueryClient()
   const { data: me } = useQuery(meQuery)
   const part = me?.projects.find(({ id }) => id === projectId)?.part
   const personId = part === 'team' ? me?.person.id : undefined
-  const takeOf = useEffectEvent((sourceId: string) => takeIds.find((id) => id === sourceId.split(' ')[0]))
   useEffect(() => {
     if (personId === undefined) return undefined
     let stop: (() => void) | null = null
@@ -21,9 +21,7 @@ export function useHeard(player: Player, projectId: string, takeIds: readonly st
       const [{ meterHeard }, { HeardTakes, markHeard }] = await load()
       if (isLeft) return
       const heard = new HeardTakes(personId, projectId, (sent) => markHeard(client, projectId, sent))
-      const stopMeter = meterHeard(player, (sourceId) => {
-        const takeId = takeOf(sourceId)
-        if (takeId === undefined) return
+      const stopMeter = meterHeard(player, (takeId) => {
         markHeard(client, projectId, [takeId])
         heard.add(takeId)
       })
@@ -43,4 +41,5 @@ export function useHeard(player: Player, projectId: string, takeIds: readonly st
       stop?.()
     }
   }, [client, player, personId, projectId])
+  return [player, state]
 }

@@ -1,0 +1,85 @@
+import { screen, waitFor, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import axe from 'axe-core'
+import { beforeEach, expect, test, vi } from 'vitest'
+
+import { dismissToast } from '@/app/toast'
+import { HandContext } from '@/test/audioContext'
+import { openApp } from '@/test/openApp'
+import { aPlaylistTake as take, LIVE, PLAYLIST } from '@/test/playlist'
+import { inProject } from '@/test/project'
+import { aPreview } from '@/test/review'
+import { answer, serve, wrote } from '@/test/server'
+
+const LASER = take('t1', 'laser', { is_heard: false, duration_s: 0.2 })
+const THREE = { ...PLAYLIST, takes: [LASER, take('t2', 'door'), take('t3', 'steps', { is_heard: false })] }
+
+function open(playlist: object, part: 'producer' | 'designer' = 'producer') {
+  const { asked } = serve(
+    inProject(part, {
+      'GET /v1/playlists/l1': playlist,
+      'GET /v1/playlists/l1/live': LIVE,
+      'PUT /v1/playlists/l1/position': answer(null, 204),
+      'POST /v1/projects/p1/heard-takes': answer(null, 204),
+      'GET /v1/sounds/p-t1/preview': { ...aPreview, durationS: 0.2 },
+      'GET /v1/sounds/p-t2/preview': aPreview,
+      'GET /v1/sounds/p-t3/preview': aPreview,
+    }),
+  )
+  openApp('/projects/p1/playlists/l1')
+  return asked
+}
+const sound = (name: RegExp) => screen.getByRole('button', { name })
+const now = () => screen.getByRole('region', { name: 'Now' })
+const nextUnheard = () => userEvent.keyboard('{Shift>}j{/Shift}')
+
+beforeEach(() => {
+  dismissToast()
+  localStorage.clear()
+  vi.stubGlobal('AudioContext', HandContext)
+})
+
+test('what was not heard is marked and counted, and a key goes from one to the next', async () => {
+  open(THREE)
+  expect(await screen.findByText('2 not heard yet')).toBeVisible()
+  expect(sound(/^laser/)).toHaveTextContent('not heard yet')
+  expect(sound(/^door/)).not.toHaveTextContent('not heard yet')
+  await nextUnheard()
+  await waitFor(() => expect(now()).toHaveTextContent('steps'))
+  await nextUnheard()
+  await waitFor(() => expect(now()).toHaveTextContent('laser'))
+  await userEvent.keyboard('?')
+  const keys = await screen.findByRole('dialog')
+  expect(within(keys).getByText('Next that you have not heard')).toBeVisible()
+  await userEvent.keyboard('{Escape}')
+  const found = await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })
+  expect(found.violations.map(({ id }) => id)).toEqual([])
+})
+
+test('where every other sound was heard the key says so and stays', async () => {
+  open({ ...PLAYLIST, position: null, takes: [LASER, take('t2', 'door')] })
+  await screen.findByText('1 not heard yet')
+  await nextUnheard()
+  expect(await screen.findByText('You have heard every other sound of this playlist.')).toBeVisible()
+  expect(now()).toHaveTextContent('laser')
+})
+
+test('what is played for long enough is reported, and its mark goes', async () => {
+  const asked = open({ ...THREE, position: null })
+  await screen.findByText('2 not heard yet')
+  await userEvent.keyboard(' ')
+  await waitFor(() => expect(sound(/^laser/)).not.toHaveTextContent('not heard yet'), { timeout: 10_000 })
+  expect(screen.getByText('1 not heard yet')).toBeVisible()
+  await waitFor(() => expect(wrote(asked, 'POST /v1/projects/p1/heard-takes')[0]?.body).toEqual({ take_ids: ['t1'] }), {
+    timeout: 10_000,
+  })
+})
+
+test('of a designer nothing is recorded: there are no marks, and the key does nothing', async () => {
+  const takes = THREE.takes.map((one) => ({ ...one, is_heard: null }))
+  open({ ...THREE, takes, may_share: false, may_join: false }, 'designer')
+  await waitFor(() => expect(now()).toHaveTextContent('door'))
+  await nextUnheard()
+  expect(screen.queryByText(/not heard/)).toBeNull()
+  expect(now()).toHaveTextContent('door')
+})
