@@ -21,6 +21,7 @@ export default defineConfig({
         'resume.spec.ts',
         'tray.spec.ts',
         'live.spec.ts',
+        'clipInTime.spec.ts',
         'hiring.spec.ts',
         'nda.spec.ts',
         'spotting.spec.ts',

@@ -48,3 +48,30 @@ export async function atWork(producer: Page, designer: Page, url: string, cues: 
   await expect(designer.getByRole('heading', { name: 'Your desk' })).toBeVisible()
   return id
 }
+
+/** Deliver sounds as the designer's page does, and wait until all of them are to be reviewed. */
+export async function deliver(
+  designer: Page,
+  producer: Page,
+  url: string,
+  project: string,
+  files: Record<string, Buffer>,
+): Promise<void> {
+  const from = designer.context()
+  const { id } = await ask<{ id: string }>(from, `${url}/v1/projects/${project}/deliveries`, 'POST', { note: '' })
+  const csrf = (await from.cookies(url)).find(({ name }) => name === 'soundlist_csrf')?.value ?? ''
+  for (const [name, data] of Object.entries(files)) {
+    const answer = await from.request.post(`${url}/v1/deliveries/${id}/files`, {
+      params: { file_name: name },
+      data,
+      headers: { 'X-CSRF-Token': csrf, 'Content-Type': 'application/octet-stream' },
+    })
+    expect(answer.ok(), await answer.text()).toBe(true)
+  }
+  const counts = `${url}/v1/projects/${project}/sound-list/counts`
+  await expect
+    .poll(async () => (await ask<{ files_to_review: number }>(producer.context(), counts)).files_to_review, {
+      timeout: 60_000,
+    })
+    .toBe(Object.keys(files).length)
+}

@@ -9,17 +9,18 @@ interface Sound {
   peak?: number
   /** Of the tone; two sounds of different pitch are different files. */
   pitchHz?: number
+  /** The sound at a time, in place of the tone. */
+  shapeAt?: (s: number) => number
 }
 
-/** A struck tone that dies away: a WAV with nothing in it but `fmt ` and `data`. */
+/** A struck tone that dies away, or another sound: a WAV with nothing in it but `fmt ` and `data`. */
 export function wav(sound: Sound = {}): Buffer {
   const { rateHz = 48_000, bits = 24, channels = 1, seconds = 0.3, peak = 0.5, pitchHz = 880 } = sound
+  const tone = (t: number) => Math.exp((-4 * t) / seconds) * Math.sin(2 * Math.PI * pitchHz * t)
+  const { shapeAt = tone } = sound
   const frames = Math.round(seconds * rateHz)
   const width = bits / 8
-  const shape = Float64Array.from({ length: frames }, (_, frame) => {
-    const t = frame / rateHz
-    return Math.exp((-4 * t) / seconds) * Math.sin(2 * Math.PI * pitchHz * t)
-  })
+  const shape = Float64Array.from({ length: frames }, (_, frame) => shapeAt(frame / rateHz))
   const loudest = shape.reduce((most, value) => Math.max(most, Math.abs(value)), 0)
   const scale = (peak * (2 ** (bits - 1) - 1)) / loudest
   const data = Buffer.alloc(frames * channels * width)

@@ -47,7 +47,7 @@ export class Player implements Clock {
 
   isPlaying = (): boolean => this.#voice !== null
 
-  positionS = (): number => this.#positionAtS()
+  positionS = (): number => this.#placeOf((voice) => voice.positionS())
 
   /**
    * Select a sound. While another plays, this one takes over at the same position, or so much later as the
@@ -82,12 +82,8 @@ export class Player implements Clock {
     const context = this.#contextNow()
     if (context.state === 'suspended') void context.resume()
     if (!this.previews.has(source.url)) this.#notify({ status: 'loading', error: null })
-    const buffer = await this.#read(
-      source,
-      asked,
-      'first',
-      wantedOf(source, this.#store.state, fromS ?? this.#positionS),
-    )
+    const wanted = wantedOf(source, this.#store.state, fromS ?? this.#positionS)
+    const buffer = await this.#read(source, asked, 'first', wanted)
     if (buffer === null) return
     this.#notify({ durationS: buffer.duration })
     this.#sound(buffer, source, fromS ?? startOf(this.#store.state, this.#positionS, buffer.duration))
@@ -167,10 +163,10 @@ export class Player implements Clock {
   context = (): BaseAudioContext => this.#contextNow()
 
   /** Where the listener is: the position, but for what the device is late. */
-  heardS = (): number => {
-    const lateS = this.isPlaying() ? (this.#context?.outputLatency ?? 0) : 0
-    return Math.max(0, this.positionS() - lateS)
-  }
+  heardS = (): number => this.#placeOf((voice) => voice.heardS())
+
+  /** Whether what plays has come to the listener. */
+  isHeard = (): boolean => this.#voice?.isHeard() ?? false
 
   /** Hear everything through other nodes, or directly. What sounds goes on without a gap, at the same position. */
   setOutput(makeOutput: MakeOutput = direct): void {
@@ -276,12 +272,13 @@ export class Player implements Clock {
   /** Sound in the place of what sounds now, at the same moment of it, or so much later. */
   #takeOver(buffer: AudioBuffer, source: Source, laterS = 0): void {
     const atS = Math.max(soonS(this.#contextNow()), this.#voice?.settledAtS ?? 0)
-    this.#sound(buffer, source, Math.max(0, this.#positionAtS(atS) + laterS), atS)
+    this.#sound(buffer, source, Math.max(0, this.#placeOf((voice) => voice.positionS(atS)) + laterS), atS)
   }
 
-  #sound(given: AudioBuffer, source: Source, positionS: number, atS = soonS(this.#contextNow())): void {
+  #sound(given: AudioBuffer, source: Source, positionS: number, joinsAtS?: number): void {
     this.previews.release()
     const context = this.#contextNow()
+    const [atS, joins] = [joinsAtS ?? soonS(context), joinsAtS !== undefined]
     const { reversed } = this.#store.state
     const untilS = this.previews.untilS(given)
     if (this.previews.isBeginning(given) && (reversed || positionS >= untilS)) {
@@ -299,7 +296,7 @@ export class Player implements Clock {
     }
 
     const [to, gain, goesOn] = [this.#mix.input(context), this.#gainOf(source), this.isPlaying()]
-    const voice = Voice.start(context, { to, buffer, gain, loop, fromS, untilS, atS, goesOn })
+    const voice = Voice.start(context, { to, buffer, gain, loop, fromS, untilS, atS, goesOn, joins })
     this.#silence({ alone: true, atS: voice.startsAtS })
     this.#mix.announce('begins')
     voice.onEnded(() => {
@@ -349,10 +346,10 @@ export class Player implements Clock {
     return this.#store.state.matched ? 10 ** ((source.matchGainDb ?? 0) / 20) : 1
   }
 
-  /** Where in the sound the player is at a time of the context: now, or soon. */
-  #positionAtS(atS?: number): number {
+  /** Where in the sound something is that is asked of its voice. */
+  #placeOf(asked: (voice: Voice) => number): number {
     if (this.#voice === null) return this.#positionS
-    const at = this.#voice.positionS(atS)
+    const at = asked(this.#voice)
     return this.#store.state.reversed ? this.#voice.buffer.duration - at : at
   }
 

@@ -10,3 +10,15 @@ export function soonS(context: AudioContext): number {
 export function isLate(context: AudioContext, atS: number): boolean {
   return atS - context.currentTime < ((context.baseLatency as number | undefined) ?? 0)
 }
+
+/** Farther apart, the clock of the device and the latency that it states contradict each other: it has just begun. */
+const MOST_APART_S = 0.1
+
+/** The time of a context that is heard now. Its own time goes ahead of the device, in steps of what it renders at once. */
+export function heardTimeS(context: BaseAudioContext): number {
+  const { currentTime, outputLatency = 0, getOutputTimestamp } = context as BaseAudioContext & Partial<AudioContext>
+  const statedS = currentTime - outputLatency
+  const { contextTime = 0, performanceTime = 0 } = getOutputTimestamp?.call(context) ?? {}
+  const heardS = contextTime + (performance.now() - performanceTime) / 1_000
+  return contextTime > 0 && Math.abs(heardS - statedS) < MOST_APART_S ? Math.min(heardS, currentTime) : statedS
+}

@@ -1,5 +1,5 @@
 import type { TimeRange } from './draw'
-import { isLate, soonS } from './schedule'
+import { heardTimeS, isLate, soonS } from './schedule'
 
 /** Long enough that a switch does not click, too short to hear as a fade. */
 export const FADE_S = 0.005
@@ -43,6 +43,8 @@ interface Start {
   atS: number
   /** It is in the place of another at that time: later, it begins so much farther on. */
   goesOn: boolean
+  /** What sounds until then is at the same place of the same moment. */
+  joins: boolean
 }
 
 /** So often a start is tried again whose time was over before the device had it. */
@@ -59,6 +61,8 @@ export class Voice {
   #atS: number
   /** The fade that was scheduled last: what a node says of its gain before that is of no use. */
   #fade: Fade
+  /** Something sounded at the same place until it began. */
+  #joins = false
 
   constructor(context: BaseAudioContext, { node, gain, buffer, fromS, atS, speed }: Started) {
     this.#context = context
@@ -82,7 +86,8 @@ export class Voice {
     return voice
   }
 
-  static #schedule(context: BaseAudioContext, { to, buffer, gain, loop, fromS, untilS, atS }: Start): Voice {
+  static #schedule(context: BaseAudioContext, start: Start): Voice {
+    const { to, buffer, gain, loop, fromS, untilS, atS, joins } = start
     const node = context.createBufferSource()
     const fader = context.createGain()
     node.buffer = buffer
@@ -92,6 +97,7 @@ export class Voice {
     // that gain from now on: what is set at a time may hold one sample after it.
     fader.gain.value = fromS === 0 ? gain : 0
     const voice = new Voice(context, { node, gain: fader, buffer, fromS, atS, speed: 1 })
+    voice.#joins = joins
     voice.#fadeTo(gain, atS, fader.gain.value)
     voice.#repeat(loop)
     node.start(atS, fromS)
@@ -122,10 +128,23 @@ export class Voice {
     return loopStart + ((at - loopStart) % (loopEnd - loopStart))
   }
 
+  /** Where in the buffer the listener is; until it is heard, where it begins, or where what it joined is. */
+  heardS(): number {
+    const heardAtS = heardTimeS(this.#context)
+    const beforeS = this.#joins ? Math.max(0, this.#atS - heardAtS) : 0
+    return Math.max(0, this.positionS(heardAtS) - beforeS)
+  }
+
+  /** Whether the listener hears it yet, or what it joined. */
+  isHeard(): boolean {
+    return this.#joins || heardTimeS(this.#context) >= this.#atS
+  }
+
   /** Repeat something else, or nothing: the sound goes on without a gap, only its reference time is reset. */
   setLoop(loop: TimeRange | null): void {
     this.#fromS = this.positionS()
     this.#atS = Math.max(this.#atS, this.#context.currentTime)
+    this.#joins = true
     this.#repeat(loop)
   }
 

@@ -66,7 +66,7 @@ function Picture({ clip, player }: { clip: SceneClip; player: Player }) {
     const step = () => {
       const heardS = start_s + player.heardS()
       if (timeRef.current) timeRef.current.textContent = `${figure(heardS, 2)} s`
-      if (ref.current && ref.current.readyState > 0) syncPicture(ref.current, heardS, player.isPlaying())
+      if (ref.current && ref.current.readyState > 0) syncPicture(ref.current, heardS, player.isHeard())
     }
     step()
     const leave = [player.subscribe(step), player.subscribeState(step)]
