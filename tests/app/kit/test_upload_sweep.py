@@ -1,8 +1,9 @@
 """Uploads that are given up or expire: their bytes go, and nothing else does."""
 
 import fcntl
-import time
+import os
 from collections.abc import Iterator
+from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
@@ -19,6 +20,8 @@ from app.kit.uploads import (
     staged as uploads,
 )
 from tests.app.kit.test_uploads import CONTENT, SHA256, STUDIO, begun, find, grow_old, send, staged
+
+TOUCHED_AT = datetime(2026, 3, 1, 12, tzinfo=UTC)
 
 
 @pytest.fixture
@@ -99,7 +102,8 @@ def test_the_sweep_forgets_rows_whose_file_was_never_made(
         assert session.get(Upload, fresh.id) is not None
 
 
-def test_the_file_says_when_it_expires(incoming: Uploads) -> None:
-    expires_at = incoming.expires_at(begun(incoming))
-    assert expires_at is not None
-    assert expires_at.timestamp() == pytest.approx(time.time() + uploads.KEPT_FOR.total_seconds(), abs=5)
+def test_the_file_says_when_it_expires(incoming: Uploads, store: FolderStore) -> None:
+    upload = begun(incoming)
+    [path] = staged(store)
+    os.utime(path, (TOUCHED_AT.timestamp(),) * 2)
+    assert incoming.expires_at(upload) == TOUCHED_AT + uploads.KEPT_FOR

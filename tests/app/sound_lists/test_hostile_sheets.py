@@ -3,7 +3,6 @@
 import contextlib
 import io
 import random
-import time
 import zipfile
 from collections.abc import Iterator
 
@@ -21,6 +20,7 @@ from app.sound_lists.sheets import MAX_ROWS, parse_bytes, parse_text
 from audio_checks import ListedCue, NameIndex
 from tests.app.sound_lists.test_imports import cues, refused, send, workbook
 from tests.support.server import World
+from tests.support.steps import at_most
 
 Fields = tuple[int | None, tuple[str, ...], list[tuple[int, list[str]]]]
 
@@ -180,27 +180,25 @@ LETTERS = ["a", "1", " ", "-", "_", ",", ".", "(", "[", "~", "x", "0", "A", "a1"
 
 @pytest.mark.parametrize("letters", LETTERS)
 @pytest.mark.parametrize("end", ["", "!", "1", "é"])
-def test_no_cell_of_the_longest_takes_an_expression_long(letters: str, end: str):
-    cell = (letters * 10_000)[: 10_000 - len(end)] + end
-    begun = time.process_time()
+def test_no_long_cell_is_searched_through_again_and_again(letters: str, end: str):
+    # An expression that takes the square of the longest cell, 10,000 characters, takes 4 s; of these it never ends.
+    cell = (letters * 200_000)[: 200_000 - len(end)] + end
     head_of(cell)
     read_label("SW", cell)
     for field in ("duration_s", "frame_rate_fps", "variations", "playback_priority", "loop", "state", "reverb", "name"):
         with contextlib.suppress(ValueError):
             read_cell(field, cell)
-    assert time.process_time() - begun < 2  # 0.02 s as a rule; "1a" took 4 s
 
 
 @pytest.mark.parametrize("letters", LETTERS)
 def test_no_file_name_takes_guessing_long(letters: str):
     name = (letters * 255)[:251] + ".wav"
     others = [ListedCue(place, (letters * 200)[:199] + str(place), name) for place in range(200)]
-    begun = time.process_time()
-    index = NameIndex(others)
-    index.sure(name)
-    index.guesses(f"{letters * 100}/{name}")
-    index.shared_prefixes([name] * 10)
-    assert time.process_time() - begun < 15
+    with at_most(12_000_000):  # the most that one takes is 5,800,000
+        index = NameIndex(others)
+        index.sure(name)
+        index.guesses(f"{letters * 100}/{name}")
+        index.shared_prefixes([name] * 10)
 
 
 GOOD = [b"Name,Use\nDoor,hall\n", workbook([["Name", "Use"], ["Door", "hall"]]), LINES.encode("utf-16")]

@@ -195,15 +195,13 @@ def test_a_failure_names_its_place(sandbox):
         "while True: pass",
         "import time\nwhile True:\n  try: time.sleep(9)\n  except BaseException: pass",
         "import signal, time\nfor n in range(1, 32):\n  try: signal.signal(n, signal.SIG_IGN)\n  except OSError: pass\n"
-        "time.sleep(99)",
+        "while True:\n  time.sleep(99)",
     ],
 )
 def test_what_does_not_end_is_ended(own_sandbox, code):
     own_sandbox.timeout_s = 0.7
-    started = time.monotonic()
     with pytest.raises(SandboxTimedOut):
-        own_sandbox.call(exec, code)
-    assert time.monotonic() - started < 60, "the code was waited for"
+        own_sandbox.call(exec, code)  # to wait for the code is to wait for ever
     own_sandbox.timeout_s = 60
     assert own_sandbox.call(len, "fine") == 4
 
