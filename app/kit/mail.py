@@ -1,6 +1,7 @@
 """Sends one email to an SMTP server."""
 
 import asyncio
+from collections.abc import Mapping
 from email.message import EmailMessage
 from email.utils import make_msgid
 from urllib.parse import unquote, urlsplit
@@ -14,8 +15,8 @@ class BadSmtpUrl(ValueError):
     """SOUNDLIST_SMTP_URL is not an address of an SMTP server."""
 
 
-def plain_mail(*, sender: str, recipient: str, subject: str, text: str, stop_url: str | None = None) -> EmailMessage:
-    """Return a message; the message class refuses a line break in a header.
+def build_mail(*, sender: str, recipient: str, subject: str, text: str, stop_url: str | None = None) -> EmailMessage:
+    """Return a message of plain text; the message class refuses a line break in a header.
 
     A POST to `stop_url` stops mails like this: mail programs offer that as one click (RFC 8058).
     """
@@ -30,6 +31,14 @@ def plain_mail(*, sender: str, recipient: str, subject: str, text: str, stop_url
         message["List-Unsubscribe-Post"] = "List-Unsubscribe=One-Click"
     message.set_content(text)
     return message
+
+
+def add_html(message: EmailMessage, html: str, pngs: Mapping[str, bytes]) -> None:
+    """Give a message of plain text the same as HTML, with the pictures that it names `cid:`; they load nothing."""
+    message.add_alternative(html, subtype="html")
+    *_, page = message.iter_parts()
+    for cid, png in pngs.items():
+        page.add_related(png, "image", "png", cid=f"<{cid}>", disposition="inline")
 
 
 def send(smtp_url: str, message: EmailMessage) -> None:

@@ -10,6 +10,7 @@ from app.accounts.models import Person
 from app.builds.models import Build
 from app.conformance.models import CheckRun
 from app.conformance.queries import mark_notified, projects_to_notify, runs_of
+from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit import clock
 from app.kit.db import new_id
@@ -18,6 +19,7 @@ from app.kit.runtime import Runtime
 from app.notifications import queries
 from app.notifications.notifier import Notifier, cue_label
 from app.notifications.rules import counted, finding_line
+from app.notifications.spot_rules import SpotLine, spot_of
 from app.projects.models import Engagement, Project
 from app.projects.visibility import nda_is_pending
 from app.reviews.models import Comment, Feedback
@@ -95,15 +97,23 @@ def notify_changes(runtime: Runtime, payload: Payload) -> None:
         sending = session.get_one(Feedback, UUID(payload["feedback_id"]))
         project = session.get_one(Project, sending.project_id)
         notifier = Notifier(runtime, session, project, payload["event_id"])
-        by_designer: dict[UUID, list[str]] = {}
+        by_designer: dict[UUID, list[SpotLine]] = {}
         for change, take, cue in queries.changes_of(session, sending.id):
-            at = f" at {change.start_s:.3f} s" if change.start_s is not None else ""
-            line = f"{cue_label(project, cue)}, version {take.number}{at}: {change.text}"
+            spot = spot_of(take.id, _version(project, take, cue), change.start_s, project_id=project.id)
+            line = SpotLine(f"{_version(project, take, cue)}{_at(change.start_s)}: {change.text}", spot)
             by_designer.setdefault(take.designer_id, []).append(line)
         for designer_id, lines in by_designer.items():
             subject = f"{counted(len(lines), 'change', 'changes')} requested"
-            text = "\n\n".join([sending.note, *lines] if sending.note else lines)
-            notifier.notify(queries.address_of(session, designer_id), f"changes:{sending.id}", subject, text)
+            said = [sending.note, *lines] if sending.note else lines
+            notifier.notify(queries.address_of(session, designer_id), f"changes:{sending.id}", subject, *said)
+
+
+def _version(project: Project, take: Take, cue: Cue | None) -> str:
+    return f"{cue_label(project, cue)}, version {take.number}"
+
+
+def _at(start_s: float | None) -> str:
+    return f" at {start_s:.3f} s" if start_s is not None else ""
 
 
 @job("notifications.notify_reply")
@@ -113,10 +123,13 @@ def notify_reply(runtime: Runtime, payload: Payload) -> None:
         comment = session.get_one(Comment, UUID(payload["comment_id"]))
         take, project, cue = queries.take_with_place(session, comment.take_id)
         author = session.get_one(Person, comment.written_by)
-        line = f"{cue_label(project, cue)}, version {take.number}: {author.name} replied: {comment.text}"
+        version = _version(project, take, cue)
         recipient = queries.address_of(session, UUID(payload["person_id"]))
         is_designers = UUID(payload["person_id"]) == take.designer_id
-        page = None if is_designers or cue is None else f"review/{cue.id}"
+        reviewed_id = None if is_designers or cue is None else cue.id
+        page = f"review/{reviewed_id}" if reviewed_id else None
+        spot = spot_of(take.id, version, comment.start_s, project_id=project.id, reviewed_cue_id=reviewed_id)
+        line = SpotLine(f"{version}: {author.name} replied: {comment.text}", spot)
         Notifier(runtime, session, project, payload["event_id"]).notify(
             recipient, "replies", "a reply to your note", line, page=page
         )
@@ -130,9 +143,11 @@ def notify_mention(runtime: Runtime, payload: Payload) -> None:
         take, project, cue = queries.take_with_place(session, said.take_id)
         author = session.get_one(Person, said.written_by)
         person_id = UUID(payload["person_id"])
-        at = f" at {said.start_s:.3f} s" if said.start_s is not None else ""
-        line = f"{cue_label(project, cue)}, version {take.number}{at}: {author.name} wrote: {said.text}"
-        page = None if person_id == take.designer_id or cue is None else f"review/{cue.id}"
+        version = _version(project, take, cue)
+        reviewed_id = None if person_id == take.designer_id or cue is None else cue.id
+        page = f"review/{reviewed_id}" if reviewed_id else None
+        spot = spot_of(take.id, version, said.start_s, project_id=project.id, reviewed_cue_id=reviewed_id)
+        line = SpotLine(f"{version}{_at(said.start_s)}: {author.name} wrote: {said.text}", spot)
         Notifier(runtime, session, project, payload["event_id"]).notify(
             queries.address_of(session, person_id), "mentions", f"{author.name} mentions you", line, page=page
         )

@@ -7,11 +7,12 @@ import aiosmtplib
 from app.kit import clock, mail
 from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
-from app.notifications import links, preferences, queries, service
+from app.notifications import links, preferences, queries, service, spots
 from app.notifications.errors import MailBusy
 from app.notifications.models import Mail
 from app.notifications.preference_rules import ALWAYS_MAILED
 from app.notifications.rules import text_of
+from app.notifications.spot_rules import html_of
 
 
 @job("notifications.send_mail")
@@ -64,14 +65,18 @@ def _send(runtime: Runtime, mail_id: UUID) -> None:
                 session.delete(claimed)  # it was used, revoked or grew old before a server took it
                 return
         token = preferences.token_for(session, runtime.settings.secret_key.get_secret_value(), claimed)
+        shown = spots.shown_spots(session, claimed)
     base_url = runtime.settings.base_url
-    message = mail.plain_mail(
+    text = text_of(claimed.lines, link, f"{base_url}/mails/{token}" if token else None)
+    message = mail.build_mail(
         sender=runtime.settings.mail_from,
         recipient=claimed.recipient,
         subject=claimed.subject,
-        text=text_of(claimed.lines, link, f"{base_url}/mails/{token}" if token else None),
+        text=text,
         stop_url=f"{base_url}/v1/mail-choices/{token}/stop" if token and claimed.news not in ALWAYS_MAILED else None,
     )
+    if pictures := spots.pictures_of(shown):
+        mail.add_html(message, html_of(text, pictures), {each.cid: each.png for each in pictures.values()})
     try:
         mail.send(runtime.settings.smtp_url, message)
     except (aiosmtplib.SMTPException, OSError) as error:

@@ -32,6 +32,7 @@ class Mail(Base):
     recipient: Mapped[str]
     subject: Mapped[str]
     lines: Mapped[list[str]]
+    spots: Mapped[dict[str, Any]] = mapped_column(default=dict)  # places in sounds, by the addresses in the lines
     event_ids: Mapped[list[str]]  # each event is mailed once, however often its job runs
     news: Mapped[str | None]  # its kind; empty: a digest of several; None: sent whatever its reader wishes
     link: Mapped[str | None]  # cleared once the mail is sent

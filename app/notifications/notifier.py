@@ -6,6 +6,7 @@ from sqlalchemy.orm import Session
 
 from app.kit.runtime import Runtime
 from app.notifications import service
+from app.notifications.spot_rules import SpotLine
 from app.projects.models import Project
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import label
@@ -20,7 +21,7 @@ class Notifier:
     project: Project
     event_id: str
 
-    def notify(self, recipient: str, topic: str, subject: str, *lines: str, page: str | None = None) -> None:
+    def notify(self, recipient: str, topic: str, subject: str, *lines: str | SpotLine, page: str | None = None) -> None:
         """Add lines to the recipient's mail on the topic; without a page the link leads to the desk."""
         service.write_news(
             self.session,

@@ -1,20 +1,22 @@
 """Emails, and the facts in them."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from datetime import date, datetime, timedelta
 from uuid import UUID
 
-from sqlalchemy import func, or_, select
+from sqlalchemy import and_, func, or_, select
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Membership, Person
 from app.accounts.rules import Role
 from app.agreements.models import Contract, Milestone
 from app.deliveries.models import Take
+from app.kit.in_array import in_array
 from app.notifications.models import Mail, MailPreferences, Notice
 from app.projects.approval import approval_rights
 from app.projects.models import Engagement, Liaison, Project
 from app.projects.visibility import engaged_with_nda_accepted
+from app.renders.models import Picture
 from app.reviews.models import ChangeRequest, Comment
 from app.sound_lists.models import Cue
 
@@ -186,6 +188,13 @@ def take_with_place(session: Session, take_id: UUID) -> tuple[Take, Project, Cue
     found = select(Take, Project, Cue).join(Project, Project.id == Take.project_id)
     take, project, cue = session.execute(found.outerjoin(Cue, Cue.id == Take.cue_id).where(Take.id == take_id)).one()
     return take, project, cue
+
+
+def pictures_of_takes(session: Session, take_ids: Collection[UUID]) -> dict[UUID, Picture]:
+    """Return the pictures of takes whose masters are drawn."""
+    is_of_master = and_(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256)
+    drawn = select(Take.id, Picture).join(Picture, is_of_master).where(in_array(Take.id, take_ids))
+    return dict(session.execute(drawn).all())
 
 
 def note_by_id(session: Session, note_id: UUID, *, is_comment: bool) -> Comment | ChangeRequest:

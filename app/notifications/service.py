@@ -1,7 +1,9 @@
 """Writes emails with the facts of their events, and sends them."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from datetime import datetime, timedelta
+from types import MappingProxyType
+from typing import Any
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -15,6 +17,7 @@ from app.notifications import notices, preferences, queries
 from app.notifications.errors import MailBusy, MailNotFound
 from app.notifications.models import Mail
 from app.notifications.preference_rules import Cadence, news_of
+from app.notifications.spot_rules import SpotLine
 
 # Longer than the server is given to take a mail; a worker that died sending leaves it to the next after that.
 CLAIMED_FOR = timedelta(seconds=60)
@@ -32,6 +35,7 @@ def write_mail(
     recipient: str,
     subject: str,
     lines: Sequence[str],
+    spots: Mapping[str, dict[str, Any]] = MappingProxyType({}),
     link: str | None = None,
     secret_of: str | None = None,
     secret_of_id: UUID | None = None,
@@ -49,6 +53,7 @@ def write_mail(
         "recipient": recipient,
         "subject": subject,
         "lines": list(lines),
+        "spots": dict(spots),
         "event_ids": [event_id],
         "link": link,
         "secret_of": secret_of,
@@ -66,6 +71,7 @@ def write_mail(
             return
     if event_id not in mail.event_ids:
         mail.lines = [*mail.lines, *lines]
+        mail.spots = {**mail.spots, **spots}
         mail.event_ids = [*mail.event_ids, event_id]
 
 
@@ -78,13 +84,14 @@ def write_news(
     topic: str,
     recipient: str,
     subject: str,
-    lines: Sequence[str],
+    lines: Sequence[str | SpotLine],
     base_url: str,
     path: str,
     delay_s: float,
 ) -> None:
     """Add a notice in the app, and mail the news as its reader wishes it: at once, hourly, daily or not at all."""
     news = news_of(topic)
+    of_spots = [line for line in lines if isinstance(line, SpotLine)]
     notices.add(
         session,
         event_id=event_id,
@@ -93,9 +100,11 @@ def write_news(
         topic=topic,
         recipient=recipient,
         subject=subject,
-        text="\n".join(lines),
-        path=path,
+        text="\n".join(line.text if isinstance(line, SpotLine) else line for line in lines),
+        path=of_spots[0].spot.path if len(of_spots) == len(lines) == 1 else path,
     )
+    mailed = [f"{line.text}\n{base_url}{line.spot.path}" if isinstance(line, SpotLine) else line for line in lines]
+    spots = {f"{base_url}{line.spot.path}": line.spot.stored() for line in of_spots}
     link = f"{base_url}{path}"
     cadence, send_after = preferences.timing(session, recipient, news, timedelta(seconds=delay_s))
     if cadence is Cadence.NEVER:
@@ -108,7 +117,8 @@ def write_news(
             topic=topic,
             recipient=recipient,
             subject=subject,
-            lines=lines,
+            lines=mailed,
+            spots=spots,
             link=link,
             news=news,
             send_after=send_after,
@@ -121,7 +131,8 @@ def write_news(
         topic=f"digest:{cadence}:{studio_id}",
         recipient=recipient,
         subject=DIGEST_SUBJECTS[cadence],
-        lines=["\n\n".join((subject, *lines, link))],
+        lines=["\n\n".join((subject, *mailed, link))],
+        spots=spots,
         news=preferences.EVERYTHING,
         send_after=send_after,
     )

@@ -1,31 +1,24 @@
 """Mails: sent once, gathered by topic, kept until a real SMTP server has them."""
 
-import asyncio
 import re
-import socket
 import time
-from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
-from dataclasses import replace
 from datetime import timedelta
 from uuid import UUID, uuid4
 
 import pytest
 import sqlalchemy as sa
-from aiosmtpd.controller import Controller
-from aiosmtpd.smtp import SMTP, Envelope
-from aiosmtpd.smtp import Session as SmtpSession
 from sqlalchemy.orm import Session
 
 from app.conformance import service as conformance
 from app.deliveries.queries import take_by_id
 from app.kit import clock
-from app.kit.runtime import Runtime
 from app.notifications import jobs, mail_jobs, service
 from app.notifications.errors import MailBusy
 from app.notifications.models import Mail
 from tests.support.deliver import add_cues, deliver
+from tests.support.mailbox import Mailbox, with_smtp
 from tests.support.server import RunningServer, World
 from tests.support.waves import sine, wav_bytes
 
@@ -35,45 +28,6 @@ def no_earlier_mail(server: RunningServer) -> None:
     """Count the mails of earlier tests as sent: sending what waits would send each of theirs too."""
     earlier = sa.update(Mail).where(Mail.sent_at.is_(None)).values(sent_at=clock.now())
     server.in_database(lambda session: session.execute(earlier))
-
-
-class Mailbox:
-    """What an SMTP server received; it may refuse."""
-
-    def __init__(self) -> None:
-        self.received: list[Envelope] = []
-        self.refuses = False
-        self.takes_s = 0.0
-
-    async def handle_DATA(self, _server: SMTP, _session: SmtpSession, envelope: Envelope) -> str:  # noqa: N802
-        await asyncio.sleep(self.takes_s)
-        if self.refuses:
-            return "451 try again later"
-        self.received.append(envelope)
-        return "250 taken"
-
-    def texts_for(self, address: str) -> list[str]:
-        return [(envelope.content or b"").decode() for envelope in self.received if address in envelope.rcpt_tos]
-
-
-@pytest.fixture
-def mailbox() -> Mailbox:
-    return Mailbox()
-
-
-@pytest.fixture
-def smtp_url(mailbox: Mailbox) -> Iterator[str]:
-    with socket.create_server(("127.0.0.1", 0)) as probe:
-        port = probe.getsockname()[1]
-    controller = Controller(mailbox, hostname="127.0.0.1", port=port)
-    controller.start()
-    yield f"smtp://127.0.0.1:{port}"
-    controller.stop()
-
-
-def with_smtp(runtime: Runtime, url: str) -> Runtime:
-    settings = runtime.settings.model_copy(update={"smtp_url": url, "digest_delay_s": 0.0})
-    return replace(runtime, settings=settings)
 
 
 def outbox(world: World) -> list[dict[str, object]]:
