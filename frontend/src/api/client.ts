@@ -64,7 +64,7 @@ const hasNoSession = async (response: Response) =>
  * Send a request. What only reads waits while the server is away, so that pages keep what they show; a write is refused
  * at once, with what was typed still there. Either is sent again after signing in where the session has ended.
  */
-async function send(request: Request): Promise<Response> {
+export async function send(request: Request): Promise<Response> {
   for (;;) {
     const sentAfter = signInsSoFar()
     const response = await fetchOnce(request.clone())

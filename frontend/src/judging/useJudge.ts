@@ -1,7 +1,8 @@
 import { type InfiniteData, type QueryClient, type QueryKey, useQueryClient } from '@tanstack/react-query'
 import { useState } from 'react'
 
-import { answered, api, ApiProblem, lineLost, useMutation } from '@/api'
+import { answered, answerOr, api, ApiProblem, laterWrites, lineLost, useMutation, waitingId } from '@/api'
+import { type Me, meQuery } from '@/api/me'
 import { queryKeys } from '@/api/queryKeys'
 import { dismissToast, showToast } from '@/app/toast'
 
@@ -34,16 +35,20 @@ export interface ChangeSaid {
 
 const asProblem = (error: unknown): ApiProblem => (error instanceof ApiProblem ? error : lineLost())
 
+/** Send a verdict; `onKept` is called where it waits for the connection, to be sent later. */
 const giveVerdict = (
   take: ReviewTake,
   kind: 'approve' | 'request_change',
   { note, reasons, startS, endS }: ChangeSaid,
+  what: string,
+  onKept: () => void,
   mentions: string[] = [],
 ) =>
   answered(
     api.POST('/v1/takes/{take_id}/verdict', {
       params: { path: { take_id: take.id } },
       body: { kind, note, reasons: [...reasons], start_s: startS, end_s: endS, seen_state: take.state, mentions },
+      fetch: laterWrites.fetch(what, onKept),
     }),
   )
 
@@ -52,6 +57,39 @@ const because = (reasons: readonly string[]): string => (reasons.length > 0 ? `:
 
 const takeBack = (takeId: string) =>
   answered(api.DELETE('/v1/takes/{take_id}/verdict', { params: { path: { take_id: takeId } } }))
+
+/** A change as it is shown until the server has it. */
+function waitingDraft(
+  client: QueryClient,
+  cue: ReviewCue | undefined,
+  take: ReviewTake,
+  { note, reasons, startS, endS }: ChangeSaid,
+): NonNullable<ReviewTake['draft_change']> {
+  const { id = '', name = 'You' } = client.getQueryData<Me>(meQuery.queryKey)?.person ?? {}
+  return {
+    id: waitingId(),
+    take_id: take.id,
+    cue_id: cue?.id ?? '',
+    cue_label: cue?.label ?? '',
+    cue_name: cue?.name ?? '',
+    variation: take.variation,
+    number: take.number,
+    text: note,
+    reasons: [...reasons],
+    mentions: [],
+    start_s: startS ?? null,
+    end_s: endS ?? null,
+    reverses: false,
+    written_by: { id, name },
+    created_at: new Date().toISOString(),
+    feedback_id: null,
+    sent_at: null,
+  }
+}
+
+/** The cue that a version in the queue is for. */
+const cueOf = (queue: InfiniteData<QueuePage> | undefined, takeId: string): ReviewCue | undefined =>
+  queue?.pages.flatMap(({ items }) => items).find(({ takes }) => takes.some(({ id }) => id === takeId))?.cue
 
 /** Verdicts on their way: lists are read again after the last of them, so that none brings back what was just decided. */
 const underWay = new WeakMap<QueryClient, number>()
@@ -74,7 +112,11 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
   const queueKey: QueryKey = queueQuery(projectId, filter).queryKey
   const countKey: QueryKey = countQuery(projectId, filter).queryKey
 
-  const decide = async (decided: Decided, send: () => Promise<unknown>, undoOn: readonly string[]) => {
+  const decide = async (
+    decided: Decided,
+    send: (onKept: () => void) => Promise<unknown>,
+    undoOn: readonly string[],
+  ) => {
     setRefusal(null)
     underWay.set(client, (underWay.get(client) ?? 0) + 1)
     await client.cancelQueries({ queryKey: queryKeys.reviewQueue(projectId) })
@@ -85,7 +127,8 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
     if (before && pages) client.setQueryData(queueKey, { ...before, pages })
     const left = cuesOf(before?.pages) - cuesOf(pages)
     if (countBefore?.is_all) client.setQueryData(countKey, { ...countBefore, cues: countBefore.cues - left })
-    const sent = send()
+    let isKept = false
+    const sent = send(() => (isKept = true))
     const undo = async () => {
       try {
         await sent
@@ -105,8 +148,11 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
         client.setQueryData(queueKey, before)
         client.setQueryData(countKey, countBefore)
       }
-      setRefusal({ what: decided.refused, problem: asProblem(error) })
-      onBack?.(decided.cue.id)
+      // A refusal that comes later stands above every page, and leads nobody away from what they do then.
+      if (!isKept) {
+        setRefusal({ what: decided.refused, problem: asProblem(error) })
+        onBack?.(decided.cue.id)
+      }
     }
     const others = (underWay.get(client) ?? 1) - 1
     underWay.set(client, others)
@@ -114,14 +160,15 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
   }
 
   const approve = (cue: ReviewCue, takes: readonly ReviewTake[], name: string, reasons: readonly string[] = []) => {
-    const send = async () => {
-      for (const take of takes) await giveVerdict(take, 'approve', { note: '', reasons })
-    }
+    const what = `${cue.name} ${name} approved`
+    // All are kept before the first is sent: they are sent in this order.
+    const send = (onKept: () => void) =>
+      Promise.all(takes.map((take) => giveVerdict(take, 'approve', { note: '', reasons }, what, onKept)))
     return decide(
       {
         cue,
         takes,
-        done: `${cue.name} ${name} approved${because(reasons)}.`,
+        done: `${what}${because(reasons)}.`,
         refused: `${cue.name} ${name} is not approved.`,
       },
       send,
@@ -143,11 +190,12 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
         done: `The set of ${cue.variations} for ${cue.name} accepted${because(reasons)}.`,
         refused: `The set for ${cue.name} is not accepted.`,
       },
-      () =>
+      (onKept) =>
         answered(
           api.POST('/v1/cues/{cue_id}/accept-set', {
             params: { path: { cue_id: cue.id } },
             body: { note: '', reasons: [...reasons], take_ids: picked.map(({ id }) => id) },
+            fetch: laterWrites.fetch(`the set for ${cue.name} accepted`, onKept),
           }),
         ),
       picked.slice(0, 1).map(({ id }) => id),
@@ -155,9 +203,13 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
 
   const change = useMutation({
     mutationFn: async ({ takes, said }: { takes: readonly ReviewTake[]; said: ChangeSaid }) => {
+      const what = `change request “${said.note}”`
       for (const take of takes) {
         const mentions = await mentionsOf(client, take.id, said.note)
-        const { draft } = await giveVerdict(take, 'request_change', said, mentions)
+        const draft = await answerOr(
+          async (onKept) => (await giveVerdict(take, 'request_change', said, what, onKept, mentions)).draft,
+          () => waitingDraft(client, cueOf(client.getQueryData(queueKey), take.id), take, said),
+        )
         // Lists are refetched later than the next cue is opened: what was noted must not come again meanwhile.
         client.setQueryData<InfiniteData<QueuePage>>(queueKey, (before) => before && withDraft(before, take.id, draft))
       }

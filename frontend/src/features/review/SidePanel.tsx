@@ -2,7 +2,7 @@ import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 import { type Dispatch, type KeyboardEvent, type ReactNode, type SetStateAction, useState } from 'react'
 
-import { ApiProblem } from '@/api'
+import { ApiProblem, isWaitingId } from '@/api'
 import { meQuery } from '@/api/me'
 import { useRoles } from '@/api/roles'
 import { type CueReview, historyQuery, type ReviewFinding, type ReviewTake } from '@/judging/api'
@@ -151,7 +151,7 @@ function Comments({ review, projectId, hand, heard, nameOf, said, carried, openS
             open={one.id === openSaid}
             on={aboutAnother(one, hand, heard, nameOf)}
             onOpen={() => onOpen(one)}
-            onReply={one.draft ? undefined : (text) => reply(one, text)}
+            onReply={one.draft || isWaitingId(one.id) ? undefined : (text) => reply(one, text)}
             myId={me?.person.id}
             onMark={(id, as) => mark.mutate({ id, as })}
           />
@@ -221,14 +221,7 @@ function SaidLine({ said, roleOf, open, on, onOpen, myId, onMark, onReply }: Sai
   const where = spot(said.startS, said.endS)
   const { comment } = said
   const resolved = Boolean(comment?.resolved_at)
-  const role =
-    said.kind === 'change'
-      ? said.draft
-        ? 'draft change request'
-        : 'requests a change'
-      : said.decides
-        ? 'approver'
-        : 'advises'
+  const role = roleOfSaid(said)
   return (
     <li className={classes.said} data-open={open || undefined} data-resolved={resolved || undefined}>
       <p className="row">
@@ -294,6 +287,12 @@ function SaidLine({ said, roleOf, open, on, onOpen, myId, onMark, onReply }: Sai
       )}
     </li>
   )
+}
+
+function roleOfSaid({ id, kind, draft, decides }: Said): string {
+  if (isWaitingId(id)) return 'waits for the connection'
+  if (kind === 'change') return draft ? 'draft change request' : 'requests a change'
+  return decides ? 'approver' : 'advises'
 }
 
 interface SeenLineProps {

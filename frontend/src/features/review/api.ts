@@ -1,6 +1,7 @@
-import { queryOptions, useQueryClient } from '@tanstack/react-query'
+import { type QueryClient, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { answered, answerOr, api, isWaitingId, laterWrites, useMutation, waitingId } from '@/api'
+import { type Me, meQuery } from '@/api/me'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { type CarriedNote, type CueReview, refresh } from '@/judging/api'
@@ -44,27 +45,48 @@ export interface CommentSaid {
 export function useComment(cueId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: async ({ takeId, text, startS, endS, answers }: CommentSaid) =>
-      answered(
-        api.POST('/v1/takes/{take_id}/comments', {
-          params: { path: { take_id: takeId } },
-          body: {
-            text,
-            start_s: startS,
-            end_s: endS,
-            mentions: await mentionsOf(client, takeId, text),
-            ...answers,
-          },
-        }),
-      ),
+    mutationFn: async (said: CommentSaid) => {
+      const { takeId, text, startS, endS, answers } = said
+      const mentions = await mentionsOf(client, takeId, text)
+      const send = (onKept: () => void) =>
+        answered(
+          api.POST('/v1/takes/{take_id}/comments', {
+            params: { path: { take_id: takeId } },
+            body: { text, start_s: startS, end_s: endS, mentions, ...answers },
+            fetch: laterWrites.fetch(`Comment “${text}”`, onKept),
+          }),
+        )
+      return answerOr(send, () => waitingComment(client, said))
+    },
     onSuccess: (comment) => {
       client.setQueryData<CueReview>(
         queryKeys.cueReview(cueId),
         (review) => review && { ...review, comments: [...review.comments, comment] },
       )
+      if (isWaitingId(comment.id)) return
       return invalidate(client, queryKeys.cueReview(cueId), queryKeys.takeHistory(comment.take_id))
     },
   })
+}
+
+/** A comment as it is shown until the server has it. */
+function waitingComment(client: QueryClient, { takeId, text, startS, endS, answers }: CommentSaid): Comment {
+  const author = client.getQueryData<Me>(meQuery.queryKey)?.person
+  return {
+    id: waitingId(),
+    take_id: takeId,
+    reply_to_id: answers?.reply_to_id ?? null,
+    change_request_id: answers?.change_request_id ?? null,
+    text,
+    start_s: startS ?? null,
+    end_s: endS ?? null,
+    author: { id: author?.id ?? null, name: author?.name ?? 'You', picture: author?.picture ?? null },
+    decides: false,
+    created_at: new Date().toISOString(),
+    resolved_at: null,
+    mentions: [],
+    acknowledgements: [],
+  }
 }
 
 /** Say whether a version does what a note on an earlier one asked. */

@@ -1,3 +1,4 @@
+import { isWaitingId } from '@/api'
 import type { CommentMark } from '@/audio'
 import type { CueReview, ReviewTake } from '@/judging/api'
 import type { Mention } from '@/judging/mentionNames'
@@ -47,7 +48,7 @@ export function saidOf(review: CueReview, takes: readonly ReviewTake[]): Said[] 
         startS: comment.start_s,
         endS: comment.end_s,
         at: comment.created_at,
-        comment,
+        comment: isWaitingId(comment.id) ? undefined : comment,
         replies: repliesTo(comment.id),
       })),
     ...review.change_requests

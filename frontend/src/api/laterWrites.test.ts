@@ -1,0 +1,140 @@
+import { beforeEach, describe, expect, test, vi } from 'vitest'
+
+import { answered, api } from './client'
+import { LaterWrites } from './laterWrites'
+
+interface Arrived {
+  path: string
+  key: string | null
+  body: unknown
+}
+
+let isThere: boolean
+let arrived: Arrived[]
+let answer: (arrived: Arrived) => Response
+
+beforeEach(() => {
+  localStorage.clear()
+  isThere = true
+  arrived = []
+  answer = () => Response.json({ id: 'v1' }, { status: 201 })
+  vi.stubGlobal('fetch', async (asked: Request | URL) => {
+    if (!isThere) throw new TypeError('Failed to fetch')
+    if (!(asked instanceof Request)) return new Response('{}')
+    const path = new URL(asked.url).pathname
+    const text = await asked.text()
+    const body: unknown = text === '' ? null : JSON.parse(text)
+    const one = { path, key: asked.headers.get('Idempotency-Key'), body }
+    arrived.push(one)
+    return answer(one)
+  })
+})
+
+const say = (later: LaterWrites, takeId: string, text: string, onKept: () => void = () => undefined) =>
+  answered(
+    api.POST('/v1/takes/{take_id}/comments', {
+      params: { path: { take_id: takeId } },
+      body: { text, mentions: [] },
+      fetch: later.fetch(`Comment on ${takeId}`, onKept),
+    }),
+  )
+const texts = () => arrived.map(({ body }) => (body as { text: string }).text)
+const begun = (onLateAnswer = () => undefined as void) => {
+  const later = new LaterWrites()
+  later.begin('p1', onLateAnswer)
+  return later
+}
+const back = () => vi.waitFor(() => expect(localStorage).toHaveLength(0), 8_000)
+
+describe('writes that a lost line must not lose', () => {
+  test('are answered at once where the server is there, and nothing is kept', async () => {
+    const onKept = vi.fn()
+    await expect(say(begun(), 't1', 'one', onKept)).resolves.toEqual({ id: 'v1' })
+    expect(onKept).not.toHaveBeenCalled()
+    expect(localStorage).toHaveLength(0)
+  })
+
+  test('wait for the connection, and are sent in order, each with its own key', async () => {
+    const later = begun()
+    isThere = false
+    const onKept = vi.fn()
+    const said = [say(later, 't1', 'one', onKept), say(later, 't2', 'two', onKept)]
+    await vi.waitFor(() => expect(onKept).toHaveBeenCalledTimes(2))
+    const third = say(later, 't1', 'three', onKept)
+    await vi.waitFor(() => expect(later.getState().waiting).toBe(3))
+    isThere = true
+    await Promise.all([...said, third])
+    expect(texts()).toEqual(['one', 'two', 'three'])
+    expect(new Set(arrived.map(({ key }) => key)).size).toBe(3)
+    expect(later.getState()).toEqual({ waiting: 0, refused: [] })
+    expect(localStorage).toHaveLength(0)
+  })
+
+  test('whose answer was lost come again with the same key', async () => {
+    const later = begun()
+    answer = () => {
+      answer = () => Response.json({ id: 'v1' })
+      throw new TypeError('Failed to fetch')
+    }
+    await say(later, 't1', 'one')
+    expect(texts()).toEqual(['one', 'one'])
+    expect(arrived[0]?.key).toBe(arrived[1]?.key)
+  })
+
+  test('outlive the page, and the next one of the same person sends them first', async () => {
+    isThere = false
+    void say(begun(), 't1', 'one')
+    await vi.waitFor(() => expect(localStorage).toHaveLength(1))
+    const other = new LaterWrites()
+    other.begin('p2', () => undefined)
+    const onLateAnswer = vi.fn()
+    const next = begun(onLateAnswer)
+    const two = say(next, 't2', 'two')
+    isThere = true
+    await two
+    expect(texts().filter((text) => text !== 'two')).not.toHaveLength(0)
+    expect(texts().at(-1)).toBe('two')
+    expect(new Set(arrived.filter(({ path }) => path.includes('t1')).map(({ key }) => key)).size).toBe(1)
+    expect(onLateAnswer).toHaveBeenCalled()
+    expect(other.getState().waiting).toBe(0)
+  })
+
+  test('that are refused once the person has gone on are shown with the reason, until they are read', async () => {
+    const later = begun()
+    isThere = false
+    const onKept = vi.fn()
+    const said = say(later, 't1', 'one', onKept).catch(() => undefined)
+    await vi.waitFor(() => expect(onKept).toHaveBeenCalled())
+    answer = () => Response.json({ status: 409, code: 'late', detail: 'the version moved on' }, { status: 409 })
+    isThere = true
+    await said
+    expect(later.getState().refused).toMatchObject([{ what: 'Comment on t1', why: 'the version moved on' }])
+    expect(begun().getState().refused).toHaveLength(1)
+    for (const { place } of later.getState().refused) later.forgetRefused(place)
+    await back()
+    expect(begun().getState().refused).toEqual([])
+  })
+
+  test('that are refused at once are for whoever asked', async () => {
+    const later = begun()
+    answer = () => Response.json({ status: 409, code: 'late', detail: 'the version moved on' }, { status: 409 })
+    await expect(say(later, 't1', 'one')).rejects.toMatchObject({ code: 'late' })
+    expect(later.getState().refused).toEqual([])
+    expect(localStorage).toHaveLength(0)
+  })
+
+  test('wait for the person to sign in again', async () => {
+    isThere = false
+    const onKept = vi.fn()
+    void say(begun(), 't1', 'one', onKept).catch(() => undefined)
+    await vi.waitFor(() => expect(onKept).toHaveBeenCalled())
+    answer = () => Response.json({ status: 401, code: 'not-signed-in', detail: 'sign in first' }, { status: 401 })
+    isThere = true
+    await vi.waitFor(() => expect(arrived).toHaveLength(1), 8_000)
+    expect(localStorage).toHaveLength(1)
+    answer = () => Response.json({ id: 'v1' })
+    begun()
+    await back()
+    expect(texts().at(-1)).toBe('one')
+  })
+})

@@ -1,0 +1,215 @@
+import { newIdempotencyKey, send } from './client'
+import { serverReturns } from './connection'
+import { ApiProblem, problemOf } from './problem'
+
+/** A write of one person, kept in this browser until the server has answered it. */
+interface KeptWrite {
+  /** Its place in the order, and the name it is kept under. */
+  place: string
+  /** Sent with it each time, so that it counts once. */
+  key: string
+  method: string
+  path: string
+  body: string
+  /** What it does, in words: "Approve shield_hit A". */
+  what: string
+}
+
+/** What the server refused after the person had gone on, shown until they have read it. */
+interface RefusedWrite {
+  place: string
+  what: string
+  why: string
+}
+
+/** Who asked for a write on this page. */
+interface Asked {
+  answer: (response: Response) => void
+  onKept: () => void
+  /** It was said to wait for the connection, and the person went on. */
+  isKept: boolean
+}
+
+interface LaterState {
+  /** How many writes wait for the connection. */
+  waiting: number
+  refused: readonly RefusedWrite[]
+}
+
+const WAITING = 'soundlist-later'
+const REFUSED = 'soundlist-refused'
+const BUSY_MS = 2_000
+
+/**
+ * Writes that a lost line must not lose: verdicts and comments. Each is kept in this browser before it is sent, and they
+ * are sent in order, one at a time. A page that closes meanwhile leaves them to the next one of the same person.
+ */
+export class LaterWrites {
+  #person = ''
+  #writes: KeptWrite[] = []
+  #count = 0
+  #isAway = false
+  #isSending = false
+  #state: LaterState = { waiting: 0, refused: [] }
+  #onLateAnswer: () => void = () => undefined
+  readonly #asked = new Map<string, Asked>()
+  readonly #listeners = new Set<() => void>()
+
+  getState = (): LaterState => this.#state
+
+  subscribe = (listener: () => void): (() => void) => {
+    this.#listeners.add(listener)
+    return () => this.#listeners.delete(listener)
+  }
+
+  /** Go on with what earlier pages of this person left; `onLateAnswer` follows what they did not wait for. */
+  begin(personId: string, onLateAnswer: () => void): void {
+    this.#onLateAnswer = onLateAnswer
+    if (personId !== this.#person) {
+      this.#person = personId
+      this.#writes = this.#stored<KeptWrite>(WAITING)
+      this.#show({ refused: this.#stored<RefusedWrite>(REFUSED) })
+    }
+    void this.#send()
+  }
+
+  /** What sends a request of ours later where it must. `onKept` is called where it waits for the connection. */
+  fetch =
+    (what: string, onKept: () => void) =>
+    async (request: Request): Promise<Response> => {
+      const { pathname, search } = new URL(request.url)
+      const write: KeptWrite = {
+        place: `${String(Date.now()).padStart(15, '0')}-${String((this.#count += 1)).padStart(6, '0')}`,
+        key: request.headers.get('Idempotency-Key') ?? newIdempotencyKey(),
+        method: request.method,
+        path: pathname + search,
+        body: await request.text(),
+        what,
+      }
+      this.#writes.push(write)
+      this.#store(WAITING, write)
+      const answer = new Promise<Response>((resolve) =>
+        this.#asked.set(write.place, { answer: resolve, onKept, isKept: false }),
+      )
+      if (this.#isAway) this.#sayKept()
+      void this.#send()
+      return answer
+    }
+
+  forgetRefused(place: string): void {
+    this.#unstore(REFUSED, place)
+    this.#show({ refused: this.#state.refused.filter((one) => one.place !== place) })
+  }
+
+  async #send(): Promise<void> {
+    if (this.#isSending) return
+    this.#isSending = true
+    for (let next = this.#writes[0]; next; next = this.#writes[0]) {
+      const response = await this.#answerTo(next)
+      if (response === null) {
+        this.#isAway = true
+        this.#sayKept()
+        await serverReturns()
+        this.#isAway = false
+      } else if (response.status === 429) await new Promise((resolve) => setTimeout(resolve, BUSY_MS))
+      else if (response.status === 401 && this.#isLate(next))
+        break // it is sent once the person has signed in
+      else await this.#finish(next, response)
+    }
+    this.#isSending = false
+  }
+
+  /** Nobody waits for the answer: an earlier page asked, or the person went on. */
+  #isLate({ place }: KeptWrite): boolean {
+    return this.#asked.get(place)?.isKept ?? true
+  }
+
+  /** The server's answer; null where it was not reached. */
+  async #answerTo({ key, method, path, body }: KeptWrite): Promise<Response | null> {
+    const headers = { 'Content-Type': 'application/json', 'Idempotency-Key': key }
+    const url = new URL(path, globalThis.location.origin)
+    try {
+      return await send(new Request(url, { method, headers, body: body || undefined, credentials: 'same-origin' }))
+    } catch (error) {
+      if (error instanceof ApiProblem) return null
+      throw error
+    }
+  }
+
+  async #finish(write: KeptWrite, response: Response): Promise<void> {
+    const isLate = this.#isLate(write)
+    const asked = this.#asked.get(write.place)
+    this.#asked.delete(write.place)
+    this.#unstore(WAITING, write.place)
+    this.#writes = this.#writes.filter((one) => one !== write)
+    if (isLate && !response.ok) await this.#keepRefused(write, response.clone())
+    this.#showWaiting()
+    asked?.answer(response)
+    if (isLate) this.#onLateAnswer()
+  }
+
+  async #keepRefused({ place, what }: KeptWrite, response: Response): Promise<void> {
+    const body: unknown = await response.json().catch(() => null)
+    const refused = { place, what, why: problemOf(response.status, body).detail }
+    this.#store(REFUSED, refused)
+    this.#show({ refused: [...this.#state.refused, refused] })
+  }
+
+  /** Let those who wait go on: their writes are kept. */
+  #sayKept(): void {
+    for (const asked of this.#asked.values()) {
+      if (!asked.isKept) asked.onKept()
+      asked.isKept = true
+    }
+    this.#showWaiting()
+  }
+
+  #showWaiting(): void {
+    this.#show({ waiting: this.#writes.filter((write) => this.#isLate(write)).length })
+  }
+
+  #show(changed: Partial<LaterState>): void {
+    this.#state = { ...this.#state, ...changed }
+    for (const listener of this.#listeners) listener()
+  }
+
+  #stored<T extends { place: string }>(prefix: string): T[] {
+    try {
+      const mine = Object.entries({ ...localStorage }).filter(([key]) => key.startsWith(`${prefix}:${this.#person}:`))
+      return mine.map(([, text]) => JSON.parse(String(text)) as T).sort((a, b) => a.place.localeCompare(b.place))
+    } catch {
+      return []
+    }
+  }
+
+  #store(prefix: string, kept: { place: string }): void {
+    try {
+      localStorage.setItem(`${prefix}:${this.#person}:${kept.place}`, JSON.stringify(kept))
+    } catch {
+      // A browser that keeps nothing keeps it as long as the page stands.
+    }
+  }
+
+  #unstore(prefix: string, place: string): void {
+    try {
+      localStorage.removeItem(`${prefix}:${this.#person}:${place}`)
+    } catch {
+      // It was not kept.
+    }
+  }
+}
+
+export const laterWrites = new LaterWrites()
+
+/** The answer to a write; where it waits for the connection, what stands in its place until then. */
+export const answerOr = <T>(ask: (onKept: () => void) => Promise<T>, meanwhile: () => T): Promise<T> =>
+  new Promise((resolve, reject) => {
+    ask(() => resolve(meanwhile())).then(resolve, reject)
+  })
+
+const WAITING_ID = 'waiting-'
+let waitingIds = 0
+
+/** An id for what stands in the place of an answer. */
+export const waitingId = (): string => `${WAITING_ID}${(waitingIds += 1)}`
+export const isWaitingId = (id: string): boolean => id.startsWith(WAITING_ID)
