@@ -64,6 +64,11 @@ export default tseslint.config(
           importNames: ['useMutation'],
           message: 'Take it from @/api: that one calls its handlers even where the part that asked has gone.',
         },
+        {
+          name: '@/audio',
+          importNames: ['usePlayer'],
+          message: 'Use useTakePlayer of @/heard/useTakePlayer, which records what a person hears.',
+        },
       ],
     },
   },

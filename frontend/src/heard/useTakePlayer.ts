@@ -2,6 +2,7 @@ import { useQuery, useQueryClient } from '@tanstack/react-query'
 import { useEffect } from 'react'
 
 import { meQuery } from '@/api/me'
+// eslint-disable-next-line no-restricted-imports -- what it hands out records
 import { type Player, type PlayerState, usePlayer } from '@/audio'
 
 const load = () => Promise.all([import('./heardMeter'), import('./heardTakes')])

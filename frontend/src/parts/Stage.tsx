@@ -1,6 +1,7 @@
 import { useEffect, useMemo, useState } from 'react'
 
 import { useHotkeys } from '@/app/keys'
+// eslint-disable-next-line no-restricted-imports -- its sounds are of no project
 import { LevelStrip, type Source, SpectrumStrip, TakeCard, usePlayer, Waveform } from '@/audio'
 import { Button } from '@/ui/Button'
 import { Card } from '@/ui/Card'

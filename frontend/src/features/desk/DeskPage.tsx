@@ -7,6 +7,7 @@ import { meQuery } from '@/api/me'
 import { AwaitedCard, NextCard } from '@/app/NextCard'
 import { nextStepsQuery, stepsToName } from '@/app/nextSteps'
 import { useTitle } from '@/app/title'
+// eslint-disable-next-line no-restricted-imports -- of designers nothing is recorded
 import { usePlayer } from '@/audio'
 import { fixesQuery, fixQuery } from '@/fixing'
 import { moneyQuery } from '@/money/api'

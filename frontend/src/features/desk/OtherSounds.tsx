@@ -1,4 +1,4 @@
-import { type usePlayer, WaveThumb } from '@/audio'
+import { type Player, type PlayerState, WaveThumb } from '@/audio'
 import { Refusal } from '@/judging/Refusal'
 import { Button } from '@/ui/Button'
 import { State } from '@/ui/State'
@@ -6,7 +6,7 @@ import { State } from '@/ui/State'
 import { type OtherSound, useOtherSounds } from './otherSounds'
 import classes from './Side.module.css'
 
-export type Playing = ReturnType<typeof usePlayer>
+export type Playing = [Player, PlayerState]
 
 /** The sounds of other designers that this one may play. */
 export function OtherSounds({ projectId, player }: { projectId: string; player: Playing }) {

@@ -8,6 +8,7 @@ import { useDraft } from '@/app/drafts'
 import { Field, Form, sentence, Sheet } from '@/app/Form'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
+// eslint-disable-next-line no-restricted-imports -- the plays of guests are recorded by their link
 import { usePlayer, WaveThumb } from '@/audio'
 import { Button } from '@/ui/Button'
 import { length, place as placeWords } from '@/ui/format'
