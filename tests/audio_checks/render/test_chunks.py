@@ -2,7 +2,6 @@
 
 import io
 import struct
-import time
 from dataclasses import replace
 
 import pytest
@@ -14,6 +13,7 @@ from audio_checks.metadata.moving import Move, carried
 from audio_checks.render import carried_chunks
 from audio_checks.render.render import render_master
 from audio_checks.spec.delivery_spec import Target
+from tests.support.steps import at_most
 from tests.support.waves import chunk, join, noise, placeholder_mark, silence, sine, wav_bytes, write_wav
 
 HALF = Target("half", 48_000, 16, chunks="all")
@@ -233,23 +233,23 @@ def test_points_move_with_what_is_trimmed(tmp_path):
 @pytest.mark.parametrize(
     "text",
     [
-        b"<BWFXML>" + b" " * 400_000,
-        b"<TRACK_LIST>" * 30_000,
-        b"<loudness>" * 30_000,
-        b"<FILE_SAMPLE_RATE>" * 20_000 + b" " * 100_000,
+        b"<BWFXML>" + b" " * 6_000_000,
+        b"<TRACK_LIST>" * 450_000,
+        b"<loudness>" * 450_000,
+        b"<FILE_SAMPLE_RATE>" * 300_000 + b" " * 1_500_000,
         b"<SYNC_POINT_LOW>1</SYNC_POINT_LOW>" * 20_000,
         b"\xff\xfe" + bytes(50_000),
     ],
 )
-def test_no_document_takes_long(tmp_path, text):
-    before = time.process_time()
-    rendered(
-        tmp_path,
-        replace(HALF, channels=1),
-        samples=noise(seconds=0.05, channels=2),
-        chunks={"before": [chunk(b"iXML", text)]},
-    )
-    assert time.process_time() - before < 2.0
+def test_a_document_is_read_a_few_times_whatever_is_in_it(tmp_path, text):
+    # An expression that takes the square of these never ends; the most that one takes is 150,000 lines of Python.
+    with at_most(1_000_000):
+        rendered(
+            tmp_path,
+            replace(HALF, channels=1),
+            samples=noise(seconds=0.05, channels=2),
+            chunks={"before": [chunk(b"iXML", text)]},
+        )
 
 
 CHUNKS_OF_STRANGERS = st.sampled_from(["bext", "iXML", "cue ", "smpl", "LIST", "acid", "inst", "xYz1"])
