@@ -71,7 +71,7 @@ export async function deliver(
   const counts = `${url}/v1/projects/${project}/sound-list/counts`
   await expect
     .poll(async () => (await ask<{ files_to_review: number }>(producer.context(), counts)).files_to_review, {
-      timeout: 60_000,
+      timeout: 100_000,
     })
     .toBe(Object.keys(files).length)
 }

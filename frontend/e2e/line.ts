@@ -1,6 +1,6 @@
 import { once } from 'node:events'
 import { type AddressInfo, connect, createServer, type Server as Listener, type Socket } from 'node:net'
-import { pipeline } from 'node:stream'
+import { pipeline, Transform } from 'node:stream'
 import { setTimeout as wait } from 'node:timers/promises'
 
 /** The line between a browser and the server: it can be slow, and it can be cut in the middle of a file. */
@@ -8,6 +8,9 @@ export class Line {
   readonly url: string
   /** How fast bytes go up. */
   bytesPerS = Infinity
+  bytesDownPerS = Infinity
+  /** How long they take, each way. */
+  latencyMs = 0
   /** How many went up so far. */
   carriedBytes = 0
   readonly #listener: Listener
@@ -58,18 +61,43 @@ export class Line {
     // Whichever end goes away takes the other with it.
     pipeline(
       near,
-      (source: AsyncIterable<Buffer>) => this.#slowed(source),
+      this.#delay(),
+      (source: AsyncIterable<Buffer>) => this.#slowedUp(source),
       far,
       () => near.destroy(),
     )
-    pipeline(far, near, () => far.destroy())
+    pipeline(
+      far,
+      this.#delay(),
+      (source: AsyncIterable<Buffer>) => this.#slowed(source, () => this.bytesDownPerS),
+      near,
+      () => far.destroy(),
+    )
   }
 
-  async *#slowed(source: AsyncIterable<Buffer>): AsyncGenerator<Buffer> {
-    for await (const chunk of source) {
+  /** All that comes in goes out so much later, however much is on its way. */
+  #delay(): Transform {
+    const after = (act: () => void) => (this.latencyMs > 0 ? setTimeout(act, this.latencyMs) : act())
+    return new Transform({
+      transform(chunk: Buffer, _, done) {
+        after(() => this.push(chunk))
+        done()
+      },
+      flush: (done) => void after(done),
+    })
+  }
+
+  async *#slowedUp(source: AsyncIterable<Buffer>): AsyncGenerator<Buffer> {
+    for await (const chunk of this.#slowed(source, () => this.bytesPerS)) {
       yield chunk
       this.carriedBytes += chunk.length
-      if (Number.isFinite(this.bytesPerS)) await wait((chunk.length / this.bytesPerS) * 1_000)
+    }
+  }
+
+  async *#slowed(source: AsyncIterable<Buffer>, bytesPerS: () => number): AsyncGenerator<Buffer> {
+    for await (const chunk of source) {
+      yield chunk
+      if (Number.isFinite(bytesPerS())) await wait((chunk.length / bytesPerS()) * 1_000)
     }
   }
 }

@@ -72,3 +72,12 @@ test('another loop leaves the listener where they are; a seek goes there at once
   player.seek(8)
   expect([player.heardS(), player.isHeard()]).toEqual([8, false])
 })
+
+test('aligned with a position that moves on, the listener hears that position', async () => {
+  const { player, at } = await playingFrom(4)
+  at(1)
+  player.align(7)
+  at(1 + LEAD_S + LATENCY_S)
+  expect(player.heardS()).toBeCloseTo(7 + LEAD_S + LATENCY_S, 9)
+  expect(player.leadS()).toBeCloseTo(LEAD_S + LATENCY_S, 9)
+})

@@ -7,7 +7,7 @@ import { loopOf, startOf, wantedOf } from './playbackRange'
 import { PlayheadSteps } from './playheadSteps'
 import { type Company, type PlayerParts, type PlayerState, type Source, StateStore } from './playerState'
 import { Previews, type Wanted } from './previews'
-import { soonS } from './schedule'
+import { heardTimeS, soonS } from './schedule'
 import { SetPlayback } from './setPlayback'
 import { ONE_AFTER_ANOTHER, type SetWay } from './setSchedule'
 import { FADE_S, Voice } from './voice'
@@ -110,10 +110,12 @@ export class Player implements Clock {
     this.#soundOrMove(this.#voice?.buffer, positionS)
   }
 
-  /** Go to a position that moves on by itself: what plays is there when the device begins it, not a lead later. */
+  /** How much later than now a sound that starts now is heard. */
+  leadS = (): number => soonS(this.#contextNow()) - heardTimeS(this.#contextNow())
+
+  /** Go to a position that moves on by itself: what plays is there when it is heard, not a lead later. */
   align(s: number): void {
-    const leadS = this.isPlaying() ? soonS(this.#contextNow()) - this.#contextNow().currentTime : 0
-    this.seek(s + leadS)
+    this.seek(s + (this.isPlaying() ? this.leadS() : 0))
   }
 
   setLooping(looping: boolean): void {

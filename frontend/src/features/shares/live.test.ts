@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 
-import { Drift, DRIFT_S, expectedS, offsetMs } from './live'
+import { Drift, DRIFT_S, expectedS, offsetMs, thereMs } from './live'
 
 test('the clock offset is that of the shortest round trip', () => {
   expect(offsetMs([])).toBe(0)
@@ -10,6 +10,16 @@ test('the clock offset is that of the shortest round trip', () => {
   expect(offsetMs([slow])).toBe(4_800)
   expect(offsetMs([slow, quick])).toBe(4_995)
   expect(offsetMs([quick, slow])).toBe(4_995)
+})
+
+test('a request takes half of the shortest round trip to the server', () => {
+  expect(thereMs([])).toBe(0)
+  expect(
+    thereMs([
+      { sentMs: 0, answeredMs: 300, serverMs: 9_000 },
+      { sentMs: 500, answeredMs: 580, serverMs: 9_540 },
+    ]),
+  ).toBe(40)
 })
 
 test('an offset is wrong by at most half of its round trip', () => {
@@ -41,7 +51,7 @@ test('a page that is a little away jumps once several readings say so, and one a
     return aways.map((awayS, index) => drift.correction(index + awayS, index, 60))
   }
   expect(jumps([0.04, 0.04, 0.04, 0.04, 0.04, 0.04])).toEqual([null, null, null, null, 4.04, null])
-  expect(jumps([0.02, 0.02, 0.14, 0.02, -0.14, 0.02, 0.02])).toEqual(Array(7).fill(null))
+  expect(jumps([0.015, 0.015, 0.14, 0.015, -0.14, 0.015, 0.015])).toEqual(Array(7).fill(null))
 })
 
 test('two clocks that run apart by 100 ppm stay within the drift for five minutes', () => {

@@ -1,7 +1,7 @@
 import type { Live } from './api'
 
 /** What a page may be away from the playhead that all hear, by the middle of several readings. */
-export const DRIFT_S = 0.03
+export const DRIFT_S = 0.02
 /** Farther away it jumps at once. */
 const FAR_S = 0.15
 /** The clock of a device moves in steps of up to 40 ms: no single reading counts. */
@@ -14,14 +14,21 @@ export interface Exchange {
   serverMs: number
 }
 
-/** How far the server's clock is ahead of ours, by the exchange that took least time: the clock was read somewhere in it. */
+const NONE: Exchange = { sentMs: 0, answeredMs: 0, serverMs: 0 }
+const tookMs = ({ sentMs, answeredMs }: Exchange): number => answeredMs - sentMs
+
+/** The exchange that took least time: it knows best when the server's clock was read. */
+const shortest = (exchanges: readonly Exchange[]): Exchange =>
+  exchanges.reduce((one, other) => (tookMs(other) < tookMs(one) ? other : one), exchanges[0] ?? NONE)
+
+/** How far the server's clock is ahead of ours: it was read in the middle of an exchange. */
 export function offsetMs(exchanges: readonly Exchange[]): number {
-  const [first, ...others] = exchanges
-  if (first === undefined) return 0
-  const tookMs = ({ sentMs, answeredMs }: Exchange) => answeredMs - sentMs
-  const best = others.reduce((one, other) => (tookMs(other) < tookMs(one) ? other : one), first)
-  return best.serverMs - (best.sentMs + best.answeredMs) / 2
+  const { sentMs, answeredMs, serverMs } = shortest(exchanges)
+  return serverMs - (sentMs + answeredMs) / 2
 }
+
+/** How long a request takes until the server has it. */
+export const thereMs = (exchanges: readonly Exchange[]): number => tookMs(shortest(exchanges)) / 2
 
 /** Where the playhead of a session stands at a moment of our clock. */
 export function expectedS(live: Pick<Live, 'position_s' | 'server_ms' | 'is_playing'>, aheadMs: number, nowMs: number) {

@@ -6,20 +6,18 @@ import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { Player } from '@/audio'
 
 import { type Live, movePlayhead, passKeys, readLive, reportPresence } from './api'
-import { Drift, type Exchange, expectedS, offsetMs } from './live'
+import { Drift, DRIFT_S, type Exchange, expectedS, offsetMs, thereMs } from './live'
 import type { Playthrough } from './usePlaythrough'
 
 const REPORT_MS = 3_000 // presence ends 10 s after the last report
 const FOLLOW_MS = 250
-/** So far the sound of the holder may be away from what all were sent, before it is sent again. */
-const LATE_S = 0.05
 const KEPT = 8 // exchanges of which the shortest counts
 
 interface Move {
   takeId: string
   isPlaying: boolean
   positionS: number
-  /** When it was done, by our clock. */
+  /** When the holder heard it there, or will, by our clock. */
   atMs: number
 }
 
@@ -34,7 +32,7 @@ export interface LiveHand {
   takeOver: () => void
   drop: () => void
   give: (personId: string) => void
-  /** What the holder did, for all; nothing for anyone else. */
+  /** What the holder did just now, for all; nothing for anyone else. */
   lead: (takeId: string, isPlaying: boolean, positionS: number) => void
 }
 
@@ -80,18 +78,24 @@ export function useLive(playlistId: string, mayJoin: boolean, player: Player, pl
   // One after the other, each with the sequence of the one before; of those that wait only the last one counts.
   const waiting = useRef<Move | null>(null)
   const isSending = useRef(false)
+  /** Where the playhead is when the server has what is sent now. */
+  const whereMs = ({ isPlaying, positionS, atMs }: Move): number =>
+    1000 * positionS + (isPlaying ? Date.now() - atMs + thereMs(exchanges.current) : 0)
   const sendMoves = async () => {
     if (isSending.current) return
     isSending.current = true
     while (waiting.current !== null) {
-      const { takeId, isPlaying, positionS, atMs } = waiting.current
+      // Nobody can be where a sound has not begun: all begin with the one who holds the keys.
+      const earlyMs = -whereMs(waiting.current)
+      if (earlyMs > 0) await new Promise((resolve) => setTimeout(resolve, earlyMs))
+      const sent: Move = waiting.current
       waiting.current = null
       await send(() =>
         movePlayhead(playlistId, {
           sequence: client.getQueryData<Live>(queryKey)?.sequence ?? 0,
-          take_id: takeId,
-          is_playing: isPlaying,
-          position_s: isPlaying ? positionS + (Date.now() - atMs) / 1000 : positionS,
+          take_id: sent.takeId,
+          is_playing: sent.isPlaying,
+          position_s: Math.max(0, whereMs(sent) / 1000),
           page_id: pageId,
         }),
       )
@@ -99,12 +103,14 @@ export function useLive(playlistId: string, mayJoin: boolean, player: Player, pl
     isSending.current = false
   }
 
-  const lead: LiveHand['lead'] = (takeId, isPlaying, positionS) => {
+  const move = (to: Move) => {
     if (!isIn || !client.getQueryData<Live>(queryKey)?.is_holder) return
     isCatchingUp.current = false
-    waiting.current = { takeId, isPlaying, positionS, atMs: Date.now() }
+    waiting.current = to
     void sendMoves()
   }
+  const lead: LiveHand['lead'] = (takeId, isPlaying, positionS) =>
+    move({ takeId, isPlaying, positionS, atMs: Date.now() + (isPlaying ? 1000 * player.leadS() : 0) })
 
   const report = useEffectEvent(
     () => void send(() => reportPresence(playlistId, { leaves: false, takes_over: false, page_id: pageId })),
@@ -125,10 +131,11 @@ export function useLive(playlistId: string, mayJoin: boolean, player: Player, pl
     const wantedS = expectedS(live, offsetMs(exchanges.current), Date.now())
     if (live.is_holder && !isCatchingUp.current) {
       // What the holder hears is what counts: a sound that began late is set right for all.
-      const isHeard = player.isPlaying() && playthrough.current?.take_id === live.take_id && live.is_playing
-      const isAway = Math.abs(wantedS - player.positionS()) > LATE_S
+      const isHeard = player.isHeard() && playthrough.current?.take_id === live.take_id && live.is_playing
+      const heardS = player.heardS()
+      const isAway = Math.abs(wantedS - heardS) > DRIFT_S
       if (isHeard && isAway && waiting.current === null && !isSending.current) {
-        lead(live.take_id, true, player.positionS())
+        move({ takeId: live.take_id, isPlaying: true, positionS: heardS, atMs: Date.now() })
       }
       return
     }
@@ -139,8 +146,8 @@ export function useLive(playlistId: string, mayJoin: boolean, player: Player, pl
     const { status, durationS } = player.getState()
     if (status === 'loading' || durationS === 0) return
     if (!live.is_playing && player.isPlaying()) player.pause()
-    const jumpS = drift.correction(wantedS, player.positionS(), durationS)
-    if (live.is_playing && !player.isPlaying() && wantedS < durationS) void player.play(wantedS)
+    const jumpS = drift.correction(wantedS, player.heardS(), durationS)
+    if (live.is_playing && !player.isPlaying() && wantedS < durationS) void player.play(wantedS + player.leadS())
     else if (jumpS !== null) player.align(jumpS)
     else isCatchingUp.current = false
   })
