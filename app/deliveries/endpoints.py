@@ -9,7 +9,7 @@ from sqlalchemy.orm import Session
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience, Scope
 from app.accounts.schemas import PersonBrief
-from app.deliveries import dry_stems, queries, service
+from app.deliveries import dry_stems, labels, queries, service
 from app.deliveries.errors import (
     DeliveryNotFound,
     DryStemNotFound,
@@ -35,6 +35,8 @@ from app.deliveries.schemas import (
     TakeAdd,
     TakeAdded,
     TakeDetail,
+    TakeLabelRead,
+    TakeLabelSet,
     TakeMatch,
     TakeRead,
 )
@@ -238,6 +240,14 @@ def see_take(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.P
     """Show one take."""
     take, access = service.take_for(session, actor, take_id)
     return service.detailed_take(session, access.project, take)
+
+
+@router.put("/takes/{take_id}/label", responses=problems(TakeNotFound))
+def set_take_label(
+    take_id: UUID, body: TakeLabelSet, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> TakeLabelRead:
+    """Say what a take is among alternates, as its designer or for the team."""
+    return labels.set_label(session, actor, take_id, body.label)
 
 
 @router.put(

@@ -128,6 +128,7 @@ class TakeAdded(Schema):
     variation: int
     number: int | None = Field(description="Shown as the version; null while unmatched.")
     alternate: int | None
+    label: str | None = Field(description="What it is among alternates, in the words of its designer or the team.")
     state: TakeState
     late: bool = Field(description="It came after its delivery was closed.")
     file_name: ShownName
@@ -152,6 +153,32 @@ class TakeDetail(TakeRead):
     """One delivered file with the name that it had before it was renamed for its delivery."""
 
     received_name: ShownName | None = Field(description="Null where it was not renamed, or came in a ZIP.")
+
+
+MAX_LABEL_CHARS = 40
+Label = Annotated[
+    str,
+    StringConstraints(
+        strip_whitespace=True,
+        min_length=1,
+        max_length=MAX_LABEL_CHARS,
+        pattern=r"^[^\x00-\x1f\x7f-\x9f\u2028\u2029]*$",
+    ),
+]
+
+
+class TakeLabelSet(Schema):
+    """What a take is among alternates."""
+
+    label: Label | None = Field(description="Of the studio's list or in other words; null takes it away.")
+
+
+class TakeLabelRead(Schema):
+    """What a take is among alternates, and who said so."""
+
+    label: str | None
+    labelled_by: PersonBrief | None
+    labelled_at: datetime | None
 
 
 class DryStemUpload(Schema):

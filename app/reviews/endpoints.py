@@ -12,7 +12,7 @@ from app.accounts.schemas import PersonBrief
 from app.deliveries.errors import DeliveryNotFound, TakeNotFound, WrongState
 from app.kit.http import BadCursor, DbSession, Page, Route, Router, problems
 from app.projects.errors import ApproverNeeded, ProducerNeeded, ProjectNotFound, TeamNeeded
-from app.reviews import carried_notes, comments, feedback, fit, review_room, service
+from app.reviews import carried_notes, comments, feedback, fit, review_room, service, take_history
 from app.reviews.errors import (
     AcknowledgementNotDue,
     AlreadyAccepted,
@@ -307,7 +307,7 @@ def answer_carried_note(
 @router.get("/takes/{take_id}/history", response_model=list[HistoryEntry], responses=problems(TakeNotFound))
 def get_take_history(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> list[HistoryEntry]:
     """Return what happened to a take, oldest first."""
-    return review_room.take_history(session, actor, take_id)
+    return take_history.take_history(session, actor, take_id)
 
 
 @router.post(

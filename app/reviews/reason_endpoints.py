@@ -1,17 +1,22 @@
 """The endpoints of the studio's reasons and labels, and of reasons that were given."""
 
+from typing import Annotated, Literal
 from uuid import UUID
+
+from fastapi import Query
 
 from app.accounts.errors import ProducerNeeded, StudioNotFound
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import BadCursor, DbSession, Page, Route, Router, problems
 from app.projects.errors import ProjectNotFound
-from app.reviews import reasons
+from app.reviews import found_reasons, reasons
 from app.reviews.errors import ReasonsInvalid
 from app.reviews.reason_rules import ReasonKind
-from app.reviews.reason_schemas import ReviewReasonsRead, ReviewReasonsSet
+from app.reviews.reason_schemas import Reason, ReasonPlaceRead, ReasonsRead, ReviewReasonsRead, ReviewReasonsSet
 
+Designer = Annotated[UUID | None, Query(description="Of whose versions; a designer sees their own alone.")]
+Category = Annotated[str | None, Query(max_length=60, description="Of which cues; empty for those without one.")]
 router = Router(prefix="/v1", tags=["reviews"], route_class=Route)
 
 
@@ -38,3 +43,39 @@ def get_review_reasons_of_project(
 ) -> ReviewReasonsRead:
     """Return the reasons and labels of a project's studio, for its team and designers."""
     return reasons.reasons_of_project(session, actor, project_id)
+
+
+@router.get("/projects/{project_id}/reasons", responses=problems(ProjectNotFound))
+def count_reasons(
+    project_id: UUID,
+    session: DbSession,
+    designer_id: Designer = None,
+    category: Category = None,
+    actor: Actor = allows(Audience.PROJECT),
+) -> ReasonsRead:
+    """Return how often each reason was given; a designer sees those of their own versions."""
+    return found_reasons.reason_counts(session, actor, project_id, designer_id=designer_id, category=category)
+
+
+@router.get("/projects/{project_id}/reasons/versions", responses=problems(ProjectNotFound, BadCursor))
+def list_versions_with_reason(
+    project_id: UUID,
+    kind: Literal["change", "pick"],
+    reason: Reason,
+    session: DbSession,
+    designer_id: Designer = None,
+    category: Category = None,
+    cursor: str | None = None,
+    actor: Actor = allows(Audience.PROJECT),
+) -> Page[ReasonPlaceRead]:
+    """Return the versions of which a reason was given, newest first; a designer sees their own."""
+    return found_reasons.reason_places(
+        session,
+        actor,
+        project_id,
+        ReasonKind(kind),
+        reason,
+        designer_id=designer_id,
+        category=category,
+        cursor=cursor,
+    )

@@ -1,9 +1,12 @@
 """The bodies of the studio's reasons and labels, and of those that were given."""
 
+from datetime import datetime
 from typing import Annotated
+from uuid import UUID
 
 from pydantic import Field, StringConstraints
 
+from app.accounts.schemas import PersonBrief
 from app.kit.http import Schema
 from app.reviews.reason_rules import MAX_REASON_CHARS, MAX_REASONS
 
@@ -35,3 +38,39 @@ class ReviewReasonsSet(Schema):
     change: Reasons | None = None
     pick: Reasons | None = None
     label: Reasons | None = None
+
+
+class ReasonCount(Schema):
+    """How often a reason was given."""
+
+    reason: str
+    versions: int
+
+
+class ReasonsRead(Schema):
+    """How often each reason was given in a project, the most frequent first."""
+
+    change: list[ReasonCount]
+    pick: list[ReasonCount]
+    designers: list[PersonBrief] = Field(description="Of whose versions reasons were given; a designer sees none.")
+    categories: list[str] = Field(description="Of the cues; empty for cues without one.")
+
+
+class ReasonPlaceRead(Schema):
+    """A version of which a reason was given."""
+
+    verdict_id: UUID
+    take_id: UUID
+    cue_id: UUID
+    cue_label: str
+    cue_name: str
+    variation: int
+    number: int
+    label: str | None
+    designer: PersonBrief
+    given_by: PersonBrief | None
+    on_behalf_of: PersonBrief | None
+    given_at: datetime
+    reasons: list[str] = Field(description="All that this verdict gave.")
+    text: str = Field(description="What was written with it; a change has its reasons in it.")
+    start_s: float | None

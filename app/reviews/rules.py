@@ -21,6 +21,20 @@ class VerdictKind(StrEnum):
     WITHDRAW = "withdraw"  # an earlier verdict was taken back
 
 
+class HistoryKind(StrEnum):
+    """What happened to a take."""
+
+    RECEIVED = "received"
+    CHECKED = "checked"
+    WAIVED = "waived"
+    APPROVE = "approve"
+    SET_ASIDE = "set_aside"
+    REQUEST_CHANGE = "request_change"
+    WITHDRAW = "withdraw"
+    COMMENT = "comment"
+    LABELLED = "labelled"
+
+
 class QueueKind(StrEnum):
     """How the waiting takes of a cue are played."""
 

@@ -15,7 +15,7 @@ from app.renders.rules import RenderState
 from app.renders.schemas import SoundBrief, ThumbRead
 from app.reviews.checklist_schemas import BlockedTake, CueChecklist
 from app.reviews.reason_schemas import Reasons
-from app.reviews.rules import QueueKind, VerdictKind
+from app.reviews.rules import HistoryKind, QueueKind, VerdictKind
 from app.sound_lists.rules import CueState, Reverb
 
 MAX_HEARD = 200  # takes that are recorded at once
@@ -98,6 +98,7 @@ class ReviewTake(SoundBrief):
     variation: int
     number: int
     alternate: int | None
+    label: str | None
     file_name: str
     state: TakeState
     state_since: datetime
@@ -333,7 +334,7 @@ class HistoryEntry(Schema):
     """One thing that happened to a take."""
 
     at: datetime
-    kind: Literal["received", "checked", "waived", "approve", "set_aside", "request_change", "withdraw", "comment"]
+    kind: HistoryKind
     by: PersonBrief | None
     on_behalf_of: PersonBrief | None = Field(None, description="The approver whose deputy decided.")
     by_deemed_acceptance: bool = Field(False, description="Whether a clause on silence approved it; then nobody did.")

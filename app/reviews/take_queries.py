@@ -25,7 +25,7 @@ from app.reviews.queries import open_drafts
 SHOWN_OF_TAKES = (
     *(Take.studio_id, Take.project_id, Take.delivery_id, Take.cue_id, Take.variation, Take.number, Take.alternate),
     *(Take.state, Take.state_since, Take.received_at, Take.late, Take.file_name, Take.note, Take.fix_of_id),
-    Take.master_sha256,
+    *(Take.master_sha256, Take.label),
 )
 
 

@@ -50,6 +50,7 @@ async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: s
     },
     { name: 'compare', path: `${project}/sound-list/compare`, shows: 'Compare revisions' },
     { name: 'project', path: project, shows: 'Delivery spec' },
+    { name: 'reasons', path: `${project}/reasons`, shows: 'Reasons' },
     { name: 'spec-versions', path: `${project}/spec/versions`, shows: /version/i },
     { name: 'account', path: '/account', shows: 'Password' },
   ]

@@ -180,6 +180,7 @@ QUERIES: dict[str, dict[str, str]] = {
     "download_pack": {"target": "game"},
     "compare_revisions": {"from": "0", "to": "0"},
     "find": {"q": "shield"},
+    "list_versions_with_reason": {"kind": "change", "reason": "Too loud"},
     "watch_changes": {"seconds": "0"},
     "guess_category": {"name": "door slam"},
     "read_cue_matrix": {"line": "deck, sand × walk, run × 2"},

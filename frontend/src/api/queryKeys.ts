@@ -119,6 +119,7 @@ export const queryKeys = {
   approvalSettings: family<[projectId: string]>('approval-settings'),
   judged: family<[projectId: string]>('judged'),
   reviewReasons: family<[projectId: string]>('review-reasons'),
+  reasons: family<[projectId: string, part: 'counts' | 'versions', of: object]>('reasons'),
   adoptions: family<[projectId: string]>('adoptions'),
   adoption: family<[adoptionId: string, part?: 'plan']>('adoption'),
 

@@ -4719,6 +4719,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/takes/{take_id}/label": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Set Take Label
+         * @description Say what a take is among alternates, as its designer or for the team.
+         */
+        put: operations["set_take_label"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/takes/{take_id}/match": {
         parameters: {
             query?: never;
@@ -5781,6 +5801,46 @@ export interface paths {
          * @description Return the reasons and labels of a project's studio, for its team and designers.
          */
         get: operations["get_review_reasons_of_project"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/reasons": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Count Reasons
+         * @description Return how often each reason was given; a designer sees those of their own versions.
+         */
+        get: operations["count_reasons"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/projects/{project_id}/reasons/versions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Versions With Reason
+         * @description Return the versions of which a reason was given, newest first; a designer sees their own.
+         */
+        get: operations["list_versions_with_reason"];
         put?: never;
         post?: never;
         delete?: never;
@@ -14990,11 +15050,7 @@ export interface components {
              * Format: date-time
              */
             at: string;
-            /**
-             * Kind
-             * @enum {string}
-             */
-            kind: "received" | "checked" | "waived" | "approve" | "set_aside" | "request_change" | "withdraw" | "comment";
+            kind: components["schemas"]["HistoryKind"];
             by: components["schemas"]["PersonBrief"] | null;
             /** @description The approver whose deputy decided. */
             on_behalf_of?: components["schemas"]["PersonBrief"] | null;
@@ -15023,6 +15079,12 @@ export interface components {
             /** End S */
             end_s?: number | null;
         };
+        /**
+         * HistoryKind
+         * @description What happened to a take.
+         * @enum {string}
+         */
+        HistoryKind: "received" | "checked" | "waived" | "approve" | "set_aside" | "request_change" | "withdraw" | "comment" | "labelled";
         /**
          * HolidayAdd
          * @description A day on which a studio does not work.
@@ -18231,6 +18293,13 @@ export interface components {
             /** Next */
             next?: string | null;
         };
+        /** Page[ReasonPlaceRead] */
+        Page_ReasonPlaceRead_: {
+            /** Items */
+            items: components["schemas"]["ReasonPlaceRead"][];
+            /** Next */
+            next?: string | null;
+        };
         /** Page[ReferenceOpeningRead] */
         Page_ReferenceOpeningRead_: {
             /** Items */
@@ -19976,6 +20045,16 @@ export interface components {
             unread: string[];
         };
         /**
+         * ReasonCount
+         * @description How often a reason was given.
+         */
+        ReasonCount: {
+            /** Reason */
+            reason: string;
+            /** Versions */
+            versions: number;
+        };
+        /**
          * ReasonGiven
          * @description Why a change order is refused or withdrawn.
          */
@@ -19995,6 +20074,77 @@ export interface components {
              * @description Whether the studio wrote it; otherwise it is ours.
              */
             is_own: boolean;
+        };
+        /**
+         * ReasonPlaceRead
+         * @description A version of which a reason was given.
+         */
+        ReasonPlaceRead: {
+            /**
+             * Verdict Id
+             * Format: uuid
+             */
+            verdict_id: string;
+            /**
+             * Take Id
+             * Format: uuid
+             */
+            take_id: string;
+            /**
+             * Cue Id
+             * Format: uuid
+             */
+            cue_id: string;
+            /** Cue Label */
+            cue_label: string;
+            /** Cue Name */
+            cue_name: string;
+            /** Variation */
+            variation: number;
+            /** Number */
+            number: number;
+            /** Label */
+            label: string | null;
+            designer: components["schemas"]["PersonBrief"];
+            given_by: components["schemas"]["PersonBrief"] | null;
+            on_behalf_of: components["schemas"]["PersonBrief"] | null;
+            /**
+             * Given At
+             * Format: date-time
+             */
+            given_at: string;
+            /**
+             * Reasons
+             * @description All that this verdict gave.
+             */
+            reasons: string[];
+            /**
+             * Text
+             * @description What was written with it; a change has its reasons in it.
+             */
+            text: string;
+            /** Start S */
+            start_s: number | null;
+        };
+        /**
+         * ReasonsRead
+         * @description How often each reason was given in a project, the most frequent first.
+         */
+        ReasonsRead: {
+            /** Change */
+            change: components["schemas"]["ReasonCount"][];
+            /** Pick */
+            pick: components["schemas"]["ReasonCount"][];
+            /**
+             * Designers
+             * @description Of whose versions reasons were given; a designer sees none.
+             */
+            designers: components["schemas"]["PersonBrief"][];
+            /**
+             * Categories
+             * @description Of the cues; empty for cues without one.
+             */
+            categories: string[];
         };
         /**
          * RecallAdd
@@ -21014,6 +21164,8 @@ export interface components {
             number: number;
             /** Alternate */
             alternate: number | null;
+            /** Label */
+            label: string | null;
             /** File Name */
             file_name: string;
             state: components["schemas"]["TakeState"];
@@ -23267,6 +23419,11 @@ export interface components {
             number: number | null;
             /** Alternate */
             alternate: number | null;
+            /**
+             * Label
+             * @description What it is among alternates, in the words of its designer or the team.
+             */
+            label: string | null;
             state: components["schemas"]["TakeState"];
             /**
              * Late
@@ -23335,6 +23492,11 @@ export interface components {
             number: number | null;
             /** Alternate */
             alternate: number | null;
+            /**
+             * Label
+             * @description What it is among alternates, in the words of its designer or the team.
+             */
+            label: string | null;
             state: components["schemas"]["TakeState"];
             /**
              * Late
@@ -23421,6 +23583,28 @@ export interface components {
             first_delivery_id: string | null;
         };
         /**
+         * TakeLabelRead
+         * @description What a take is among alternates, and who said so.
+         */
+        TakeLabelRead: {
+            /** Label */
+            label: string | null;
+            labelled_by: components["schemas"]["PersonBrief"] | null;
+            /** Labelled At */
+            labelled_at: string | null;
+        };
+        /**
+         * TakeLabelSet
+         * @description What a take is among alternates.
+         */
+        TakeLabelSet: {
+            /**
+             * Label
+             * @description Of the studio's list or in other words; null takes it away.
+             */
+            label: string | null;
+        };
+        /**
          * TakeMatch
          * @description The cue that a take is for.
          */
@@ -23486,6 +23670,11 @@ export interface components {
             number: number | null;
             /** Alternate */
             alternate: number | null;
+            /**
+             * Label
+             * @description What it is among alternates, in the words of its designer or the team.
+             */
+            label: string | null;
             state: components["schemas"]["TakeState"];
             /**
              * Late
@@ -39794,6 +39983,50 @@ export interface operations {
             };
         };
     };
+    set_take_label: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                take_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["TakeLabelSet"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TakeLabelRead"];
+                };
+            };
+            /** @description `take-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
     match_take: {
         parameters: {
             query?: never;
@@ -42859,6 +43092,99 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    count_reasons: {
+        parameters: {
+            query?: {
+                /** @description Of whose versions; a designer sees their own alone. */
+                designer_id?: string | null;
+                /** @description Of which cues; empty for those without one. */
+                category?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReasonsRead"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Validation Error */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HTTPValidationError"];
+                };
+            };
+        };
+    };
+    list_versions_with_reason: {
+        parameters: {
+            query: {
+                kind: "change" | "pick";
+                reason: string;
+                /** @description Of whose versions; a designer sees their own alone. */
+                designer_id?: string | null;
+                /** @description Of which cues; empty for those without one. */
+                category?: string | null;
+                cursor?: string | null;
+            };
+            header?: never;
+            path: {
+                project_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Page_ReasonPlaceRead_"];
+                };
+            };
+            /** @description `project-not-found` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `bad-cursor` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
                 };
             };
         };

@@ -11,11 +11,13 @@ interface ReasonRowProps {
   /** What a digit does, before the reason: "Approve shield_hit A because". */
   title: string
   onReason: (reason: string) => void
+  /** What 0 does. */
+  none?: { title: string; run: () => void }
   onClose: () => void
 }
 
 /** The reasons of a verdict, each on its digit, which gives the verdict. */
-export function ReasonRow({ reasons, title, onReason, onClose }: ReasonRowProps) {
+export function ReasonRow({ reasons, title, onReason, none, onClose }: ReasonRowProps) {
   const group = useRef<HTMLDivElement>(null)
   // The group and no button in it: Space plays, and decides nothing.
   useLayoutEffect(() => group.current?.focus(), [])
@@ -27,6 +29,7 @@ export function ReasonRow({ reasons, title, onReason, onClose }: ReasonRowProps)
       unlisted: index > 0,
       run: () => onReason(reason),
     })),
+    ...(none ? [{ keys: '0', label: none.title, group: 'Review', run: none.run }] : []),
     { keys: 'Escape', label: 'Close without deciding', group: 'Review', run: onClose },
   ])
   return (
@@ -38,6 +41,11 @@ export function ReasonRow({ reasons, title, onReason, onClose }: ReasonRowProps)
             {reason}
           </Button>
         ))}
+        {none && (
+          <Button keys="0" onClick={none.run}>
+            {none.title}
+          </Button>
+        )}
         <Button variant="quiet" keys="Escape" onClick={onClose}>
           Close
         </Button>

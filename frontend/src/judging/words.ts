@@ -151,6 +151,7 @@ const HAPPENED: Record<string, string> = {
   request_change: 'Change requested',
   withdraw: 'Decision undone',
   comment: 'Comment',
+  labelled: 'Labelled',
 }
 
 /** What happened to a take, in a word or two. */

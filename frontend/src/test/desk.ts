@@ -127,6 +127,7 @@ export const UNMATCHED = {
   variation: 1,
   number: null,
   alternate: null,
+  label: null,
   state: 'returned',
   late: false,
   file_name: 'final_FINAL_sting2.wav',

@@ -70,6 +70,7 @@ export function aTake(id: string, take: Partial<ReviewTake> = {}): ReviewTake {
     variation: 1,
     number: 1,
     alternate: null,
+    label: null,
     file_name: `${id}.wav`,
     state: 'conforming',
     state_since: AT,

@@ -39,6 +39,7 @@ export const aVersion = (take: object = {}) => ({
   variation: 1,
   number: 1,
   alternate: null,
+  label: null,
   state: 'returned',
   late: false,
   file_name: 'airlock_cycle.wav',

@@ -29,6 +29,7 @@ const aTake = (id: string, more: Partial<Take> = {}): Take => ({
   variation: 1,
   number: 2,
   alternate: null,
+  label: null,
   state: 'approved',
   late: false,
   file_name: `${id}.wav`,

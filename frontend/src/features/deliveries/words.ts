@@ -35,11 +35,12 @@ export function countsOf({ takes }: DeliveryDetail): { kind: StateKind; files: n
 }
 
 /** "version 2, 03, 1.2 MB": what a file is besides its cue. */
-export function versionOf({ number, alternate, variation, cue }: Take): string {
+export function versionOf({ number, alternate, variation, label, cue }: Take): string {
   if (cue === null) return ''
   const parts = [
     number === null ? '' : `version ${number}${alternate === null ? '' : ` ${String.fromCharCode(64 + alternate)}`}`,
     variation > 1 ? `variation ${variation}` : '',
+    label ?? '',
   ]
   return parts.filter(Boolean).join(', ')
 }

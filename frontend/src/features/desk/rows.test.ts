@@ -30,6 +30,7 @@ const take = (more: Partial<Take>): Take => ({
   variation: 1,
   number: 2,
   alternate: null,
+  label: null,
   state: 'received',
   late: false,
   file_name: 'warp_in.wav',

@@ -11,6 +11,7 @@ import { CategoriesCard } from './people/CategoriesCard'
 import { DeputiesCard } from './people/DeputiesCard'
 import { DesignersCard } from './people/DesignersCard'
 import { HearingCard } from './people/HearingCard'
+import { ReasonsCard } from './people/ReasonsCard'
 import { TeamCard } from './people/TeamCard'
 import classes from './Project.module.css'
 import { Refusal } from './Refusal'
@@ -53,6 +54,7 @@ export function PeoplePage() {
             <ApproverCard project={project} members={members} />
             <DeputiesCard project={project} members={members} />
             <ApprovalCard project={project} />
+            <ReasonsCard project={project} />
             <HearingCard project={project} />
           </div>
         </div>

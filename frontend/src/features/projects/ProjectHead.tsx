@@ -88,6 +88,9 @@ export function ProjectHead({ project, members = 0 }: ProjectHeadProps) {
         <Link className="link" to="/projects/$projectId/references" params={{ projectId }} search={{}}>
           References
         </Link>
+        <Link className="link" to="/projects/$projectId/reasons" params={{ projectId }} search={{}}>
+          Reasons
+        </Link>
         <Link className="link" to={`/projects/${projectId}/voice-lines` as LinkProps['to']}>
           Voice lines
         </Link>

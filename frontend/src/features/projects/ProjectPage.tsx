@@ -97,6 +97,13 @@ export function ProjectPage() {
       run: () => void navigate({ to: '/projects/$projectId/deliveries', params: { projectId } }),
     },
     {
+      id: 'reasons',
+      label: 'Reasons of verdicts',
+      icon: 'lines' as const,
+      also: ['why', 'approved because'],
+      run: () => void navigate({ to: '/projects/$projectId/reasons', params: { projectId }, search: {} }),
+    },
+    {
       id: 'spec-versions',
       label: 'Versions of the delivery spec',
       icon: 'file' as const,

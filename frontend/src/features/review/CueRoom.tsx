@@ -8,6 +8,7 @@ import type { CueReview, ReviewTake } from '@/judging/api'
 import { blockedWords, whyBlocked } from '@/judging/blocked'
 import { isWholeSet, pickedOfSet } from '@/judging/choice'
 import { inOrder, matchGains, soundOf, sourceOf, targetsOf } from '@/judging/hearing'
+import { useSetLabel } from '@/judging/labels'
 import { matchedWords } from '@/judging/levels'
 import { useReasons } from '@/judging/reasons'
 import { type Placing, useHearing } from '@/judging/useHearing'
@@ -77,6 +78,7 @@ export function CueRoom(props: CueRoomProps) {
   }, [cue.id, writing])
   const [openSaid, setOpenSaid] = useState<string>()
   const comment = useComment(cue.id)
+  const label = useSetLabel()
 
   const askedBefore = review.change_requests.filter(
     ({ take_id, sent_at }) => take_id === before?.id && sent_at !== null,
@@ -176,6 +178,18 @@ export function CueRoom(props: CueRoomProps) {
     judge.change.mutate(
       { takes: meant, said: { note: `${reason}.`, reasons: [reason], ...where } },
       { onSuccess: () => changed(meant) },
+    )
+  }
+  const labelAs = (words: string | null) => {
+    if (hand === undefined || label.isPending) return
+    label.mutate(
+      { takeId: hand.id, label: words },
+      {
+        onSuccess: () => {
+          setAsking(null)
+          showToast(`${cue.name} ${realName(hand)} ${words === null ? 'has no label' : `is labelled “${words}”`}.`)
+        },
+      },
     )
   }
   const write = (text = '') => {
@@ -372,6 +386,7 @@ export function CueRoom(props: CueRoomProps) {
             asking={asking}
             onAsking={ask}
             onChangeBecause={changeBecause}
+            onLabel={blind === null ? labelAs : null}
             isPlaying={playing.status === 'playing'}
             onPlay={source === null ? null : () => void player.toggle()}
             onApprove={approve}

@@ -50,6 +50,7 @@ export function SetRows({ takes, handId, nameOf, picked, onChoose, cue }: SetRow
               </span>
               <span className="small mid num">{length(soundOf(take, MASTER).durationS)}</span>
               <span className={`small cut-text ${classes.setSays}`}>
+                {take.label !== null && `${take.label}, `}
                 <CueProgress take={take} odd={odd?.take.id === take.id} />
               </span>
               <span className={`small ${classes.setPick}`}>

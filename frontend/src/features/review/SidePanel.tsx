@@ -110,7 +110,7 @@ export function SidePanel(props: SidePanelProps) {
               <Waiver key={hand.id} take={hand} cueId={props.review.cue.id} projectId={props.projectId} />
             )}
             {tab === 'files' && hand && GameFiles && <GameFiles key={hand.id} take={hand} />}
-            {tab === 'history' && hand && <History take={hand} />}
+            {tab === 'history' && hand && <History take={hand} projectId={props.projectId} />}
           </>
         )}
       </div>
@@ -365,26 +365,33 @@ function Findings({ take, onSpot }: { take: ReviewTake; onSpot: (startS: number)
   )
 }
 
-function History({ take }: { take: ReviewTake }) {
+function History({ take, projectId }: { take: ReviewTake; projectId: string }) {
   const history = useQuery(historyQuery(take.id))
   if (history.error instanceof ApiProblem) {
     return <ProblemNote detail={history.error.detail} fix={history.error.fix} />
   }
   return (
-    <ol aria-label="History" className={classes.history}>
-      {history.data?.toReversed().map((entry, index) => (
-        <li key={`${entry.at} ${index}`}>
-          <p className="row small">
-            <span className="strong">{happened(entry)}</span>
-            <span className="mid cut-text">{byWhom(entry)}</span>
-            <time dateTime={entry.at} className="dim end nowrap" title={`${day(entry.at)}, ${clock(entry.at)}`}>
-              {age(entry.at)}
-            </time>
-          </p>
-          {historyText(entry) && <Quoted spotWords={spot(entry.start_s, entry.end_s)}>{historyText(entry)}</Quoted>}
-        </li>
-      ))}
-    </ol>
+    <>
+      <p className={`small ${classes.quiet}`}>
+        <Link className="link" to="/projects/$projectId/reasons" params={{ projectId }} search={{}}>
+          Reasons of all verdicts
+        </Link>
+      </p>
+      <ol aria-label="History" className={classes.history}>
+        {history.data?.toReversed().map((entry, index) => (
+          <li key={`${entry.at} ${index}`}>
+            <p className="row small">
+              <span className="strong">{happened(entry)}</span>
+              <span className="mid cut-text">{byWhom(entry)}</span>
+              <time dateTime={entry.at} className="dim end nowrap" title={`${day(entry.at)}, ${clock(entry.at)}`}>
+                {age(entry.at)}
+              </time>
+            </p>
+            {historyText(entry) && <Quoted spotWords={spot(entry.start_s, entry.end_s)}>{historyText(entry)}</Quoted>}
+          </li>
+        ))}
+      </ol>
+    </>
   )
 }
 

@@ -29,6 +29,7 @@ export function TakeCards({ takes, gains, handId, nameOf, blind, onChoose }: Tak
           inHand={take.id === handId}
           blind={blind}
           facts={[
+            ...(take.label === null ? [] : [take.label]),
             length(soundOf(take, MASTER).durationS),
             gain(gains.get(take.id) ?? 0),
             take.draft_change ? (

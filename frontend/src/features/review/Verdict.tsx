@@ -4,9 +4,10 @@ import { HotkeyButton, useHotkeys } from '@/app/keys'
 import type { TimeRange } from '@/audio'
 import type { CueReview, ReviewTake } from '@/judging/api'
 import { ChangeForm } from '@/judging/ChangeForm'
+import type { ReasonKind } from '@/judging/reasons'
 import { ReasonRow } from '@/judging/ReasonRow'
 import type { Judge } from '@/judging/useJudge'
-import { namesOf } from '@/judging/words'
+import { namesOf, takeName } from '@/judging/words'
 import type { CueMoney } from '@/money/api'
 import { dueWithPick } from '@/money/words'
 import { Button } from '@/ui/Button'
@@ -16,8 +17,8 @@ import { VerdictBar } from '@/ui/VerdictBar'
 
 import classes from './Review.module.css'
 
-/** Whose reasons are on the digits: those of an approval, of a change, or none. */
-export type Asking = 'pick' | 'change' | null
+/** What the digits are: reasons of an approval or of a change, labels, or none of them. */
+export type Asking = 'pick' | 'change' | 'label' | null
 
 interface VerdictProps {
   review: CueReview
@@ -37,12 +38,14 @@ interface VerdictProps {
   range: TimeRange | null
   changing: { positionS: number } | null
   /** What the studio says most, on the digits. */
-  reasons: { change: readonly string[]; pick: readonly string[] }
+  reasons: Record<ReasonKind, readonly string[]>
   /** Which reasons are open. */
   asking: Asking
   onAsking: (asking: Asking) => void
   /** Note a change for one reason, at once. */
   onChangeBecause: (reason: string) => void
+  /** Say what the current version is among alternates; null where versions are compared blind. */
+  onLabel: ((label: string | null) => void) | null
   isPlaying: boolean
   /** Play or pause; null where there is nothing to hear. */
   onPlay: (() => void) | null
@@ -66,7 +69,7 @@ const STATE_WORDS: Partial<Record<ReviewTake['state'], string>> = {
 
 /** Who decides, what follows, and the buttons that do it. */
 export function Verdict(props: VerdictProps) {
-  const { review, hand, meant, name, whole, judge, changing, blocked } = props
+  const { review, hand, meant, name, whole, judge, changing, blocked, waiting } = props
   const { cue, may_approve } = review
   const state = hand?.state
   const canApprove = state === 'conforming' || state === 'set_aside'
@@ -79,6 +82,8 @@ export function Verdict(props: VerdictProps) {
   const isBlocked = whole ? blocked.isSet : blocked.free === 0
   const mayAsk = may_approve && !isCut && canChange
   const isPicking = props.asking === 'pick' && mayPick && !isBlocked && !changing
+  const { onLabel } = props
+  const isLabelling = props.asking === 'label' && hand !== undefined && onLabel !== null && !changing
   const isAsking = props.asking === 'change' && mayAsk && !changing
   useHotkeys([
     {
@@ -88,11 +93,18 @@ export function Verdict(props: VerdictProps) {
       run: () => props.onAsking(props.asking === 'change' ? null : 'change'),
       disabled: !mayAsk,
     },
+    {
+      keys: 'shift+l',
+      label: 'Label the version, then 1–9',
+      group: 'Review',
+      run: () => props.onAsking(isLabelling ? null : 'label'),
+      disabled: hand === undefined || onLabel === null,
+    },
   ])
 
-  const above = (changing || refusal || isPicking || isAsking || props.checklist) && (
+  const above = (changing || refusal || isPicking || isAsking || isLabelling || props.checklist) && (
     <>
-      {!changing && !isPicking && !isAsking && props.checklist}
+      {!changing && !isPicking && !isAsking && !isLabelling && props.checklist}
       {refusal && <ProblemNote detail={`${refusal.what} ${refusal.problem.detail}`} fix={refusal.problem.fix} />}
       {isPicking && (
         <ReasonRow
@@ -107,6 +119,15 @@ export function Verdict(props: VerdictProps) {
           reasons={props.reasons.change}
           title={`Request a change of ${cue.name} ${name} because`}
           onReason={props.onChangeBecause}
+          onClose={() => props.onAsking(null)}
+        />
+      )}
+      {isLabelling && (
+        <ReasonRow
+          reasons={props.reasons.label}
+          title={`Label ${takeName(hand, cue, waiting)}${hand.label === null ? '' : `, now “${hand.label}”,`} as`}
+          onReason={onLabel}
+          none={{ title: 'No label', run: () => onLabel(null) }}
           onClose={() => props.onAsking(null)}
         />
       )}

@@ -129,6 +129,38 @@ describe('the reasons of a change', () => {
   })
 })
 
+describe('the label of an alternate', () => {
+  const labelled = () => server.of('PUT /v1/takes/a/label').map(({ body }) => body)
+
+  test('Shift L and a digit say what it is, and it stands on its card', async () => {
+    const [a, b] = shield.takes
+    if (!a || !b) throw new Error('two alternates wait')
+    server.on('PUT /v1/takes/a/label', () => {
+      serveReview(aReview({ ...shield, takes: [{ ...a, label: 'wild' }, b] }))
+      return { label: 'wild', labelled_by: null, labelled_at: null }
+    })
+    await opened()
+    await userEvent.keyboard('{Shift>}L{/Shift}5')
+    await waitFor(() => expect(hand('A')).toHaveTextContent('wild'))
+    expect(labelled()).toEqual([{ label: 'wild' }])
+    expect(screen.getByRole('status')).toHaveTextContent('shield_hit A is labelled “wild”.')
+    await userEvent.keyboard('{Shift>}L{/Shift}')
+    expect(await screen.findByRole('group', { name: 'Label A, now “wild”, as' })).toHaveFocus()
+    await userEvent.keyboard('0')
+    await waitFor(() => expect(labelled()).toEqual([{ label: 'wild' }, { label: null }]))
+  })
+
+  test('is neither shown nor set while versions are compared blind', async () => {
+    const [a, b] = shield.takes
+    if (!a || !b) throw new Error('two alternates wait')
+    serveReview(aReview({ ...shield, takes: [{ ...a, label: 'wild' }, b] }))
+    await opened()
+    await userEvent.keyboard('d{Shift>}L{/Shift}')
+    expect(screen.queryByText('wild')).toBeNull()
+    expect(screen.queryByRole('group', { name: /^Label/ })).toBeNull()
+  })
+})
+
 const TAKES = 200
 
 test(`${TAKES} takes are judged by at most two keys each`, async () => {

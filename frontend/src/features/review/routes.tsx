@@ -7,6 +7,8 @@ import { queueQuery, reviewQuery } from '@/judging/api'
 import { filterOf, type QueueFilter } from '@/judging/queueFilter'
 import { heardTakes } from '@/judging/words'
 
+import { foundReasonsOf } from './foundReasons'
+
 interface Spot extends QueueFilter {
   /** The selected version. */
   take?: string
@@ -60,5 +62,11 @@ export const reviewRoutes = [
       },
     },
     component: reviewPage,
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/reasons',
+    validateSearch: foundReasonsOf,
+    component: lazyRouteComponent(() => import('./ReasonsPage'), 'ReasonsPage'),
   }),
 ] as const

@@ -1,5 +1,5 @@
 import { useQuery, useQueryClient } from '@tanstack/react-query'
-import { Link, useNavigate, useParams } from '@tanstack/react-router'
+import { Link, useNavigate, useParams, useSearch } from '@tanstack/react-router'
 import { type ReactNode, useEffect, useMemo, useState } from 'react'
 
 import { ApiProblem } from '@/api'
@@ -30,6 +30,7 @@ import { ReverbCard } from './ReverbCard'
 import { ReversedCard } from './ReversedCard'
 import { SpectrumCard } from './SpectrumCard'
 import { UpsampledCard } from './UpsampledCard'
+import { LabelLine } from './LabelLine'
 import classes from './Take.module.css'
 
 /** Everything that is known of one version: what was found, what was measured, what it looks and sounds like. */
@@ -120,6 +121,13 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
     previewUrl: master?.preview_url ?? null,
   }
   const fixing = useFixing(fixed, player, playing, { mayUse: isMaker, group: 'Version' })
+
+  const { at: placeS } = useSearch({ from: '/shell/takes/$takeId' })
+  useEffect(() => {
+    if (placeS === undefined || fixed.previewUrl === null) return
+    void player.select({ id: take.id, takeId: take.id, url: fixed.previewUrl })
+    player.seek(placeS)
+  }, [player, take.id, fixed.previewUrl, placeS])
 
   const jump = (at: number, plays: boolean) => {
     setOpenAt(at)
@@ -253,6 +261,7 @@ function Head({ take, check, isTeam, fix }: HeadProps) {
             {take.variation > 1 && `, _${String(take.variation).padStart(2, '0')}`}
             {take.number !== null && `, version ${take.number}`}
             {take.alternate !== null && ` ${String.fromCharCode(64 + take.alternate)}`}
+            {take.label !== null && `, ${take.label}`}
           </span>
         </div>
         <p className="mid">
@@ -281,6 +290,7 @@ function Head({ take, check, isTeam, fix }: HeadProps) {
           </p>
         )}
         {take.note && <p className="mid">“{take.note}”</p>}
+        {cue && <LabelLine take={take} />}
         <p className={classes.ways}>
           {cue && (
             <Link

@@ -140,7 +140,10 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
               letter={takeName(take, cue, takes).replace('_', '')}
               peaks={take.thumb}
               inHand={take.id === hand.id}
-              facts={[`${length(soundOf(take, MASTER).durationS)}, ${gain(gains.get(take.id) ?? 0)}`]}
+              facts={[
+                ...(take.label === null ? [] : [take.label]),
+                `${length(soundOf(take, MASTER).durationS)}, ${gain(gains.get(take.id) ?? 0)}`,
+              ]}
               onPick={() => onChoose(take.id)}
             />
           ))}

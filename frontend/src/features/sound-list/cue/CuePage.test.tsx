@@ -73,6 +73,7 @@ function opened(part: 'team' | 'designer' = 'team') {
               variation: 1,
               number: 1,
               alternate: null,
+              label: null,
               state: 'returned',
               file_name: 'coolant_splash.wav',
               note: '',

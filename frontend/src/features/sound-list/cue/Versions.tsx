@@ -85,10 +85,10 @@ function Line({ cue, projectId, version, unheard, playing, reviews, onPlay }: Li
       <div className={classes.versionHead}>
         <span>
           <span className="strong">{name.charAt(0).toUpperCase() + name.slice(1)}</span>{' '}
-          <span className="mono small dim">{take.file_name}</span>
+          {take.label !== null && <span className="small">{take.label} </span>}
+          <span className="mono small dim">{take.file_name}</span> {unheard && <NotHeard inWords />}
         </span>
         <State kind={KIND_OF_TAKE[take.state]} />
-        {unheard && <NotHeard inWords />}
         <span className="small dim nowrap num">
           {durationS === null ? '' : `${length(durationS)}, `}
           {ago(take.received_at)}

@@ -1,0 +1,122 @@
+import { Textarea } from '@mantine/core'
+import { useQuery, useQueryClient } from '@tanstack/react-query'
+import { type FormEvent, useState } from 'react'
+
+import { answered, api, useMutation } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
+import { DraftNote, useDraft } from '@/app/drafts'
+import { showToast } from '@/app/toast'
+import { type ReasonKind, reasonsQuery, type ReviewReasons } from '@/judging/reasons'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { Segmented } from '@/ui/Segmented'
+
+import type { Project } from '../api'
+import { Refusal } from '../Refusal'
+import classes from './People.module.css'
+
+const KINDS: { value: ReasonKind; label: string }[] = [
+  { value: 'change', label: 'Changes' },
+  { value: 'pick', label: 'Approvals' },
+  { value: 'label', label: 'Labels' },
+]
+const WHAT: Record<ReasonKind, string> = {
+  change: 'Why a change is requested',
+  pick: 'Why a version is approved',
+  label: 'What an alternate is',
+}
+
+/** The studio's lists of reasons and labels, each line on its digit in Review. */
+export function ReasonsCard({ project }: { project: Project }) {
+  const { data: lists, error } = useQuery(reasonsQuery(project.id))
+  const [kind, setKind] = useState<ReasonKind>('change')
+  return (
+    <Card aria-labelledby="review-reasons">
+      <CardHead id="review-reasons" title="Reasons and labels" note="on the digits in Review, for all projects" />
+      <Refusal error={error} />
+      {lists && (
+        <div className={classes.form}>
+          <Segmented label="List" options={KINDS} value={kind} onChange={setKind} />
+          {project.mine.is_producer ? (
+            <ReasonsForm key={kind} project={project} kind={kind} list={lists[kind]} />
+          ) : (
+            <ol aria-label={WHAT[kind]}>
+              {lists[kind].reasons.map((reason, index) => (
+                <li key={reason}>
+                  <span className="mono dim">{index + 1}</span> {reason}
+                </li>
+              ))}
+            </ol>
+          )}
+        </div>
+      )}
+    </Card>
+  )
+}
+
+interface ReasonsFormProps {
+  project: Project
+  kind: ReasonKind
+  list: ReviewReasons[ReasonKind]
+}
+
+function ReasonsForm({ project, kind, list }: ReasonsFormProps) {
+  const saved = list.reasons.join('\n')
+  const [text, setText, draft] = useDraft(`reasons:${project.studio.id}:${kind}:${saved}`, saved)
+  const write = useSetReasons(project)
+  const save = (reasons: string[], said: string) => {
+    if (write.isPending) return
+    write.mutate(
+      { [kind]: reasons },
+      {
+        onSuccess: () => {
+          draft.discard()
+          showToast(said)
+        },
+      },
+    )
+  }
+  const onSubmit = (event: FormEvent) => {
+    event.preventDefault()
+    const lines = text.split('\n').map((line) => line.trim())
+    save(lines.filter(Boolean), `${WHAT[kind]}: the list is saved.`)
+  }
+  return (
+    <form className={classes.checklist} onSubmit={onSubmit}>
+      <Textarea
+        label={WHAT[kind]}
+        description="One a line, up to nine of 40 letters, in the order of the digits. What was said before stays as it was said."
+        rows={9}
+        value={text}
+        onChange={(event) => setText(event.currentTarget.value)}
+      />
+      <DraftNote draft={draft} />
+      <Refusal error={write.error} />
+      <div className="row">
+        <Button type="submit" disabled={text === saved} aria-busy={write.isPending}>
+          Save list
+        </Button>
+        {list.is_own && (
+          <Button onClick={() => save([], `${WHAT[kind]}: ours again.`)} aria-busy={write.isPending}>
+            Ours again
+          </Button>
+        )}
+      </div>
+    </form>
+  )
+}
+
+function useSetReasons(project: Project) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: Partial<Record<ReasonKind, string[]>>) =>
+      answered(
+        api.PUT('/v1/studios/{studio_id}/review-reasons', {
+          params: { path: { studio_id: project.studio.id } },
+          body,
+        }),
+      ),
+    onSuccess: (lists) => client.setQueryData(reasonsQuery(project.id).queryKey, lists),
+    onSettled: () => invalidate(client, queryKeys.reviewReasons.all),
+  })
+}

@@ -1,0 +1,24 @@
+import { useQueryClient } from '@tanstack/react-query'
+
+import { answered, api, useMutation } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
+
+/** Say what a version is among alternates; null takes its label away. */
+export function useSetLabel() {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: ({ takeId, label }: { takeId: string; label: string | null }) =>
+      answered(api.PUT('/v1/takes/{take_id}/label', { params: { path: { take_id: takeId } }, body: { label } })),
+    // Awaited: the next key labels what is shown then.
+    onSettled: (_, __, { takeId }) =>
+      invalidate(
+        client,
+        queryKeys.cueReview.all,
+        queryKeys.reviewQueue.all,
+        queryKeys.take(takeId),
+        queryKeys.takeHistory(takeId),
+        queryKeys.cueTakes.all,
+        queryKeys.delivery.all,
+      ),
+  })
+}
