@@ -25,8 +25,8 @@ export async function expectAccessible(
   const violations = await page.evaluate<Violation[]>(
     `axe.run(document, ${JSON.stringify(asked)}).then((found) => found.violations)`,
   )
-  const told = violations.map(
+  const reported = violations.map(
     ({ id, help, nodes }) => `${id}: ${help}\n  ${nodes.map(({ target }) => target.join(' ')).join('\n  ')}`,
   )
-  expect.soft(told, `axe on ${where}`).toEqual([])
+  expect.soft(reported, `axe on ${where}`).toEqual([])
 }

@@ -81,6 +81,8 @@ CODE = ("app", "audio_checks", "benchmarks", "training", "deploy", "integrations
 OWN = Path(__file__).name  # plants odd words itself
 CLAUSES = ROOT / "app" / "agreements" / "library"  # legal text, worded by its own rules
 COMMENT = re.compile(r"/\*.*?\*/|(?<![:'\"`])//[^\n]*", re.DOTALL)
+# A text of code is left out; what stands in ${} of a template is a name again, and is found where it was declared.
+NAME_OR_TEXT = re.compile(r"'(?:\\.|[^'\\\n])*'|\"(?:\\.|[^\"\\\n])*\"|`(?:\\.|[^`\\])*`|([A-Za-z_$][\w$]*)")
 
 
 def texts_of_python(source: str) -> Iterator[tuple[int, str]]:
@@ -114,6 +116,14 @@ def texts_of_comments(source: str) -> Iterator[tuple[int, str]]:
     """Yield the line and text of comments in C and TypeScript; frontend/src/test/words.test.ts reads what is shown."""
     for found in COMMENT.finditer(source):
         yield source.count("\n", 0, found.start()) + 1, found.group()
+
+
+def names_of_typescript(source: str) -> Iterator[tuple[int, str]]:
+    """Yield the line and words of names in TypeScript."""
+    code = COMMENT.sub(lambda comment: "\n" * comment.group().count("\n"), source)
+    for found in NAME_OR_TEXT.finditer(code):
+        if found[1]:
+            yield code.count("\n", 0, found.start()) + 1, words_of(found[1])
 
 
 def texts_of_page(source: str) -> Iterator[tuple[int, str]]:
@@ -151,6 +161,15 @@ def test_comments_of_the_frontend_use_standard_english() -> None:
     assert [one for path in files if path.name not in own for one in old_words(path, texts_of_comments)] == []
 
 
+def test_names_in_tests_of_the_frontend_use_standard_english() -> None:
+    frontend = ROOT / "frontend"
+    scripts = [path for folder in ("src", "e2e") for path in (frontend / folder).rglob("*.ts*")]
+    parents = {frontend / "e2e", frontend / "src" / "test"}
+    tests = [path for path in scripts if ".test." in path.name or parents & set(path.parents)]
+    assert len(tests) > 200
+    assert [one for path in sorted(tests) for one in old_words(path, names_of_typescript)] == []
+
+
 def test_comments_of_the_kernel_use_standard_english() -> None:
     files = [path for end in ("c", "h") for path in (ROOT / "audio_checks" / "kernel").glob(f"*.{end}")]
     assert len(files) > 20
@@ -175,6 +194,8 @@ def test_pages_use_standard_english() -> None:
         (names_of_python, "def f(lawful): ..."),
         (names_of_python, "UNTOLD = 1"),
         (texts_of_comments, "const a = 1 // for whoever\n/** Read\n anew. */"),
+        (names_of_typescript, "const toldPage = `it's ${'x'}`"),
+        (names_of_typescript, "/* It's */ const a = 'it' // it's\nfunction f(isUntold: boolean) {}"),
         (texts_of_page, "# A page\nAs it was told."),
     ],
 )

@@ -134,7 +134,7 @@ export const DRAFT = {
 
 export let server: ReturnType<typeof aServer>
 export const PAGE = `/projects/${PROJECT}/money`
-export const tell = (money: ProjectMoney) => server.on(`GET /v1/projects/${PROJECT}/money`, money)
+export const serveMoney = (money: ProjectMoney) => server.on(`GET /v1/projects/${PROJECT}/money`, money)
 export const opened = async () => {
   openApp(PAGE)
   await waitFor(() => expect(screen.getAllByRole('table')).toHaveLength(2))
@@ -168,7 +168,7 @@ export function serveMoneyPage() {
           warning: null,
         })
     }
-    tell({
+    serveMoney({
       contracts: [aContract('effects', 'Effects'), aContract('creatures', 'Creatures')],
       totals: [{ currency: 'USD', figures: figures() }],
     })

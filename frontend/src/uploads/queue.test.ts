@@ -67,14 +67,14 @@ describe('the queue', () => {
     const queue = queueOf()
     await queue.add([wav('a.wav'), wav('b.wav'), wav('c.wav')])
     await vi.advanceTimersByTimeAsync(100)
-    const told = vi.fn()
-    queue.subscribe(told)
+    const notified = vi.fn()
+    queue.subscribe(notified)
     for (const name of ['a.wav', 'b.wav']) transport.of(name).events.onFinished(name)
     await settled()
-    expect(told).not.toHaveBeenCalled()
+    expect(notified).not.toHaveBeenCalled()
     transport.of('c.wav').events.onFinished('c')
     await settled()
-    expect(told).toHaveBeenCalledTimes(1)
+    expect(notified).toHaveBeenCalledTimes(1)
     expect(queue.figures()).toMatchObject({ finished: 3 })
   })
 
@@ -220,17 +220,17 @@ describe('the queue', () => {
     })
   })
 
-  test('progress is told ten times a second at most, states at once', async () => {
+  test('progress is reported ten times a second at most, states at once', async () => {
     const queue = queueOf()
     await queue.add([wav('a.wav')])
-    const told = vi.fn()
-    queue.subscribe(told)
+    const notified = vi.fn()
+    queue.subscribe(notified)
     for (let sent = 1; sent <= 50; sent += 1) transport.of('a.wav').events.onProgress(sent)
-    expect(told).not.toHaveBeenCalled()
+    expect(notified).not.toHaveBeenCalled()
     await vi.advanceTimersByTimeAsync(100)
-    expect(told).toHaveBeenCalledTimes(1)
+    expect(notified).toHaveBeenCalledTimes(1)
     queue.pause()
-    expect(told).toHaveBeenCalledTimes(2)
+    expect(notified).toHaveBeenCalledTimes(2)
   })
 
   test('a row that is not on its way can be taken off the list', async () => {

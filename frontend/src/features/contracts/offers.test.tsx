@@ -7,7 +7,7 @@ import { amendmentAnswers, DIFFERENCE, ME, ORDERS, SHA } from '@/test/amendments
 import { openApp } from '@/test/openApp'
 import { refusal, serve } from '@/test/server'
 
-const ANEW = {
+const DESCRIBED = {
   offer: 'described:mine_arm:7',
   kind: 'described',
   text: 'SW-001 mine_arm changed after work on it began: length 2 s instead of 0.8 s.',
@@ -17,14 +17,14 @@ const ANEW = {
   dismissed: null,
 }
 const ROUND = {
-  ...ANEW,
+  ...DESCRIBED,
   offer: 'round:mine_arm:3',
   kind: 'round',
   text: 'Round 3 of SW-001 mine_arm was sent; the price includes 2.',
-  change: { ...ANEW.change, kind: 'add_round' },
+  change: { ...DESCRIBED.change, kind: 'add_round' },
   dismissed: { party: 'studio', by: 'Producer', at: '2026-11-17T09:00:00Z', reason: 'It was our mistake' },
 }
-const OFFERED = { ...ORDERS, orders: [], offers: [ANEW, ROUND] }
+const OFFERED = { ...ORDERS, orders: [], offers: [DESCRIBED, ROUND] }
 const offerOf = async (text: string) => {
   const card = await screen.findByRole('region', { name: 'Something changed since you signed' })
   const found = within(card)
@@ -47,16 +47,16 @@ test('what changed since the signature begins a change order, which names the pr
   expect(price).toHaveFocus()
   expect(screen.getByLabelText('Change')).toHaveValue('reprice_cue')
   expect(screen.getByLabelText('Cue')).toHaveValue('mine_arm')
-  expect(screen.getByLabelText('Reason')).toHaveValue(ANEW.text)
+  expect(screen.getByLabelText('Reason')).toHaveValue(DESCRIBED.text)
   await userEvent.type(price, '225')
   await userEvent.click(screen.getByRole('button', { name: 'Add this change' }))
   await userEvent.click(screen.getByRole('button', { name: 'Propose' }))
   expect(await screen.findByRole('region', { name: 'Change order 1' })).toBeVisible()
   expect(asked.findLast(({ method }) => method === 'POST')?.body).toEqual({
-    reason: ANEW.text,
+    reason: DESCRIBED.text,
     begins_at_once: false,
     changes: [{ kind: 'reprice_cue', cue_id: 'mine_arm', price_minor: 22_500 }],
-    offers: [ANEW.offer],
+    offers: [DESCRIBED.offer],
   })
 })
 
@@ -104,7 +104,7 @@ test('an offer is dismissed with a reason', async () => {
   expect(await screen.findByText('Dismissed. The record keeps the reason.')).toBeVisible()
   expect(screen.queryByRole('region', { name: 'Something changed since you signed' })).toBeNull()
   expect(asked.findLast(({ method }) => method === 'POST')?.body).toEqual({
-    offer: ANEW.offer,
+    offer: DESCRIBED.offer,
     reason: 'It is no more work',
   })
 })

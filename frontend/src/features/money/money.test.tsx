@@ -2,7 +2,7 @@ import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest'
 
-import { aContract, anInvoice, DRAFT, faults, opened, PAGE, serveMoneyPage, server, tell } from '@/test/moneyPage'
+import { aContract, anInvoice, DRAFT, faults, opened, PAGE, serveMoney, serveMoneyPage, server } from '@/test/moneyPage'
 import { openApp } from '@/test/openApp'
 import { aMe, PROJECT } from '@/test/review'
 import { answer, type Asked, refusal } from '@/test/server'
@@ -24,7 +24,7 @@ const WORKED = {
   refusal: '',
 }
 const byTheDay = () =>
-  tell({
+  serveMoney({
     contracts: [
       {
         ...aContract('effects', 'Effects'),
@@ -222,7 +222,7 @@ describe('a designer', () => {
   })
 
   test('is told where nothing is agreed yet; axe finds nothing', async () => {
-    tell({ contracts: [], totals: [] })
+    serveMoney({ contracts: [], totals: [] })
     openApp(PAGE)
     expect(await screen.findByRole('heading', { name: 'No signed contract yet' })).toBeVisible()
     expect(await faults()).toEqual([])
