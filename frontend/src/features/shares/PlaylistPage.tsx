@@ -243,7 +243,7 @@ function Room({ playlist }: { playlist: Playlist }) {
                 <span className={`small dim num ${classes.place}`}>{at + 1}</span>
                 <button
                   type="button"
-                  className={classes.sound}
+                  className={`${classes.sound} ${classes.entry}`}
                   onClick={() => void open(take.take_id)}
                   disabled={follows}
                 >

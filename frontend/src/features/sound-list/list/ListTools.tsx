@@ -66,6 +66,15 @@ export function ListTools({
         >
           All
         </FilterChip>
+        {(unheard > 0 || search.heard) && (
+          <FilterChip
+            count={unheard}
+            pressed={search.heard === 'no'}
+            onPress={() => onSearch({ heard: search.heard ? undefined : 'no' })}
+          >
+            Not heard yet
+          </FilterChip>
+        )}
         {STATUS_ORDER.filter((status) => counts.has(status) || search.state === status).map((status) => (
           <FilterChip
             key={status}
@@ -85,15 +94,6 @@ export function ListTools({
             onPress={() => onSearch({ unclear: search.unclear ? undefined : true })}
           >
             Unclear
-          </FilterChip>
-        )}
-        {(unheard > 0 || search.heard) && (
-          <FilterChip
-            count={unheard}
-            pressed={search.heard === 'no'}
-            onPress={() => onSearch({ heard: search.heard ? undefined : 'no' })}
-          >
-            Not heard yet
           </FilterChip>
         )}
       </div>
