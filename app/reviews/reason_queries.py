@@ -87,7 +87,9 @@ def places(
     return [ReasonPlace(*row) for row in session.execute(query)]
 
 
-def _filtered(query: Select[Any], wanted: ReasonFilter, *, joined: bool = False) -> Select[Any]:
+def _filtered(
+    query: Select[*tuple[Any, ...]], wanted: ReasonFilter, *, joined: bool = False
+) -> Select[*tuple[Any, ...]]:
     """Narrow given reasons; joined with verdict, take and cue where these are asked for."""
     query = query.where(GivenReason.project_id == wanted.project_id)
     if joined or wanted.designer_id is not None or wanted.category is not None:
