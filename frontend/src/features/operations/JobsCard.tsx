@@ -2,6 +2,7 @@ import { useInfiniteQuery, useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
 import { showToast } from '@/app/toast'
+import { Refusal } from '@/judging/Refusal'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
@@ -12,7 +13,6 @@ import { State } from '@/ui/State'
 
 import { type Job, jobsQuery, type JobState, operationsQuery, type Scope, useRetry } from './api'
 import classes from './Operations.module.css'
-import { Refusal } from './Refusal'
 import { jobsIn, jobWords, NOBODYS, STATE_FACES, STATES_SHOWN } from './words'
 
 /** The jobs that are not done, the oldest first; one that gave up can be tried again. */

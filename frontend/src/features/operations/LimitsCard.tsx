@@ -1,5 +1,6 @@
 import { useQuery } from '@tanstack/react-query'
 
+import { Refusal } from '@/judging/Refusal'
 import { Card, CardHead } from '@/ui/Card'
 import { bytes, countOf, plural } from '@/ui/format'
 import { Meter } from '@/ui/Meter'
@@ -8,7 +9,6 @@ import { State } from '@/ui/State'
 
 import { limitsQuery, type Limits, type Quota, type Scope, share } from './api'
 import classes from './Operations.module.css'
-import { Refusal } from './Refusal'
 
 const NEAR = 0.9
 const SHOWN = 3 // limits of a studio: the nearest

@@ -3,6 +3,7 @@ import { useNavigate, useSearch } from '@tanstack/react-router'
 
 import { meQuery } from '@/api/me'
 import { useTitle } from '@/app/title'
+import { Refusal } from '@/judging/Refusal'
 import { EmptyState } from '@/ui/EmptyState'
 import { Segmented } from '@/ui/Segmented'
 
@@ -10,7 +11,6 @@ import { operationsQuery, type Scope } from './api'
 import { JobsCard } from './JobsCard'
 import { LimitsCard } from './LimitsCard'
 import classes from './Operations.module.css'
-import { Refusal } from './Refusal'
 import { LanesCard, StorageCard, WorkersCard } from './SideCards'
 import { inOneLine } from './words'
 

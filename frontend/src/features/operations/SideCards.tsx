@@ -1,12 +1,12 @@
 import { useQuery } from '@tanstack/react-query'
 
+import { Refusal } from '@/judging/Refusal'
 import { Card, CardHead } from '@/ui/Card'
 import { ago, bytes, plural } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
 import { keptQuery, operationsQuery, type Scope, type Storage } from './api'
 import classes from './Operations.module.css'
-import { Refusal } from './Refusal'
 import { laneKey, laneLine, laneWords } from './words'
 
 const NAMES: Record<Storage['kept'][number]['kind'], string> = {
