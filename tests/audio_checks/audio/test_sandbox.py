@@ -201,7 +201,7 @@ def test_a_failure_names_its_place(sandbox):
 def test_what_does_not_end_is_ended(own_sandbox, code):
     own_sandbox.timeout_s = 0.7
     with pytest.raises(SandboxTimedOut):
-        own_sandbox.call(exec, code)  # to wait for the code is to wait for ever
+        own_sandbox.call(exec, code)  # waiting for the code would never end
     own_sandbox.timeout_s = 60
     assert own_sandbox.call(len, "fine") == 4
 
