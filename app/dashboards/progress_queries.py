@@ -309,7 +309,7 @@ def unheard_takes(session: Session, person_id: UUID, cue_ids: Collection[UUID]) 
 
 
 @cache
-def _unheard_takes() -> Select[UUID | None, UUID]:
+def _unheard_takes() -> Select[*tuple[Any, ...]]:
     heard = exists().where(HeardTake.take_id == Take.id, HeardTake.person_id == bindparam("person_id"))
     wanted = (in_array(Take.cue_id, "cue_ids"), Take.state.in_((TakeState.CONFORMING, TakeState.APPROVED)), ~heard)
     return select(Take.cue_id, Take.id).where(*wanted).order_by(Take.variation, Take.number)
