@@ -6,6 +6,7 @@ import { LaterWrites } from './laterWrites'
 interface Arrived {
   path: string
   key: string | null
+  csrf: string | null
   body: unknown
 }
 
@@ -15,6 +16,7 @@ let answer: (arrived: Arrived) => Response
 
 beforeEach(() => {
   localStorage.clear()
+  document.cookie = 'soundlist_csrf=of-now; path=/'
   isThere = true
   arrived = []
   answer = () => Response.json({ id: 'v1' }, { status: 201 })
@@ -24,7 +26,7 @@ beforeEach(() => {
     const path = new URL(asked.url).pathname
     const text = await asked.text()
     const body: unknown = text === '' ? null : JSON.parse(text)
-    const one = { path, key: asked.headers.get('Idempotency-Key'), body }
+    const one = { path, key: asked.headers.get('Idempotency-Key'), csrf: asked.headers.get('X-CSRF-Token'), body }
     arrived.push(one)
     return answer(one)
   })
@@ -51,6 +53,7 @@ describe('writes that a lost line must not lose', () => {
     const onKept = vi.fn()
     await expect(say(begun(), 't1', 'one', onKept)).resolves.toEqual({ id: 'v1' })
     expect(onKept).not.toHaveBeenCalled()
+    expect(arrived.map(({ csrf }) => csrf)).toEqual(['of-now'])
     expect(localStorage).toHaveLength(0)
   })
 

@@ -1,4 +1,4 @@
-import { newIdempotencyKey, send } from './client'
+import { csrfToken, newIdempotencyKey, send } from './client'
 import { serverReturns } from './connection'
 import { ApiProblem, problemOf } from './problem'
 
@@ -126,7 +126,11 @@ export class LaterWrites {
 
   /** The server's answer; null where it was not reached. */
   async #answerTo({ key, method, path, body }: KeptWrite): Promise<Response | null> {
-    const headers = { 'Content-Type': 'application/json', 'Idempotency-Key': key }
+    const headers = {
+      'Content-Type': 'application/json',
+      'Idempotency-Key': key,
+      'X-CSRF-Token': csrfToken() ?? '', // that of today's session
+    }
     const url = new URL(path, globalThis.location.origin)
     try {
       return await send(new Request(url, { method, headers, body: body || undefined, credentials: 'same-origin' }))

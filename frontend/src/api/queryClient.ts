@@ -12,7 +12,8 @@ export function worthAskingAgain(failures: number, error: unknown): boolean {
 export const queryClient = new QueryClient({
   defaultOptions: {
     queries: { retry: worthAskingAgain, staleTime: 10_000, refetchOnWindowFocus: true },
-    mutations: { retry: false },
+    // Without a line they are not put off in silence: the client refuses them at once, or keeps them and says so.
+    mutations: { retry: false, networkMode: 'always' },
   },
 })
 

@@ -135,7 +135,7 @@ def test_a_mail_has_few_pictures_however_many_changes_were_sent(world, stage, se
     assert all(f"/takes/{take_id}" in body_of(message, "html") for take_id in takes)
 
 
-def test_an_address_that_somebody_typed_shows_no_picture_of_another_sound(world, stage, sent):
+def test_an_address_typed_in_a_text_shows_no_picture_of_another_sound(world, stage, sent):
     mine, secret = stage.take(stage.cue("hit")), stage.take(stage.cue("secret"))
     draw_takes(world, mine, secret)
     stage.draft(mine, f"as in\n{world.server.runtime.settings.base_url}/takes/{secret}\nplease")

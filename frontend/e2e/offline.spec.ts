@@ -1,0 +1,81 @@
+import { expect } from '@playwright/test'
+
+import { ask } from './api'
+import { atWork, deliver, visit } from './atWork'
+import { test } from './fixtures'
+import { wav } from './sounds'
+
+interface Review {
+  takes: { id: string; state: string; draft_change: { text: string } | null }[]
+  comments: { text: string }[]
+}
+
+const NAMES = ['Hull door open', 'Hull door shut', 'Airlock cycle']
+
+test('verdicts and comments given without a line are sent later, in order, once', async ({ server, browser }) => {
+  const { url } = server
+  const [producer, designer] = await Promise.all([visit(browser), visit(browser)])
+  const project = await atWork(
+    producer,
+    designer,
+    url,
+    NAMES.map((name) => ({ name })),
+  )
+  const asProducer = producer.context()
+  const { cues } = await ask<{ cues: { stems: string[] }[] }>(asProducer, `${url}/v1/projects/${project}/sound-list`)
+  const files = cues.map(({ stems }, at) => {
+    const sound = wav({ rateHz: 44_100, bits: 16, seconds: 0.6 + at / 10, peak: 0.3 })
+    return [`${stems[0] ?? ''}.wav`, sound] as const
+  })
+  await deliver(designer, producer, url, project, Object.fromEntries(files))
+  const { items } = await ask<{ items: { cue: { id: string; name: string } }[] }>(
+    asProducer,
+    `${url}/v1/review-queue?project_id=${project}`,
+  )
+  const order = items.map(({ cue }) => cue) // checks end in any order
+  const review = (at: number) => ask<Review>(asProducer, `${url}/v1/cues/${order[at]?.id ?? ''}/review`)
+  const heading = (at: number) => producer.getByRole('heading', { level: 1, name: order[at]?.name })
+  await producer.goto(`${url}/projects/${project}/review/${order[0]?.id ?? ''}`)
+  await expect(heading(0)).toBeVisible()
+  await expect(
+    producer.getByRole('group', { name: 'Alternates' }).or(producer.getByText('Your call')).first(),
+  ).toBeVisible()
+  await producer.waitForTimeout(1_000) // what is next in the queue is read ahead
+  await asProducer.setOffline(true)
+
+  await test.step('a verdict, a change and a comment are given, and the next cue opens each time', async () => {
+    await producer.keyboard.press('a')
+    await expect(heading(1)).toBeVisible()
+    await producer.keyboard.press('r')
+    await producer.keyboard.type('duller, please')
+    await producer.keyboard.press('Enter')
+    await expect(heading(2)).toBeVisible()
+    await producer.keyboard.press('c')
+    await producer.keyboard.type('the seal is lovely')
+    await producer.keyboard.press('Control+Enter')
+    await expect(producer.getByText('waits for the connection')).toBeVisible()
+    await expect(producer.getByText('3 verdicts and comments kept in this browser until it is back.')).toBeVisible()
+    await producer.screenshot({ path: test.info().outputPath('offline.png') })
+    await producer.emulateMedia({ colorScheme: 'dark' })
+    await producer.setViewportSize({ width: 390, height: 844 })
+    await producer.screenshot({ path: test.info().outputPath('offline-narrow-dark.png') })
+  })
+
+  await test.step('the page is closed, and the next one sends them once the line is back', async () => {
+    await producer.close()
+    await asProducer.setOffline(false)
+    const next = await asProducer.newPage()
+    const later: string[] = []
+    next.on('request', (request) => {
+      if (request.method() === 'POST' && /\/(verdict|comments)$/.test(request.url())) later.push(request.url())
+    })
+    await next.goto(`${url}/projects/${project}`)
+    await expect.poll(async () => (await review(2)).comments.map(({ text }) => text)).toEqual(['the seal is lovely'])
+    expect((await review(0)).takes.map(({ state }) => state)).toEqual(['approved'])
+    expect((await review(1)).takes.map(({ draft_change }) => draft_change?.text)).toEqual(['duller, please'])
+    expect(later.map((address) => address.split('/').at(-1))).toEqual(['verdict', 'verdict', 'comments'])
+    await next.reload()
+    await expect(next.getByRole('heading', { level: 1 })).toBeVisible()
+    expect(later).toHaveLength(3)
+  })
+})
