@@ -28,8 +28,8 @@ export function serveTakePage() {
   })
 }
 
-export const opened = async () => {
-  const app = openApp('/takes/t1')
+export const opened = async (path = '/takes/t1') => {
+  const app = openApp(path)
   await screen.findByRole('heading', { level: 1, name: 'airlock_cycle' })
   return app
 }

@@ -49,6 +49,14 @@ describe('findings', () => {
     expect(within(list).getAllByRole('listitem')[1]).toHaveAttribute('aria-current', 'true')
   })
 
+  test('an address with a place plays from there', async () => {
+    const user = userEvent.setup()
+    await opened('/takes/t1?at=0.75')
+    await within(await card('Sound')).findByRole('button', { name: /Play/ })
+    await user.keyboard(' ')
+    await waitFor(() => expect(lastStarted()?.fromS).toBeCloseTo(0.75))
+  })
+
   test('nothing found is said, and so is a check that is still to come', async () => {
     server
       .on('GET /v1/takes/t1', aVersion({ state: 'conforming' }))

@@ -268,7 +268,7 @@ function Head({ take, check, isTeam, fix }: HeadProps) {
           <span className="mono">{take.file_name}</span>, {bytes(take.master_bytes)}, from {take.designer.name},{' '}
           <time dateTime={take.received_at} title={day(take.received_at)}>
             {ago(take.received_at)}
-          </time>
+          </time>{' '}
           in its{' '}
           <Link className="link" to="/deliveries/$deliveryId" params={{ deliveryId: take.delivery_id }}>
             delivery

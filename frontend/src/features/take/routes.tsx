@@ -5,10 +5,18 @@ import { shellRoute } from '@/app/roots'
 
 import { deliveryFitQuery, takeQuery } from './api'
 
+interface Place {
+  /** Where in the sound, in seconds. */
+  at?: number
+}
+
 export const takeRoutes = [
   createRoute({
     getParentRoute: () => shellRoute,
     path: '/takes/$takeId',
+    validateSearch: (search: Record<string, unknown>): Place => ({
+      at: typeof search.at === 'number' && search.at >= 0 ? search.at : undefined,
+    }),
     // The frame shows the project that the version is of; a version that is not there says so on its page.
     loader: async ({ context, params }) => {
       const take = await context.queryClient.ensureQueryData(takeQuery(params.takeId)).catch(() => null)
