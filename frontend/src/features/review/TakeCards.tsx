@@ -1,3 +1,5 @@
+import type { ReactNode } from 'react'
+
 import { TakeCard } from '@/audio'
 import type { ReviewTake } from '@/judging/api'
 import { type Gains, MASTER, soundOf } from '@/judging/hearing'
@@ -32,13 +34,7 @@ export function TakeCards({ takes, gains, handId, nameOf, blind, onChoose }: Tak
             ...(take.label === null ? [] : [take.label]),
             length(soundOf(take, MASTER).durationS),
             gain(gains.get(take.id) ?? 0),
-            take.draft_change ? (
-              <span key="change" className="tone-change toned">
-                draft change
-              </span>
-            ) : (
-              `version ${take.number}`
-            ),
+            ...lastFact(take),
             ...(take.is_heard ? [] : ['not heard']),
           ]}
           onPick={() => onChoose(take)}
@@ -46,4 +42,16 @@ export function TakeCards({ takes, gains, handId, nameOf, blind, onChoose }: Tak
       ))}
     </div>
   )
+}
+
+/** A draft change; else the version, unless a label tells it from the others. */
+function lastFact(take: ReviewTake): ReactNode[] {
+  if (take.draft_change) {
+    return [
+      <span key="change" className="tone-change toned">
+        draft change
+      </span>,
+    ]
+  }
+  return take.label === null ? [`version ${take.number}`] : []
 }

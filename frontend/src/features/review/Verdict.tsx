@@ -204,7 +204,7 @@ export function Verdict(props: VerdictProps) {
           disabled={isBlocked}
           onPress={() => props.onAsking(isPicking ? null : 'pick')}
         >
-          With a reason
+          Reason
         </HotkeyButton>
       )}
       {may_approve && !isCut && canApprove && isSet && (

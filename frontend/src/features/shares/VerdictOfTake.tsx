@@ -127,7 +127,7 @@ export function VerdictOfTake({ projectId, playlistId, take, player, mayReview, 
             disabled={blocked !== ''}
             onPress={() => flushSync(() => setPicking(!picking))}
           >
-            With a reason
+            Reason
           </HotkeyButton>
         )}
         {mayApprove && canApprove && review && (

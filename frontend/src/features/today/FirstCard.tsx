@@ -203,7 +203,7 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
               disabled={blocked !== ''}
               onPress={() => flushSync(() => setPicking(!picking))}
             >
-              With a reason
+              Reason
             </HotkeyButton>
             <HotkeyButton
               keys="r"
