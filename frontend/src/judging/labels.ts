@@ -2,6 +2,9 @@ import { useQueryClient } from '@tanstack/react-query'
 
 import { answered, api, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
+import { showToast } from '@/app/toast'
+
+import type { ReviewTake } from './api'
 
 /** Say what a version is among alternates; null takes its label away. */
 export function useSetLabel() {
@@ -21,4 +24,17 @@ export function useSetLabel() {
         queryKeys.delivery.all,
       ),
   })
+}
+
+/** Label a version by its name, and say so; one at a time. */
+export function useLabelling() {
+  const label = useSetLabel()
+  return (take: ReviewTake, name: string, words: string | null, onLabelled: () => void) => {
+    if (label.isPending) return
+    const onSuccess = () => {
+      onLabelled()
+      showToast(`${name} ${words === null ? 'has no label' : `is labelled “${words}”`}.`)
+    }
+    label.mutate({ takeId: take.id, label: words }, { onSuccess })
+  }
 }

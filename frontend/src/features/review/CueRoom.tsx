@@ -1,14 +1,13 @@
-import { useEffect, useMemo, useState } from 'react'
+import { useEffect, useState } from 'react'
 import { flushSync } from 'react-dom'
 
-import { keepDraft, keptDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { type Player, type PlayerState, spotOf } from '@/audio'
 import type { CueReview, ReviewTake } from '@/judging/api'
 import { blockedWords, whyBlocked } from '@/judging/blocked'
 import { isWholeSet, pickedOfSet } from '@/judging/choice'
-import { inOrder, matchGains, soundOf, sourceOf, targetsOf } from '@/judging/hearing'
-import { useSetLabel } from '@/judging/labels'
+import { soundOf, sourceOf, targetsOf } from '@/judging/hearing'
+import { useLabelling } from '@/judging/labels'
 import { matchedWords } from '@/judging/levels'
 import { useReasons } from '@/judging/reasons'
 import { type Placing, useHearing } from '@/judging/useHearing'
@@ -20,7 +19,6 @@ import { useLazy } from '@/ui/useLazy'
 import { useComment } from './api'
 import { Asked } from './Asked'
 import { carriedMarks, carriedTo } from './carried'
-import { type Writing } from './Composer'
 import { CueHead } from './CueHead'
 import classes from './Review.module.css'
 import { marksOf, type Said, saidOf } from './said'
@@ -29,10 +27,13 @@ import { SetWayButton, SetWayPanel } from './SetWay'
 import { SidePanel } from './SidePanel'
 import { TakeCards } from './TakeCards'
 import { Transport } from './Transport'
+import { useCompared } from './useCompared'
 import type { Conditions } from './useCondition'
+import { inside, nextWords, whySilent } from './soundInHand'
 import { useRoomKeys } from './useRoomKeys'
 import { useSetWay } from './useSetWay'
 import { useTakesHeard } from './useTakesHeard'
+import { useWriting } from './useWriting'
 import { type Asking, Verdict } from './Verdict'
 import { WaveStage } from './WaveStage'
 
@@ -72,27 +73,15 @@ export function CueRoom(props: CueRoomProps) {
   const [changing, setChanging] = useState<{ positionS: number } | null>(null)
   const [asking, setAsking] = useState<Asking>(null)
   const reasons = useReasons(projectId)
-  const [writing, setWriting] = useState<Writing | null>(null)
-  useEffect(() => {
-    if (writing !== null) keepDraft(`comment:${cue.id}`, writing.text.trim() === '' ? null : writing)
-  }, [cue.id, writing])
+  const { writing, setWriting, begin } = useWriting(cue.id)
   const [openSaid, setOpenSaid] = useState<string>()
   const comment = useComment(cue.id)
-  const label = useSetLabel()
+  const labelling = useLabelling()
 
   const askedBefore = review.change_requests.filter(
     ({ take_id, sent_at }) => take_id === before?.id && sent_at !== null,
   )
-  // Blind or not, the order is that of delivery: the first of these says how loud all are.
-  const compared = useMemo(
-    () => [...new Set([...inOrder(heard), before, hand])].filter((take) => take !== undefined),
-    [heard, before, hand],
-  )
-  const gains = useMemo(() => matchGains(compared, target), [compared, target])
-  const sources = useMemo(
-    () => compared.flatMap((take) => sourceOf(take, target, gains) ?? []),
-    [compared, target, gains],
-  )
+  const { compared, gains, sources } = useCompared(heard, before, hand, target)
   const [inScene, setInScene] = useState(false)
   const [placing, setPlacing] = useState<Placing | null>(null)
   const [comparing, setComparing] = useState(false)
@@ -181,23 +170,12 @@ export function CueRoom(props: CueRoomProps) {
     )
   }
   const labelAs = (words: string | null) => {
-    if (hand === undefined || label.isPending) return
-    label.mutate(
-      { takeId: hand.id, label: words },
-      {
-        onSuccess: () => {
-          setAsking(null)
-          showToast(`${cue.name} ${realName(hand)} ${words === null ? 'has no label' : `is labelled “${words}”`}.`)
-        },
-      },
-    )
+    if (hand) labelling(hand, `${cue.name} ${realName(hand)}`, words, () => setAsking(null))
   }
   const write = (text = '') => {
     if (hand === undefined) return
     const range = placing ? null : playing.range
-    const startS = range?.startS ?? inside(player.positionS() - firstS, hand, target)
-    const kept = text === '' ? keptDraft<Writing>(`comment:${cue.id}`) : null
-    flushSync(() => setWriting(kept ? { ...kept, isRestored: true } : { text, startS, endS: range?.endS }))
+    begin(text, range?.startS ?? inside(player.positionS() - firstS, hand, target), range?.endS)
   }
   const wouldTake = () => {
     if (hand === undefined) return
@@ -418,21 +396,4 @@ export function CueRoom(props: CueRoomProps) {
       />
     </>
   )
-}
-
-/** A place in the sound; its very start and end mean the whole of it. */
-function inside(positionS: number, take: ReviewTake | undefined, target: string): number {
-  if (take === undefined) return 0
-  return positionS > 0 && positionS < soundOf(take, target).durationS ? positionS : 0
-}
-
-function whySilent(take: ReviewTake, target: string): string {
-  const { refusal } = soundOf(take, target)
-  return refusal ? `This game file does not exist: ${refusal}` : 'The preview is not ready yet.'
-}
-
-function nextWords(heard: readonly ReviewTake[], hand: ReviewTake, nameOf: (take: ReviewTake) => string): string {
-  const at = heard.findIndex(({ id }) => id === hand.id)
-  const next = heard[(at + 1) % heard.length]
-  return next ? `${nameOf(hand)} ⇄ ${nameOf(next)}` : ''
 }

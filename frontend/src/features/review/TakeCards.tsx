@@ -44,7 +44,7 @@ export function TakeCards({ takes, gains, handId, nameOf, blind, onChoose }: Tak
   )
 }
 
-/** A draft change; else the version, unless a label tells it from the others. */
+/** A draft change; else the version, unless a label names it among the others. */
 function lastFact(take: ReviewTake): ReactNode[] {
   if (take.draft_change) {
     return [

@@ -1,0 +1,25 @@
+import type { ReviewTake } from '@/judging/api'
+import { soundOf } from '@/judging/hearing'
+
+/** A place in the sound; its very start and end mean the whole of it. */
+export function inside(positionS: number, take: ReviewTake | undefined, target: string): number {
+  if (take === undefined) return 0
+  return positionS > 0 && positionS < soundOf(take, target).durationS ? positionS : 0
+}
+
+/** Why a version has nothing to play. */
+export function whySilent(take: ReviewTake, target: string): string {
+  const { refusal } = soundOf(take, target)
+  return refusal ? `This game file does not exist: ${refusal}` : 'The preview is not ready yet.'
+}
+
+/** What the next step of the switch does: "A ⇄ B". */
+export function nextWords(
+  heard: readonly ReviewTake[],
+  hand: ReviewTake,
+  nameOf: (take: ReviewTake) => string,
+): string {
+  const at = heard.findIndex(({ id }) => id === hand.id)
+  const next = heard[(at + 1) % heard.length]
+  return next ? `${nameOf(hand)} ⇄ ${nameOf(next)}` : ''
+}
