@@ -27,7 +27,7 @@ import { Composer, type Writing } from './Composer'
 import { Figures } from './Figures'
 import { PalettePlot } from './PalettePlot'
 import classes from './Side.module.css'
-import type { Said } from './said'
+import { roleOfSaid, type Said } from './said'
 
 interface SidePanelProps {
   review: CueReview
@@ -287,12 +287,6 @@ function SaidLine({ said, roleOf, open, on, onOpen, myId, onMark, onReply }: Sai
       )}
     </li>
   )
-}
-
-function roleOfSaid({ id, kind, draft, decides }: Said): string {
-  if (isWaitingId(id)) return 'waits for the connection'
-  if (kind === 'change') return draft ? 'draft change request' : 'requests a change'
-  return decides ? 'approver' : 'advises'
 }
 
 interface SeenLineProps {

@@ -83,3 +83,10 @@ export function marksOf(said: readonly Said[], takeId: string): CommentMark[] {
       : [{ id, number, startS, endS: endS !== null && endS > startS ? endS : undefined }],
   )
 }
+
+/** What the author of a saying is to its reader, or that it is not sent yet. */
+export function roleOfSaid({ id, kind, draft, decides }: Said): string {
+  if (isWaitingId(id)) return 'waits for the connection'
+  if (kind === 'change') return draft ? 'draft change request' : 'requests a change'
+  return decides ? 'approver' : 'advises'
+}
