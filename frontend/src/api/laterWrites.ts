@@ -104,19 +104,22 @@ export class LaterWrites {
   async #send(): Promise<void> {
     if (this.#isSending) return
     this.#isSending = true
-    for (let next = this.#writes[0]; next; next = this.#writes[0]) {
-      const response = await this.#answerTo(next)
-      if (response === null) {
-        this.#isAway = true
-        this.#sayKept()
-        await serverReturns()
-        this.#isAway = false
-      } else if (response.status === 429) await new Promise((resolve) => setTimeout(resolve, BUSY_MS))
-      else if (response.status === 401 && this.#isLate(next))
-        break // it is sent once the person has signed in
-      else await this.#finish(next, response)
+    try {
+      for (let next = this.#writes[0]; next; next = this.#writes[0]) {
+        const response = await this.#answerTo(next)
+        if (response === null) {
+          this.#isAway = true
+          this.#sayKept()
+          await serverReturns()
+          this.#isAway = false
+        } else if (response.status === 429) await new Promise((resolve) => setTimeout(resolve, BUSY_MS))
+        else if (response.status === 401 && this.#isLate(next))
+          break // it is sent once the person has signed in
+        else await this.#finish(next, response)
+      }
+    } finally {
+      this.#isSending = false
     }
-    this.#isSending = false
   }
 
   /** Nobody waits for the answer: an earlier page asked, or the person went on. */
