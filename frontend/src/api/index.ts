@@ -1,6 +1,6 @@
 export { answered, api, csrfToken, newIdempotencyKey } from './client'
 export { checkServer, connection } from './connection'
-export { answerOr, isWaitingId, laterWrites, waitingId } from './laterWrites'
+export { goOnLater, later } from './later'
 export { everyPage } from './pages'
 export { ApiProblem, type FieldProblem, lineLost, problemOf } from './problem'
 export { leaveSession, onSessionEnd, signedInAgain } from './signIn'

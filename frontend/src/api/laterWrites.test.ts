@@ -1,6 +1,7 @@
 import { beforeEach, describe, expect, test, vi } from 'vitest'
 
 import { answered, api } from './client'
+import { later } from './later'
 import { LaterWrites } from './laterWrites'
 
 interface Arrived {
@@ -16,6 +17,7 @@ let answer: (arrived: Arrived) => Response
 
 beforeEach(() => {
   localStorage.clear()
+  later.show({ waiting: 0, refused: [] })
   document.cookie = 'soundlist_csrf=of-now; path=/'
   isThere = true
   arrived = []
@@ -32,19 +34,20 @@ beforeEach(() => {
   })
 })
 
-const say = (later: LaterWrites, takeId: string, text: string, onKept: () => void = () => undefined) =>
+const say = (writes: LaterWrites, takeId: string, text: string, onKept: () => void = () => undefined) =>
   answered(
     api.POST('/v1/takes/{take_id}/comments', {
       params: { path: { take_id: takeId } },
       body: { text, mentions: [] },
-      fetch: later.fetch(`Comment on ${takeId}`, onKept),
+      fetch: writes.fetch(`Comment on ${takeId}`, onKept),
     }),
   )
 const texts = () => arrived.map(({ body }) => (body as { text: string }).text)
-const begun = (onLateAnswer = () => undefined as void) => {
-  const later = new LaterWrites()
-  later.begin('p1', onLateAnswer)
-  return later
+const begun = (onLateAnswer = () => undefined as void, personId = 'p1') => {
+  later.writer = { personId, onLateAnswer }
+  const writes = new LaterWrites()
+  writes.begin()
+  return writes
 }
 const back = () => vi.waitFor(() => expect(localStorage).toHaveLength(0), 8_000)
 
@@ -58,12 +61,12 @@ describe('writes that a lost line must not lose', () => {
   })
 
   test('wait for the connection, and are sent in order, each with its own key', async () => {
-    const later = begun()
+    const writes = begun()
     isThere = false
     const onKept = vi.fn()
-    const said = [say(later, 't1', 'one', onKept), say(later, 't2', 'two', onKept)]
+    const said = [say(writes, 't1', 'one', onKept), say(writes, 't2', 'two', onKept)]
     await vi.waitFor(() => expect(onKept).toHaveBeenCalledTimes(2))
-    const third = say(later, 't1', 'three', onKept)
+    const third = say(writes, 't1', 'three', onKept)
     await vi.waitFor(() => expect(later.getState().waiting).toBe(3))
     isThere = true
     await Promise.all([...said, third])
@@ -74,12 +77,12 @@ describe('writes that a lost line must not lose', () => {
   })
 
   test('whose answer was lost come again with the same key', async () => {
-    const later = begun()
+    const writes = begun()
     answer = () => {
       answer = () => Response.json({ id: 'v1' })
       throw new TypeError('Failed to fetch')
     }
-    await say(later, 't1', 'one')
+    await say(writes, 't1', 'one')
     expect(texts()).toEqual(['one', 'one'])
     expect(arrived[0]?.key).toBe(arrived[1]?.key)
   })
@@ -88,8 +91,8 @@ describe('writes that a lost line must not lose', () => {
     isThere = false
     void say(begun(), 't1', 'one')
     await vi.waitFor(() => expect(localStorage).toHaveLength(1))
-    const other = new LaterWrites()
-    other.begin('p2', () => undefined)
+    begun(undefined, 'p2')
+    expect(later.getState().waiting).toBe(1)
     const onLateAnswer = vi.fn()
     const next = begun(onLateAnswer)
     const two = say(next, 't2', 'two')
@@ -99,29 +102,30 @@ describe('writes that a lost line must not lose', () => {
     expect(texts().at(-1)).toBe('two')
     expect(new Set(arrived.filter(({ path }) => path.includes('t1')).map(({ key }) => key)).size).toBe(1)
     expect(onLateAnswer).toHaveBeenCalled()
-    expect(other.getState().waiting).toBe(0)
   })
 
   test('that are refused once the person has gone on are shown with the reason, until they are read', async () => {
-    const later = begun()
+    const writes = begun()
     isThere = false
     const onKept = vi.fn()
-    const said = say(later, 't1', 'one', onKept).catch(() => undefined)
+    const said = say(writes, 't1', 'one', onKept).catch(() => undefined)
     await vi.waitFor(() => expect(onKept).toHaveBeenCalled())
     answer = () => Response.json({ status: 409, code: 'late', detail: 'the version moved on' }, { status: 409 })
     isThere = true
     await said
     expect(later.getState().refused).toMatchObject([{ what: 'Comment on t1', why: 'the version moved on' }])
-    expect(begun().getState().refused).toHaveLength(1)
-    for (const { place } of later.getState().refused) later.forgetRefused(place)
+    begun()
+    expect(later.getState().refused).toHaveLength(1)
+    for (const { place } of later.getState().refused) writes.forgetRefused(place)
     await back()
-    expect(begun().getState().refused).toEqual([])
+    begun()
+    expect(later.getState().refused).toEqual([])
   })
 
   test('that are refused at once are for whoever asked', async () => {
-    const later = begun()
+    const writes = begun()
     answer = () => Response.json({ status: 409, code: 'late', detail: 'the version moved on' }, { status: 409 })
-    await expect(say(later, 't1', 'one')).rejects.toMatchObject({ code: 'late' })
+    await expect(say(writes, 't1', 'one')).rejects.toMatchObject({ code: 'late' })
     expect(later.getState().refused).toEqual([])
     expect(localStorage).toHaveLength(0)
   })

@@ -1,5 +1,6 @@
 import { csrfToken, newIdempotencyKey, send } from './client'
 import { serverReturns } from './connection'
+import { later, REFUSED, type RefusedWrite, WAITING } from './later'
 import { ApiProblem, problemOf } from './problem'
 
 /** A write of one person, kept in this browser until the server has answered it. */
@@ -15,13 +16,6 @@ interface KeptWrite {
   what: string
 }
 
-/** What the server refused after the person had gone on, shown until they have read it. */
-interface RefusedWrite {
-  place: string
-  what: string
-  why: string
-}
-
 /** Who asked for a write on this page. */
 interface Asked {
   answer: (response: Response) => void
@@ -30,14 +24,6 @@ interface Asked {
   isKept: boolean
 }
 
-interface LaterState {
-  /** How many writes wait for the connection. */
-  waiting: number
-  refused: readonly RefusedWrite[]
-}
-
-const WAITING = 'soundlist-later'
-const REFUSED = 'soundlist-refused'
 const BUSY_MS = 2_000
 
 /**
@@ -50,25 +36,15 @@ export class LaterWrites {
   #count = 0
   #isAway = false
   #isSending = false
-  #state: LaterState = { waiting: 0, refused: [] }
-  #onLateAnswer: () => void = () => undefined
   readonly #asked = new Map<string, Asked>()
-  readonly #listeners = new Set<() => void>()
 
-  getState = (): LaterState => this.#state
-
-  subscribe = (listener: () => void): (() => void) => {
-    this.#listeners.add(listener)
-    return () => this.#listeners.delete(listener)
-  }
-
-  /** Go on with what earlier pages of this person left; `onLateAnswer` follows what they did not wait for. */
-  begin(personId: string, onLateAnswer: () => void): void {
-    this.#onLateAnswer = onLateAnswer
+  /** Go on with what earlier pages of this person left. */
+  begin(): void {
+    const { personId } = later.writer
     if (personId !== this.#person) {
       this.#person = personId
       this.#writes = this.#stored<KeptWrite>(WAITING)
-      this.#show({ refused: this.#stored<RefusedWrite>(REFUSED) })
+      later.show({ refused: this.#stored<RefusedWrite>(REFUSED) })
     }
     void this.#send()
   }
@@ -77,6 +53,7 @@ export class LaterWrites {
   fetch =
     (what: string, onKept: () => void) =>
     async (request: Request): Promise<Response> => {
+      this.begin()
       const { pathname, search } = new URL(request.url)
       const write: KeptWrite = {
         place: `${String(Date.now()).padStart(15, '0')}-${String((this.#count += 1)).padStart(6, '0')}`,
@@ -98,7 +75,7 @@ export class LaterWrites {
 
   forgetRefused(place: string): void {
     this.#unstore(REFUSED, place)
-    this.#show({ refused: this.#state.refused.filter((one) => one.place !== place) })
+    later.show({ refused: later.getState().refused.filter((one) => one.place !== place) })
   }
 
   async #send(): Promise<void> {
@@ -152,14 +129,14 @@ export class LaterWrites {
     if (isLate && !response.ok) await this.#keepRefused(write, response.clone())
     this.#showWaiting()
     asked?.answer(response)
-    if (isLate) this.#onLateAnswer()
+    if (isLate) later.writer.onLateAnswer()
   }
 
   async #keepRefused({ place, what }: KeptWrite, response: Response): Promise<void> {
     const body: unknown = await response.json().catch(() => null)
     const refused = { place, what, why: problemOf(response.status, body).detail }
     this.#store(REFUSED, refused)
-    this.#show({ refused: [...this.#state.refused, refused] })
+    later.show({ refused: [...later.getState().refused, refused] })
   }
 
   /** Let those who wait go on: their writes are kept. */
@@ -172,12 +149,7 @@ export class LaterWrites {
   }
 
   #showWaiting(): void {
-    this.#show({ waiting: this.#writes.filter((write) => this.#isLate(write)).length })
-  }
-
-  #show(changed: Partial<LaterState>): void {
-    this.#state = { ...this.#state, ...changed }
-    for (const listener of this.#listeners) listener()
+    later.show({ waiting: this.#writes.filter((write) => this.#isLate(write)).length })
   }
 
   #stored<T extends { place: string }>(prefix: string): T[] {

@@ -1,7 +1,8 @@
 import { type InfiniteData, type QueryClient, type QueryKey, useQueryClient } from '@tanstack/react-query'
 import { useState } from 'react'
 
-import { answered, answerOr, api, ApiProblem, laterWrites, lineLost, useMutation, waitingId } from '@/api'
+import { answered, api, ApiProblem, lineLost, useMutation } from '@/api'
+import { answerOr, laterWrites, waitingId } from '@/api/laterWrites'
 import { type Me, meQuery } from '@/api/me'
 import { queryKeys } from '@/api/queryKeys'
 import { dismissToast, showToast } from '@/app/toast'

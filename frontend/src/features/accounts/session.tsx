@@ -2,7 +2,7 @@ import { type QueryClient, useQuery, useQueryClient } from '@tanstack/react-quer
 import { redirect, useParams, useRouter } from '@tanstack/react-router'
 import { lazy, Suspense, useEffect } from 'react'
 
-import { answered, api, ApiProblem, laterWrites, leaveSession } from '@/api'
+import { answered, api, ApiProblem, goOnLater, leaveSession } from '@/api'
 import { type Me, meQuery } from '@/api/me'
 import { isParty } from '@/api/me'
 import { cameBack, deskQuery } from '@/app/desk'
@@ -77,7 +77,7 @@ function useShell(): ShellData {
 
   const personId = me?.person.id
   useEffect(() => {
-    if (personId !== undefined) laterWrites.begin(personId, () => void client.invalidateQueries())
+    if (personId !== undefined) goOnLater(personId, () => void client.invalidateQueries())
   }, [client, personId])
   useEffect(
     () => (personId === undefined ? undefined : followChanges(client, personId, () => projectIdsOf(client))),

@@ -1,7 +1,6 @@
-import { TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
-import { type ReactNode, useEffect, useMemo, useState } from 'react'
+import { type ReactNode, useEffect, useId, useMemo, useState } from 'react'
 
 import { ApiProblem } from '@/api'
 import { keepDraft, useDraft } from '@/app/drafts'
@@ -11,6 +10,7 @@ import { ended } from '@/judging/findings'
 import { Refusal } from '@/judging/Refusal'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { FieldError } from '@/ui/FieldError'
 import { bytesOf, plural, remaining } from '@/ui/format'
 import { useLeaveWarning, useUploads } from '@/uploads'
 
@@ -160,6 +160,7 @@ function Foot({ projectId, delivery, going }: { projectId: string; delivery: Del
   useEffect(() => {
     if (!going) setAsked(false)
   }, [going])
+  const noteId = useId()
   const keep = async () => {
     if (note.trim() === delivery.note) return
     await save.mutateAsync({ deliveryId: delivery.id, note: note.trim() })
@@ -187,17 +188,22 @@ function Foot({ projectId, delivery, going }: { projectId: string; delivery: Del
         void keep().catch(() => undefined)
       }}
     >
-      <TextInput
-        className="grow"
-        label={`Note on delivery ${delivery.number}`}
-        placeholder="What is in it and what to listen for"
-        value={note}
-        onChange={(event) => setNote(event.currentTarget.value)}
-        onBlur={() => void keep().catch(() => undefined)}
-        error={error instanceof ApiProblem ? ended(error.detail) : undefined}
-        description={save.isSuccess && note.trim() === delivery.note ? 'Saved.' : undefined}
-        inputWrapperOrder={['label', 'input', 'description', 'error']}
-      />
+      <div className={`grow ${classes.note}`}>
+        <label htmlFor={noteId}>Note on delivery {delivery.number}</label>
+        <input
+          id={noteId}
+          placeholder="What is in it and what to listen for"
+          aria-invalid={error instanceof ApiProblem || undefined}
+          aria-describedby={`${noteId}-below`}
+          value={note}
+          onChange={(event) => setNote(event.currentTarget.value)}
+          onBlur={() => void keep().catch(() => undefined)}
+        />
+        <div id={`${noteId}-below`}>
+          {save.isSuccess && note.trim() === delivery.note && <span className="small dim">Saved.</span>}
+          {error instanceof ApiProblem && <FieldError>{ended(error.detail)}</FieldError>}
+        </div>
+      </div>
       <Button onClick={() => void finish()}>
         {asked ? 'Close it; later files are marked late' : 'Close delivery'}
       </Button>

@@ -1,6 +1,7 @@
 import { type QueryClient, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, answerOr, api, isWaitingId, laterWrites, useMutation, waitingId } from '@/api'
+import { answered, api, useMutation } from '@/api'
+import { answerOr, isWaitingId, laterWrites, waitingId } from '@/api/laterWrites'
 import { type Me, meQuery } from '@/api/me'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'

@@ -1,4 +1,4 @@
-import { isWaitingId } from '@/api'
+import { isWaitingId } from '@/api/laterWrites'
 import type { CommentMark } from '@/audio'
 import type { CueReview, ReviewTake } from '@/judging/api'
 import type { Mention } from '@/judging/mentionNames'

@@ -1,0 +1,46 @@
+/** What the server refused after the person had gone on, shown until they have read it. */
+export interface RefusedWrite {
+  place: string
+  what: string
+  why: string
+}
+
+interface LaterState {
+  /** How many writes wait for the connection. */
+  waiting: number
+  refused: readonly RefusedWrite[]
+}
+
+/** What is kept in this browser is under these names, then the person and its place. */
+export const WAITING = 'soundlist-later'
+export const REFUSED = 'soundlist-refused'
+
+const listeners = new Set<() => void>()
+let state: LaterState = { waiting: 0, refused: [] }
+
+/** What every page knows of writes that are sent later; what sends them is loaded where there are any. */
+export const later = {
+  /** Whose writes these are, and what follows those that nobody waited for. */
+  writer: { personId: '', onLateAnswer: (): void => undefined },
+  getState: (): LaterState => state,
+  subscribe: (listener: () => void): (() => void) => {
+    listeners.add(listener)
+    return () => listeners.delete(listener)
+  },
+  show: (changed: Partial<LaterState>): void => {
+    state = { ...state, ...changed }
+    for (const listener of listeners) listener()
+  },
+}
+
+/** The person is signed in: go on with what earlier pages left, if they left anything. */
+export function goOnLater(personId: string, onLateAnswer: () => void): void {
+  later.writer = { personId, onLateAnswer }
+  const mine = [`${WAITING}:${personId}:`, `${REFUSED}:${personId}:`]
+  try {
+    if (!Object.keys(localStorage).some((key) => mine.some((prefix) => key.startsWith(prefix)))) return
+  } catch {
+    return // a browser that keeps nothing
+  }
+  void import('./laterWrites').then(({ laterWrites }) => laterWrites.begin())
+}

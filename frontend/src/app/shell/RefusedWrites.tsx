@@ -1,0 +1,24 @@
+import { useSyncExternalStore } from 'react'
+
+import { later } from '@/api'
+import { laterWrites } from '@/api/laterWrites'
+import { Button } from '@/ui/Button'
+import { ProblemNote } from '@/ui/ProblemNote'
+
+import classes from './RefusedWrites.module.css'
+
+/** What the server refused after the person had gone on; each stays until it is dismissed. */
+export function RefusedWrites() {
+  const { refused } = useSyncExternalStore(later.subscribe, later.getState)
+  return (
+    <section aria-label="Not saved" className={classes.refused}>
+      {refused.map(({ place, what, why }) => (
+        <ProblemNote
+          key={place}
+          detail={`Not saved: ${what}. ${why.charAt(0).toUpperCase()}${why.slice(1)}.`}
+          action={<Button onClick={() => laterWrites.forgetRefused(place)}>Dismiss</Button>}
+        />
+      ))}
+    </section>
+  )
+}
