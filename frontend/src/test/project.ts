@@ -235,6 +235,9 @@ export const inProject = (part: Part = 'producer', more: Answers = {}): Answers 
   'GET /v1/projects/p1/pace': aPace(),
   'GET /v1/projects/p1/handovers': [],
   'GET /v1/projects/p1/playlists': [],
+  'GET /v1/projects/p1/review-reasons': Object.fromEntries(
+    ['change', 'pick', 'label'].map((kind) => [kind, { is_own: false, reasons: [] }]),
+  ),
   'GET /v1/projects/p1/spec': aSpec(),
   'GET /v1/checks': checks,
   'GET /v1/studios/s1/invitations': [],
