@@ -60,7 +60,7 @@ def test_who_is_mentioned_has_a_notice_and_a_mail_that_lead_there(stage: Stage):
     (notice,) = mentions_of(world, world.reviewer)
     assert notice["subject"].endswith("Sound designer mentions you")
     assert "at 0.200 s: Sound designer wrote: @Composer, does it clash?" in notice["text"]
-    assert notice["path"] == f"/projects/{world.project_id}/review/{cue_id}"
+    assert notice["path"] == f"/projects/{world.project_id}/review/{cue_id}?take={take_id}&at=0.2"
     mails = world.producer.get(f"/v1/studios/{world.studio_id}/outbox").json()["mails"]
     assert [mail["recipient"] for mail in mails if mail["subject"].endswith("mentions you")] == [
         f"{world.reviewer_id}@example.test"
@@ -68,11 +68,11 @@ def test_who_is_mentioned_has_a_notice_and_a_mail_that_lead_there(stage: Stage):
     assert mentions_of(world, world.approver) == []
 
 
-def test_the_designer_is_led_to_the_desk(stage: Stage):
+def test_the_designer_is_led_to_the_version(stage: Stage):
     world, take_id = stage.world, stage.take(stage.cue())
     say(world.approver, take_id, "@Sound designer, shorter?", mentions=[str(world.designer_id)])
     (notice,) = mentions_of(world, world.designer)
-    assert notice["path"] == "/desk"
+    assert notice["path"] == f"/takes/{take_id}"
 
 
 def test_nobody_is_mentioned_who_may_not_see_the_version(stage: Stage):
