@@ -36,6 +36,7 @@ export class LaterWrites {
   #count = 0
   #isAway = false
   #isSending = false
+  readonly #onTheirWay = new Set<KeptWrite>()
   readonly #asked = new Map<string, Asked>()
 
   /** Go on with what earlier pages of this person left. */
@@ -68,8 +69,10 @@ export class LaterWrites {
       const answer = new Promise<Response>((resolve) =>
         this.#asked.set(write.place, { answer: resolve, onKept, isKept: false }),
       )
-      if (this.#isAway) this.#sayKept()
-      void this.#send()
+      if (this.#isAway || this.#isSending) {
+        if (this.#isAway) this.#sayKept()
+        void this.#send()
+      } else void this.#sendAtOnce(write) // lists that are read meanwhile see it sooner
       return answer
     }
 
@@ -78,11 +81,23 @@ export class LaterWrites {
     later.show({ refused: later.getState().refused.filter((one) => one.place !== place) })
   }
 
+  async #sendAtOnce(write: KeptWrite): Promise<void> {
+    this.#onTheirWay.add(write)
+    const response = await this.#answerTo(write).catch(() => null)
+    this.#onTheirWay.delete(write)
+    if (response === null || response.status === 429) await this.#send()
+    else await this.#finish(write, response)
+  }
+
+  #next(): KeptWrite | undefined {
+    return this.#writes.find((write) => !this.#onTheirWay.has(write))
+  }
+
   async #send(): Promise<void> {
     if (this.#isSending) return
     this.#isSending = true
     try {
-      for (let next = this.#writes[0]; next; next = this.#writes[0]) {
+      for (let next = this.#next(); next; next = this.#next()) {
         const response = await this.#answerTo(next)
         if (response === null) {
           this.#isAway = true
