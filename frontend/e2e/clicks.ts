@@ -1,4 +1,4 @@
-/** Clicks that tell where in a sound they are: each is two pulses, and the later it comes, the farther they are apart. */
+/** Clicks that encode where in a sound they are: each is two pulses, and the later it comes, the farther they are apart. */
 export const CLICK_EVERY_S = 0.2
 export const FIRST_GAP_MS = 5
 export const GAP_STEP_MS = 0.2

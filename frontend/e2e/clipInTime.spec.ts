@@ -69,7 +69,7 @@ async function recordFrames(page: Page): Promise<void> {
 /** Where the sound is at a moment of the wall clock is `placeMs` later than that moment. */
 const placeMs = ({ heardMs, positionS }: HeardClick) => positionS * 1_000 - heardMs
 
-/** The clicks, parted wherever the sound went on from another place or as another version. */
+/** The clicks in pieces: a piece ends where the sound goes on from another place or as another version. */
 function pieces(clicks: readonly HeardClick[]): HeardClick[][] {
   const parted: HeardClick[][] = []
   for (const click of clicks) {

@@ -122,7 +122,7 @@ describe('writes that a lost line must not lose', () => {
     expect(later.getState().refused).toEqual([])
   })
 
-  test('that are refused at once are for whoever asked', async () => {
+  test('that are refused at once are answered to the caller alone', async () => {
     const writes = begun()
     answer = () => Response.json({ status: 409, code: 'late', detail: 'the version moved on' }, { status: 409 })
     await expect(say(writes, 't1', 'one')).rejects.toMatchObject({ code: 'late' })

@@ -124,7 +124,7 @@ export function ChangeForm({
       <div className={classes.line}>
         <input
           ref={field}
-          className={classes.text}
+          className={`line-field ${classes.text}`}
           aria-label={`What to change in ${what}`}
           aria-invalid={empty || undefined}
           aria-describedby={empty ? errorId : undefined}

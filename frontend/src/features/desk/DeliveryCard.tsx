@@ -192,6 +192,7 @@ function Foot({ projectId, delivery, going }: { projectId: string; delivery: Del
         <label htmlFor={noteId}>Note on delivery {delivery.number}</label>
         <input
           id={noteId}
+          className="line-field"
           placeholder="What is in it and what to listen for"
           aria-invalid={error instanceof ApiProblem || undefined}
           aria-describedby={`${noteId}-below`}

@@ -39,7 +39,7 @@ export function LabelLine({ take }: { take: Take }) {
       </label>
       <input
         id={`${listId}-field`}
-        className={classes.labelField}
+        className={`line-field ${classes.labelField}`}
         list={listId}
         maxLength={40}
         placeholder="longer, layered, wild"
