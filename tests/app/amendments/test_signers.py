@@ -8,16 +8,19 @@ import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Membership, Person
-from app.accounts.rules import Role
+from app.accounts.rules import AddressProof, Role
 from app.agreements.models import ContractSigner
 from app.agreements.queries import contract_by_id
 from app.amendments.verification import faults_of
+from app.kit import clock
 from app.kit.db import new_id
+from tests.app.agreements.test_signing import code_for
 from tests.app.amendments.test_change_orders import Order, move
 from tests.app.money.agreed import day
 from tests.app.reviews.making import body_of, refused
 from tests.support.server import World
 from tests.support.smtp import mail_server
+from tests.support.waiting import until
 
 pytestmark = pytest.mark.both_databases
 
@@ -109,15 +112,15 @@ def test_the_settlement_statement_needs_both_signers(order: Order, second: UUID)
 
 
 def test_the_second_signer_is_mailed_once_the_first_has_signed(order: Order, second: UUID) -> None:
-    world = order.world
-    proposed(order, world.producer)
+    world, needs = order.world, "a change order needs your signature"
+    text = {"text_sha256": proposed(order, world.producer)["text_sha256"]}
+    verified = sa.update(Person).values(email_verified_at=clock.now(), email_proof=AddressProof.MAIL)
+    world.server.in_database(lambda session: session.execute(verified))
     with mail_server(world.server) as mails:
-        needs = "a change order needs your signature"
+        code = code_for(world, mails, {"id": order.contract_id, "version": text}, world.producer, world.producer_id)
         assert not any(needs in text for text in mails.texts_for(f"{second}@example.test"))
-        world.server.runtime.settings.smtp_url, url = "", world.server.runtime.settings.smtp_url  # no code is asked for
-        body_of(order.accept(world.producer, "P. Producer"))
-        world.server.runtime.settings.smtp_url = url
-        assert any(needs in text for text in mails.texts_for(f"{second}@example.test"))
+        body_of(world.producer.post(f"{order.path}/1/accept", json={"name": "P. Producer", "code": code, **text}))
+        until(lambda: any(needs in text for text in mails.texts_for(f"{second}@example.test")))
 
 
 def test_a_signature_that_is_taken_away_is_found(order: Order, second: UUID) -> None:
