@@ -57,6 +57,7 @@ class PlaylistTake(SoundBrief):
     category: str
     variation: int | None = Field(description="Null where the cue has but one.")
     number: int
+    label: str | None = Field(description="What it is among alternates; designers see those of their own alone.")
     state: TakeState
     may_approve: bool = Field(description="Whether the caller approves this cue today.")
     is_heard: bool | None = Field(description="By the caller; null for designers, of whom nothing is recorded.")

@@ -182,6 +182,7 @@ def read_playlist(session: Session, access: ProjectAccess, playlist: Playlist) -
                 category=one.cue.category,
                 variation=one.take.variation if one.cue.variations > 1 else None,
                 number=one.take.number or 0,
+                label=one.take.label if access.only_designer_id in (None, one.take.designer_id) else None,
                 state=one.take.state,
                 may_approve=scope.covers(one.cue.category),
                 is_heard=None if heard is None else one.take.id in heard,

@@ -8234,7 +8234,9 @@ export interface paths {
         };
         /**
          * Find
-         * @description Return what holds the typed words: cues first, then files, people, contracts, comments and questions.
+         * @description Return what holds the typed words: cues, files, people, contracts, reasons, labels, comments and questions.
+         *
+         *     A designer finds reasons and labels of their own versions.
          */
         get: operations["find"];
         put?: never;
@@ -8254,7 +8256,7 @@ export interface paths {
         };
         /**
          * Find Elsewhere
-         * @description Return the cues and files that hold the typed words in all projects that the caller sees.
+         * @description Return cues, files, reasons and labels that hold the typed words in all projects that the caller sees.
          */
         get: operations["find_elsewhere"];
         put?: never;
@@ -14438,7 +14440,7 @@ export interface components {
              * Kind
              * @enum {string}
              */
-            kind: "cue" | "file" | "person" | "contract" | "comment" | "question";
+            kind: "cue" | "file" | "person" | "contract" | "change_reason" | "pick_reason" | "label" | "comment" | "question";
             /** Title */
             title: string;
             /**
@@ -14454,6 +14456,8 @@ export interface components {
             contract_id?: string | null;
             /** Start S */
             start_s?: number | null;
+            /** @description Of reasons and labels alone. */
+            said?: components["schemas"]["SaidOfVersion"] | null;
         };
         /**
          * FoundElsewhere
@@ -14464,7 +14468,7 @@ export interface components {
              * Kind
              * @enum {string}
              */
-            kind: "cue" | "file" | "person" | "contract" | "comment" | "question";
+            kind: "cue" | "file" | "person" | "contract" | "change_reason" | "pick_reason" | "label" | "comment" | "question";
             /** Title */
             title: string;
             /**
@@ -14480,6 +14484,8 @@ export interface components {
             contract_id?: string | null;
             /** Start S */
             start_s?: number | null;
+            /** @description Of reasons and labels alone. */
+            said?: components["schemas"]["SaidOfVersion"] | null;
             /**
              * Project Id
              * Format: uuid
@@ -19000,6 +19006,11 @@ export interface components {
             variation: number | null;
             /** Number */
             number: number;
+            /**
+             * Label
+             * @description What it is among alternates; designers see those of their own alone.
+             */
+            label: string | null;
             state: components["schemas"]["TakeState"];
             /**
              * May Approve
@@ -21722,6 +21733,23 @@ export interface components {
             is_in: "both" | "earlier" | "later";
             /** Text */
             text: string;
+        };
+        /**
+         * SaidOfVersion
+         * @description A version that was given a reason or a label, and who said it.
+         */
+        SaidOfVersion: {
+            /** Variation */
+            variation: number;
+            /**
+             * Number
+             * @description Null where the version has no cue any more.
+             */
+            number: number | null;
+            by: components["schemas"]["PersonBrief"] | null;
+            on_behalf_of: components["schemas"]["PersonBrief"] | null;
+            /** At */
+            at: string | null;
         };
         /**
          * SameSoundRead

@@ -22,6 +22,7 @@ export function useSetLabel() {
         queryKeys.takeHistory(takeId),
         queryKeys.cueTakes.all,
         queryKeys.delivery.all,
+        queryKeys.playlist.all,
       ),
   })
 }

@@ -9,6 +9,7 @@ export const aPlaylistTake = (id: string, name: string, more: object = {}) => ({
   category: '',
   variation: null,
   number: 2,
+  label: null,
   state: 'conforming',
   may_approve: false,
   is_heard: true,

@@ -135,6 +135,30 @@ def test_a_designer_hears_of_a_playlist_with_a_sound_of_theirs_what_they_may_hea
     assert world.reviewer.get(url).json()["may_join"] is True
 
 
+def test_the_team_sees_labels_and_a_designer_those_of_their_own(world: World) -> None:
+    _, laser = sound(world)
+    steps = of_another(world, "steps")
+    hear(world, "waiting")
+    for take_id, label in ((laser, "longer"), (steps, "wild")):
+        answer = world.producer.put(f"/v1/takes/{take_id}/label", json={"label": label})
+        assert answer.status_code == 200, answer.text
+    url = f"/v1/playlists/{playlist(world, laser, steps)['id']}"
+
+    def labels(client: TestClient) -> list[str | None]:
+        return [one["label"] for one in client.get(url).json()["takes"]]
+
+    assert labels(world.reviewer) == ["longer", "wild"]
+    assert labels(world.designer) == ["longer", None]
+    assert labels(world.other_designer) == [None, "wild"]
+
+
+def test_guests_see_no_labels(world: World) -> None:
+    _, laser = sound(world)
+    world.producer.put(f"/v1/takes/{laser}/label", json={"label": "longer"})
+    _, secret = made(world, kind="playlist", playlist_id=playlist(world, laser)["id"])
+    assert "longer" not in str(opened(world, secret)[1])
+
+
 def test_a_designer_without_a_sound_in_a_playlist_does_not_see_it(world: World) -> None:
     _, laser = sound(world)
     of_another(world, "steps")

@@ -165,7 +165,8 @@ function Room({ playlist }: { playlist: Playlist }) {
         <section aria-label="Now" className={classes.now}>
           <p className={classes.nowHead}>
             <span className="title cut-text">{titleOf(current)}</span>{' '}
-            <span className="small dim mono">{current.cue_label}</span>
+            <span className="small dim mono">{current.cue_label}</span>{' '}
+            {current.label !== null && <span className="small">{current.label}</span>}
           </p>
           <Position
             player={player}
@@ -247,8 +248,9 @@ function Room({ playlist }: { playlist: Playlist }) {
                   onClick={() => void open(take.take_id)}
                   disabled={follows}
                 >
-                  <span className="strong cut-text">{titleOf(take)}</span>
-                  <span className="small dim nowrap">version {take.number}</span>
+                  <span className="strong cut-text">{titleOf(take)}</span>{' '}
+                  <span className="small dim nowrap">version {take.number}</span>{' '}
+                  {take.label !== null && <span className="small cut-text">{take.label}</span>}
                   {take.is_heard === false && <NotHeard />}
                 </button>
                 <span className={classes.thumb}>

@@ -153,6 +153,21 @@ test('a playlist opens where one stopped; Alt and arrows, and buttons, put it in
   await noViolations()
 })
 
+test('labels tell alternates apart in the list and in the player', async () => {
+  const takes = [take('t1', 'door', { label: 'longer' }), take('t2', 'door', { label: 'wild' }), take('t3', 'steps')]
+  open('/projects/p1/playlists/l1', { 'GET /v1/playlists/l1': { ...PLAYLIST, takes } })
+  expect(await screen.findByRole('region', { name: 'Now' })).toHaveTextContent('door SW-001 wild')
+  const rows = within(screen.getByRole('list', { name: '3 sounds in order' })).getAllByRole('button', {
+    name: /version/,
+  })
+  expect(rows.map((row) => row.textContent)).toEqual([
+    'door version 2 longer',
+    'door version 2 wild',
+    'steps version 2 ',
+  ])
+  await noViolations()
+})
+
 test('a refused order stands as it was, with the reason', async () => {
   open('/projects/p1/playlists/l1', {
     'PATCH /v1/playlists/l1': refusal(409, 'playlist-changed', 'another person changed this playlist'),
