@@ -1,7 +1,8 @@
-import { type ComponentType, useEffect } from 'react'
+import { type ComponentType, useCallback } from 'react'
 
 import { useLazy } from '@/ui/useLazy'
 
+import { useFirstSign } from './firstSign'
 import { KeyScope } from './keys'
 
 export interface OpenedProps {
@@ -21,17 +22,7 @@ interface LazyDialogProps<Given> extends OpenedProps {
  */
 export function LazyDialog<Given extends object>({ load, opened, onClose, given }: LazyDialogProps<Given>) {
   const Opened = useLazy(load, opened, onClose)
-  useEffect(() => {
-    const ending = new AbortController()
-    const prepare = () => {
-      ending.abort()
-      load().catch(() => undefined)
-    }
-    for (const sign of ['pointermove', 'pointerdown', 'keydown']) {
-      globalThis.addEventListener(sign, prepare, { signal: ending.signal, passive: true })
-    }
-    return () => ending.abort()
-  }, [load])
+  useFirstSign(useCallback(() => void load().catch(() => undefined), [load]))
   if (Opened === null) return opened && <KeyScope>{null}</KeyScope>
   return <Opened {...given} opened={opened} onClose={onClose} />
 }

@@ -33,6 +33,7 @@ import { ErrorPage } from './ErrorPage'
 import { NotFoundPage } from './NotFoundPage'
 import { guestRoute, nowhereRoute, rootRoute, shellRoute } from './roots'
 import type { Session } from './session'
+import type { Code } from './startEarly'
 
 const pages = [
   guestRoute.addChildren([
@@ -92,5 +93,7 @@ declare module '@tanstack/react-router' {
     keepsFocus?: boolean
     /** Asks for what the page shows first, as soon as the address is known. What is refused is asked for again by the page. */
     early?: (client: QueryClient, params: Record<string, string>, session: Session) => void
+    /** The page that this one opens at once. */
+    leadsTo?: Code
   }
 }

@@ -1,9 +1,10 @@
 import type { QueryClient } from '@tanstack/react-query'
-import type { AnyRoute, AnyRouter, ParsedLocation } from '@tanstack/react-router'
+import type { AnyRoute, AnyRouteMatch, AnyRouter, ParsedLocation } from '@tanstack/react-router'
 
 import type { Session } from './session'
 
-interface Preloadable {
+/** A page whose code is loaded when it is first shown. */
+export interface Code {
   preload?: () => Promise<unknown> | undefined
 }
 
@@ -16,9 +17,22 @@ export function startEarly(router: AnyRouter, client: QueryClient, session: Sess
   for (const { params, staticData } of matches) {
     staticData.early?.(client, params as Record<string, string>, session)
   }
-  for (const { routeId } of matches) {
+  loadCode(router, matches)
+}
+
+/** Load the code of pages that are likely opened next. Their data is asked for when they are opened. */
+export function loadAhead(router: AnyRouter, paths: readonly string[]): void {
+  for (const to of paths) {
+    const { pathname } = router.buildLocation({ to })
+    loadCode(router, router.matchRoutes(pathname, {}))
+  }
+}
+
+function loadCode(router: AnyRouter, matches: readonly AnyRouteMatch[]): void {
+  for (const { routeId, staticData } of matches) {
     const route = (router.routesById as Record<string, AnyRoute | undefined>)[routeId as string]
-    const component = route?.options.component as Preloadable | undefined
-    component?.preload?.()?.catch(() => undefined) // the route loads it again, and says what is wrong
+    for (const code of [route?.options.component as Code | undefined, staticData.leadsTo]) {
+      code?.preload?.()?.catch(() => undefined) // the route loads it again, and says what is wrong
+    }
   }
 }

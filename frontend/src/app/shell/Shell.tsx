@@ -1,12 +1,14 @@
 import { Outlet, useLocation, useRouter } from '@tanstack/react-router'
-import { useState } from 'react'
+import { useCallback, useState } from 'react'
 
 import { isMac } from '@/ui/keyNames'
 
+import { useFirstSign } from '../firstSign'
 import { useHotkeys } from '../keys'
 import { LazyDialog } from '../LazyDialog'
 import { useCommands } from '../palette'
 import type { Session } from '../session'
+import { loadAhead } from '../startEarly'
 import { ProjectName } from '../title'
 import { AwayNote } from './AwayNote'
 import { isClosed, NdaFirst } from './NdaFirst'
@@ -27,6 +29,8 @@ export function Shell({ session }: { session: Session }) {
   const { next: nextScheme, set: setScheme } = useScheme()
 
   const screens = screensOf(data)
+  const likely = screens.flatMap(({ path, count }) => (count ? [path] : [])).join('\n')
+  useFirstSign(useCallback(() => loadAhead(router, likely.split('\n').filter(Boolean)), [router, likely]))
   const go = (path: string) => void router.navigate({ href: path })
   useFinding(data.project?.id, data.side === 'designer', go)
 

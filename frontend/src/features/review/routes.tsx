@@ -41,6 +41,7 @@ export const reviewRoutes = [
     validateSearch: filterOf,
     staticData: {
       early: (client, { projectId = '' }) => void openFirst(client, projectId),
+      leadsTo: reviewPage,
     },
     beforeLoad: ({ context: { queryClient }, params: { projectId }, search }) =>
       void openFirst(queryClient, projectId, search),
