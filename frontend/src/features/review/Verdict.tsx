@@ -93,13 +93,6 @@ export function Verdict(props: VerdictProps) {
       run: () => props.onAsking(props.asking === 'change' ? null : 'change'),
       disabled: !mayAsk,
     },
-    {
-      keys: 'shift+l',
-      label: 'Label the version, then 1–9',
-      group: 'Review',
-      run: () => props.onAsking(isLabelling ? null : 'label'),
-      disabled: hand === undefined || onLabel === null,
-    },
   ])
 
   const above = (changing || refusal || isPicking || isAsking || isLabelling || props.checklist) && (
@@ -180,6 +173,19 @@ export function Verdict(props: VerdictProps) {
         <Button keys="c" icon="comment" tall className={classes.optional} onClick={props.onComment}>
           Comment
         </Button>
+      )}
+      {hand && onLabel && (
+        <HotkeyButton
+          keys="shift+l"
+          keyLabel="Label the version, then 1–9"
+          keyGroup="Review"
+          tall
+          pressed={isLabelling}
+          disabled={changing !== null}
+          onPress={() => props.onAsking(isLabelling ? null : 'label')}
+        >
+          Label
+        </HotkeyButton>
       )}
       {mayAsk && (
         <HotkeyButton

@@ -150,6 +150,28 @@ describe('the label of an alternate', () => {
     await waitFor(() => expect(labelled()).toEqual([{ label: 'wild' }, { label: null }]))
   })
 
+  test('is set by mouse too, by a button that says whether its row is open', async () => {
+    server.on('PUT /v1/takes/a/label', { label: 'layered', labelled_by: null, labelled_at: null })
+    await opened()
+    const button = screen.getByRole('button', { name: 'Label' })
+    await userEvent.click(button)
+    const row = await screen.findByRole('group', { name: 'Label A as' })
+    expect(button).toHaveAttribute('aria-pressed', 'true')
+    await userEvent.click(button)
+    expect(row).not.toBeInTheDocument()
+    await userEvent.click(button)
+    await userEvent.click(screen.getByRole('button', { name: 'layered' }))
+    await waitFor(() => expect(labelled()).toEqual([{ label: 'layered' }]))
+    await waitFor(() => expect(screen.queryByRole('group', { name: /^Label/ })).toBeNull())
+  })
+
+  test('has no button that does nothing while a change is written', async () => {
+    await opened()
+    await userEvent.keyboard('r')
+    await screen.findByRole('form', { name: 'What to change in shield_hit A' })
+    expect(screen.getByRole('button', { name: 'Label' })).toBeDisabled()
+  })
+
   test('is neither shown nor set while versions are compared blind', async () => {
     const [a, b] = shield.takes
     if (!a || !b) throw new Error('two alternates wait')
@@ -158,6 +180,7 @@ describe('the label of an alternate', () => {
     await userEvent.keyboard('d{Shift>}L{/Shift}')
     expect(screen.queryByText('wild')).toBeNull()
     expect(screen.queryByRole('group', { name: /^Label/ })).toBeNull()
+    expect(screen.queryByRole('button', { name: 'Label' })).toBeNull()
   })
 })
 
