@@ -7,7 +7,7 @@ from fastapi import Query, Response
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.dashboards import finding, money, next_steps, progress, schemas, service
+from app.dashboards import finding, finding_schemas, money, next_steps, progress, schemas, service
 from app.dashboards.designer_work import own_work, work_of_entry
 from app.dashboards.desk import Desk
 from app.dashboards.own_desk import own_desk
@@ -182,8 +182,11 @@ def find(
     q: Annotated[str, Query(min_length=1, max_length=100)],
     session: DbSession,
     actor: Actor = allows(Audience.PROJECT),
-) -> schemas.FindResult:
-    """Return what holds the typed words: cues first, then files, people, contracts, comments and questions."""
+) -> finding_schemas.FindResult:
+    """Return what holds the typed words: cues, files, people, contracts, reasons, labels, comments and questions.
+
+    A designer finds reasons and labels of their own versions.
+    """
     return finding.find(session, actor, project_id, q)
 
 
@@ -193,6 +196,6 @@ def find_elsewhere(
     session: DbSession,
     except_in: Annotated[UUID | None, Query(description="A project to leave out: the one that is open.")] = None,
     actor: Actor = allows(Audience.PERSON),
-) -> schemas.FindElsewhereResult:
-    """Return the cues and files that hold the typed words in all projects that the caller sees."""
+) -> finding_schemas.FindElsewhereResult:
+    """Return cues, files, reasons and labels that hold the typed words in all projects that the caller sees."""
     return finding.find_elsewhere(session, actor, q, except_in=except_in)

@@ -1,4 +1,4 @@
-"""Search in one project: cues, files, people, contracts, and what was said, as far as the caller sees them."""
+"""Search in one project or all: cues, files, people, contracts, and what was said, as far as the caller sees them."""
 
 from collections.abc import Sequence
 from uuid import UUID
@@ -6,21 +6,28 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
+from app.accounts.schemas import PersonBrief
 from app.agreements.queries import contracts_in
 from app.dashboards import finding_queries as queries
-from app.dashboards import schemas
+from app.dashboards import finding_schemas as schemas
+from app.dashboards import said_queries
 from app.dashboards.questions import brief
+from app.dashboards.said_queries import Elsewhere, FoundLabel, FoundReason, InProject
 from app.deliveries.models import Take
 from app.kit.http import number_in
 from app.projects.models import Project
 from app.projects.service import ProjectAccess, project_access
+from app.reviews.reason_rules import ReasonKind
 from app.sound_lists.models import Cue
 
-OF_A_KIND = 6  # hits of each kind but cues, where several kinds have hits
+OF_A_KIND = 6  # hits of each kind but cues
 
 
 def find(session: Session, actor: Actor, project_id: UUID, typed: str) -> schemas.FindResult:
-    """Return what holds the typed words: cues first, then files, people, contracts and what was said."""
+    """Return what holds the typed words: cues first, then files, people, contracts and what was said.
+
+    No kind has more hits than `OF_A_KIND`; cues have as many as are left of `HITS`.
+    """
     access = project_access(session, actor, project_id)
     words = typed.split()
     if not words:
@@ -30,30 +37,36 @@ def find(session: Session, actor: Actor, project_id: UUID, typed: str) -> schema
         *_files(session, access, words),
         *_people(session, access, phrase),
         *_contracts(session, access, phrase),
+        *(hit for _, hit in _reasons_and_labels(session, InProject(access.project.id, access.only_designer_id), words)),
         *_said(session, access, phrase),
     ]
     cues = _cues(session, access, words, phrase)
-    return schemas.FindResult(hits=[*cues[: max(OF_A_KIND, queries.HITS - len(others))], *others][: queries.HITS])
+    return schemas.FindResult(hits=[*cues[: max(OF_A_KIND, queries.HITS - len(others))], *others])
 
 
 def find_elsewhere(
     session: Session, actor: Actor, typed: str, *, except_in: UUID | None
 ) -> schemas.FindElsewhereResult:
-    """Return the cues and files that hold the typed words in all projects that the caller sees, but one."""
+    """Return cues, files, reasons and labels that hold the words, in all projects that the caller sees but one."""
     words = typed.split()
     if not words:
         return schemas.FindElsewhereResult(hits=[])
     files = [
-        schemas.FoundElsewhere(
-            **_file(project, take, cue).model_dump(), project_id=project.id, project_name=project.name
-        )
+        _elsewhere(project, _file(project, take, cue))
         for take, cue, project in queries.find_files_elsewhere(session, actor, words, except_in=except_in)
     ][:OF_A_KIND]
     cues = [
-        schemas.FoundElsewhere(**_cue(project, cue).model_dump(), project_id=project.id, project_name=project.name)
+        _elsewhere(project, _cue(project, cue))
         for cue, project in queries.find_cues_elsewhere(session, actor, words, except_in=except_in)
     ]
-    return schemas.FindElsewhereResult(hits=[*cues[: queries.HITS - len(files)], *files])
+    said = _reasons_and_labels(session, Elsewhere(actor, except_in), words)
+    return schemas.FindElsewhereResult(
+        hits=[*cues[: queries.HITS - len(files)], *files, *(_elsewhere(project, hit) for project, hit in said)]
+    )
+
+
+def _elsewhere(project: Project, hit: schemas.Found) -> schemas.FoundElsewhere:
+    return schemas.FoundElsewhere(**hit.model_dump(), project_id=project.id, project_name=project.name)
 
 
 def _cue(project: Project, cue: Cue) -> schemas.Found:
@@ -103,6 +116,51 @@ def _contracts(session: Session, access: ProjectAccess, phrase: str) -> list[sch
         for one in contracts_in(session, access.actor, access.project.id)
         if sought in one.title.casefold() or sought in one.designer.name.casefold()
     ][:OF_A_KIND]
+
+
+def _reasons_and_labels(
+    session: Session, reach: InProject | Elsewhere, words: Sequence[str]
+) -> list[tuple[Project, schemas.Found]]:
+    reasons = said_queries.find_reasons(session, reach, words, limit=OF_A_KIND)
+    labels = said_queries.find_labels(session, reach, words, limit=OF_A_KIND)
+    return [*((one.project, _reason(one)) for one in reasons), *((one.project, _label(one)) for one in labels)]
+
+
+def _reason(found: FoundReason) -> schemas.Found:
+    verdict = found.verdict
+    return schemas.Found(
+        kind="change_reason" if found.kind is ReasonKind.CHANGE else "pick_reason",
+        title=found.cue.name,
+        text=", ".join(verdict.reasons),
+        cue=brief(found.project, found.cue),
+        take_id=found.take.id,
+        start_s=found.start_s,
+        said=schemas.SaidOfVersion(
+            variation=found.take.variation,
+            number=found.take.number,
+            by=verdict.author and PersonBrief.model_validate(verdict.author),
+            on_behalf_of=verdict.represented and PersonBrief.model_validate(verdict.represented),
+            at=verdict.created_at,
+        ),
+    )
+
+
+def _label(found: FoundLabel) -> schemas.Found:
+    take = found.take
+    return schemas.Found(
+        kind="label",
+        title=found.cue.name,
+        text=take.label or "",
+        cue=brief(found.project, found.cue),
+        take_id=take.id,
+        said=schemas.SaidOfVersion(
+            variation=take.variation,
+            number=take.number,
+            by=found.by and PersonBrief.model_validate(found.by),
+            on_behalf_of=None,
+            at=take.labelled_at,
+        ),
+    )
 
 
 def _said(session: Session, access: ProjectAccess, phrase: str) -> list[schemas.Found]:

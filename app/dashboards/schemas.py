@@ -292,37 +292,6 @@ class Overview(Schema):
     reviewers: int
 
 
-class Found(Schema):
-    """One hit of the search."""
-
-    kind: Literal["cue", "file", "person", "contract", "comment", "question"]
-    title: str
-    text: str = Field(description="Its use, its state, an address, or the words in which the typed ones were found.")
-    cue: CueBrief | None = Field(default=None, description="Null for people, contracts and files without a cue.")
-    take_id: UUID | None = None
-    contract_id: UUID | None = None
-    start_s: float | None = None
-
-
-class FindResult(Schema):
-    """The results of a search, best first."""
-
-    hits: list[Found]
-
-
-class FoundElsewhere(Found):
-    """One hit in another project."""
-
-    project_id: UUID
-    project_name: str
-
-
-class FindElsewhereResult(Schema):
-    """The results of a search through all other projects, those of the newest project first."""
-
-    hits: list[FoundElsewhere]
-
-
 class MilestoneSlip(Schema):
     """The delay of a milestone in whole days, split by the party that caused it."""
 

@@ -15,7 +15,10 @@ class _Bytewise(FunctionElement[str]):
     inherit_cache = True
 
 
-def icontains(text: sa.orm.InstrumentedAttribute[str] | sa.ColumnElement[str], word: str) -> sa.ColumnElement[bool]:
+Text = sa.orm.InstrumentedAttribute[str] | sa.orm.InstrumentedAttribute[str | None] | sa.ColumnElement[str]
+
+
+def icontains(text: Text, word: str) -> sa.ColumnElement[bool]:
     """Return whether a text contains a word, ignoring case.
 
     An ASCII word is compared bytewise: folding the case of all languages costs PostgreSQL twice as much.

@@ -4,6 +4,7 @@ import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import { afterEach, expect, test, vi } from 'vitest'
 
+import { useComparedBlind } from '@/judging/comparedBlind'
 import { draw } from '@/test/draw'
 import { serve } from '@/test/server'
 
@@ -158,6 +159,69 @@ test('the palette finds a cue of another project and says which', async () => {
   await waitFor(() => expect(router.state.location.pathname).toBe('/projects/p2/sound-list/cues/c9'))
   const last = server.asked.findLast(({ path }) => path === '/v1/find')
   expect(last?.query.toString()).toBe('q=splash&except_in=p1')
+})
+
+const said = (kind: string, text: string, of: object = {}) => ({
+  kind,
+  title: 'shield_hit',
+  text,
+  cue: { id: 'c7', label: 'SW-007', name: 'shield_hit' },
+  take_id: 't2',
+  contract_id: null,
+  start_s: null,
+  said: { variation: 1, number: 2, by: { id: 'ada', name: 'Ada' }, on_behalf_of: null, at: null },
+  ...of,
+})
+
+test('the palette finds versions by reasons and labels, here and in other projects, with who said it', async () => {
+  const elsewhere = { project_id: 'p2', project_name: 'Deep Field', take_id: 't9' }
+  serve({
+    'GET /v1/projects/p1/find': {
+      hits: [said('change_reason', 'Too long', { start_s: 0.25 }), said('label', 'long tail')],
+    },
+    'GET /v1/find': { hits: [said('pick_reason', 'Long but right', elsewhere)] },
+  })
+  const router = await open(PRODUCER)
+  await userEvent.keyboard('{Control>}k{/Control}')
+  await userEvent.type(await screen.findByRole('combobox', { name: 'Search or run a command' }), 'long')
+  const found = await screen.findByRole('group', { name: 'Reasons and labels' })
+  expect(
+    within(found)
+      .getAllByRole('option')
+      .map((option) => option.textContent),
+  ).toEqual([
+    'SW-007Too longshield_hit version 2, change requested by AdaEnter',
+    'SW-007long tailshield_hit version 2, labelled by Ada',
+    'SW-007Long but rightDeep Field: shield_hit version 2, approved by Ada',
+  ])
+  expect(screen.queryByRole('group', { name: 'In other projects' })).not.toBeInTheDocument()
+  await userEvent.click(within(found).getByRole('option', { name: /Too long/ }))
+  await waitFor(() => expect(router.state.location.href).toBe('/takes/t2?at=0.25'))
+})
+
+function ComparesBlind({ cueId }: { cueId: string }) {
+  useComparedBlind(cueId)
+  return null
+}
+
+test('the palette shows no reason or label of a cue whose versions are compared blind', async () => {
+  const other = { cue: { id: 'c8', label: 'SW-008', name: 'door_open' }, title: 'door_open' }
+  serve({
+    'GET /v1/projects/p1/find': {
+      hits: [said('change_reason', 'layered too much'), said('label', 'layered'), said('label', 'layered', other)],
+    },
+    'GET /v1/find': { hits: [] },
+  })
+  await open(PRODUCER)
+  draw(<ComparesBlind cueId="c7" />)
+  await userEvent.keyboard('{Control>}k{/Control}')
+  await userEvent.type(await screen.findByRole('combobox', { name: 'Search or run a command' }), 'layered')
+  const found = await screen.findByRole('group', { name: 'Reasons and labels' })
+  expect(
+    within(found)
+      .getAllByRole('option')
+      .map((option) => option.textContent),
+  ).toEqual(['SW-008layereddoor_open version 2, labelled by AdaEnter'])
 })
 
 test('the menu says who one is, and lets one out', async () => {

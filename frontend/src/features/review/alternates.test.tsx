@@ -2,6 +2,7 @@ import { fireEvent, screen, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import { beforeAll, describe, expect, test } from 'vitest'
 
+import { comparedBlind } from '@/judging/comparedBlind'
 import { anItem, aReview, aTake } from '@/test/review'
 import { opened, queueIs, server, serveReview, serveReviewPage, shield, walk } from '@/test/reviewPage'
 import { refusal } from '@/test/server'
@@ -52,8 +53,10 @@ describe('alternates', () => {
     expect(screen.queryByRole('button', { name: /True peak/ })).toBeNull()
     expect(screen.queryByRole('button', { name: /^Version/ })).toBeNull()
     expect(alternate('A')).not.toHaveTextContent('version')
+    expect(comparedBlind()).toBe('shield')
     await userEvent.keyboard('d')
     expect(alternate('A')).toHaveTextContent('version 1')
+    expect(comparedBlind()).toBeUndefined()
   })
 
   test('levels are matched without a true peak over −1 dBTP, and m lets each be heard as delivered', async () => {

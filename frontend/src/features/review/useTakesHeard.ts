@@ -1,6 +1,7 @@
 import { useMemo, useState } from 'react'
 
 import type { CueReview, ReviewTake } from '@/judging/api'
+import { useComparedBlind } from '@/judging/comparedBlind'
 import { inOrder, LETTERS } from '@/judging/hearing'
 import { takeName } from '@/judging/words'
 
@@ -19,6 +20,7 @@ export function useTakesHeard(review: CueReview, startTakeId: string | undefined
   const waiting = useMemo(() => inOrder(review.takes.filter(({ state }) => state === 'conforming')), [review.takes])
   const [handId, setHandId] = useState(() => firstInHand(review, waiting, startTakeId))
   const [blind, setBlind] = useState<readonly string[] | null>(null)
+  useComparedBlind(blind ? cue.id : undefined)
   const [picked, setPicked] = useState<ReadonlySet<string>>(new Set())
   const [chosen, setChosen] = useState<ReadonlyMap<number, string>>(new Map())
 
