@@ -17,15 +17,20 @@ from app.kit.runtime import Runtime
 from app.settings import Settings
 
 STOP_WITHIN_S = 15  # what is being answered then may finish
+StopWithInput = Annotated[bool, typer.Option(help="Stop once standard input ends, for a parent that may be killed.")]
 
 
 @cli.command()
 def serve(
     host: Annotated[str, typer.Option(help="Address to listen on.")] = "127.0.0.1",
     port: Annotated[int, typer.Option(help="Port to listen on.")] = 8000,
+    stop_with_input: StopWithInput = False,
 ) -> None:
     """Serve the web application; run `soundlist migrate` first and `soundlist worker` in parallel."""
     from app.kit import memory, processes
+
+    if stop_with_input:
+        processes.stop_with_input()
     from app.main import create_app  # noqa: F401  before processes are forked, so that they share what it loads
 
     memory.return_free_memory()
@@ -72,9 +77,12 @@ def _serve(runtime: Runtime, listening: Callable[[], socket.socket], *, place: i
 
 
 @cli.command()
-def worker() -> None:
+def worker(stop_with_input: StopWithInput = False) -> None:
     """Run jobs until stopped."""
-    from app.kit import memory, metrics
+    from app.kit import memory, metrics, processes
+
+    if stop_with_input:
+        processes.stop_with_input()
     from app.worker import run
 
     memory.return_free_memory()
@@ -111,10 +119,11 @@ def demo(
     port: Annotated[int, typer.Option(help="Port on 127.0.0.1.")] = 8000,
 ) -> None:
     """Serve the product with a demo project on the embedded database; no sign-in is needed."""
-    from app.demo.run import run_demo
-
+    typer.echo("\n  Soundlist starts. Ctrl C stops it.")  # what follows is loaded for some seconds
     settings = read_settings_or_exit()
     logs.configure(settings.log_level)
+    from app.demo.run import run_demo
+
     raise typer.Exit(run_demo(port))
 
 

@@ -24,9 +24,14 @@ class Visitor:
         )
 
     def ask(self, method: str, path: str, *, once: str | None = None, **more: Any) -> Any:
-        """Send a request and return its body; with `once`, a second run of the demo does not repeat it."""
+        """Send a request and return its body; with `once`, a second run of the demo does not repeat it.
+
+        Return None for a request whose answer was lost when the demo was killed.
+        """
         headers = {"Idempotency-Key": once} if once else {}
         answer = self._client.request(method, f"/v1{path}", headers=headers, **more)
+        if once and answer.status_code == httpx.codes.CONFLICT and answer.json()["code"] == "already-processed":
+            return None
         if answer.is_error:
             raise RuntimeError(f"{method} {path}: {answer.status_code} {answer.text}")
         if not answer.content:

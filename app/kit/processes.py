@@ -18,6 +18,7 @@ from types import FrameType
 import structlog
 
 MIN_UPTIME_S = 10.0  # a process that exits sooner is not replaced: a new one would fail too
+KILL_AFTER_S = 20.0  # from the request to stop
 STOP_SIGNALS = frozenset({signal.SIGTERM, signal.SIGINT})
 log = structlog.get_logger(__name__)
 
@@ -59,6 +60,22 @@ def _bound(host: str, port: int, *, shared: bool) -> socket.socket:
 def run_in_subprocess(work: Callable[[], None]) -> int:
     """Run something in a forked process, and return its exit code."""
     return os.waitstatus_to_exitcode(os.waitpid(_fork(work), 0)[1])
+
+
+def stop_with_input() -> None:
+    """Stop this process once its standard input ends, as SIGTERM would: its parent is gone, however that ended.
+
+    What does not stop in time is killed.
+    """
+    threading.Thread(target=_stop_with_input, name="end of input", daemon=True).start()
+
+
+def _stop_with_input() -> None:
+    while os.read(sys.stdin.fileno(), 1024):
+        pass
+    os.kill(os.getpid(), signal.SIGTERM)
+    time.sleep(KILL_AFTER_S)
+    os.kill(os.getpid(), signal.SIGKILL)
 
 
 class PreforkSupervisor:

@@ -49,22 +49,31 @@ def children_of(pid: int) -> set[int]:
     return found
 
 
-@contextmanager
-def demo(data: Path, port: int, started_within_s: float) -> Iterator[httpx.Client]:
+def started(data: Path, port: int) -> tuple[subprocess.Popen[bytes], Path]:
+    """Start the demo; return its process and its log."""
     environment = os.environ | {"SOUNDLIST_DATA_DIR": str(data), "PYTHONPATH": str(ROOT), "PYTHONUNBUFFERED": "1"}
     log = data.with_suffix(".log")
     with log.open("a") as out:
-        process = subprocess.Popen(
-            [sys.executable, "-m", "app", "demo", "--port", str(port)],
-            cwd=ROOT,
-            env=environment,
-            stdout=out,
-            stderr=out,
-        )
-    before = log.read_text().count("Soundlist is at")
+        command = [sys.executable, "-m", "app", "demo", "--port", str(port)]
+        return subprocess.Popen(command, cwd=ROOT, env=environment, stdout=out, stderr=out), log
 
-    def is_settled() -> bool:
-        return log.read_text().count("Soundlist is at") > before or process.poll() is not None
+
+def kill_while_project_is_made(data: Path, port: int) -> None:
+    """Start the demo, and kill its first process alone while the project is made; the others end with it."""
+    process, log = started(data, port)
+    until(lambda: "Agreeing on the contract" in log.read_text() or process.poll() is not None, FIRST_START_S)
+    assert process.poll() is None, log.read_text()
+    tree = children_of(process.pid)
+    assert len(tree) >= 2
+    process.kill()
+    process.wait(STOP_S)
+    until(lambda: not any(Path(f"/proc/{pid}/cmdline").exists() for pid in tree))
+
+
+@contextmanager
+def demo(data: Path, port: int, started_within_s: float) -> Iterator[httpx.Client]:
+    process, log = started(data, port)
+    before = log.read_text().count("Soundlist is at")
 
     try:
         with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=30) as client:
@@ -82,9 +91,10 @@ def demo(data: Path, port: int, started_within_s: float) -> Iterator[httpx.Clien
 
 
 @pytest.mark.slow
-@pytest.mark.timeout(480)  # both starts and stops, each with its own bound
+@pytest.mark.timeout(780)  # all starts and stops, each with its own bound
 def test_the_demo_is_made_kept_and_stopped(tmp_path: Path):
     data, port = tmp_path / "data", free_port()
+    kill_while_project_is_made(data, port)
     with demo(data, port, FIRST_START_S) as client:
         (project,) = client.get("/v1/projects").json()["items"]
         path = f"/v1/projects/{project['id']}"
@@ -205,7 +215,7 @@ def test_two_demos_do_not_share_a_folder(tmp_path: Path, say: Callable[..., Resu
         fcntl.flock(lock, fcntl.LOCK_EX)
         second = say("demo", "--port", str(free_port()))
     assert second.exit_code == 2
-    assert "runs on" in second.output
+    assert "is in use by another soundlist demo" in second.output
     assert "DATA=another-folder" in second.output
 
 
