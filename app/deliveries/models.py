@@ -93,6 +93,8 @@ class Take(Base):
     label: Mapped[str | None]  # what it is among alternates, in the words of its designer or the team
     labelled_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
     labelled_at: Mapped[datetime | None]
+    # Why it is approved or has to change, as the reviewer chose; a copy from its verdict in a room above.
+    verdict_reasons: Mapped[list[str]] = mapped_column(default=list)
     delivery: Mapped[Delivery] = relationship(lazy="raise")
     designer: Mapped[Person] = relationship(lazy="raise", foreign_keys=[designer_id])
     cue: Mapped[Cue | None] = relationship(lazy="raise")

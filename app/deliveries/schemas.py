@@ -130,6 +130,7 @@ class TakeAdded(Schema):
     alternate: int | None
     label: str | None = Field(description="What it is among alternates, in the words of its designer or the team.")
     state: TakeState
+    verdict_reasons: list[str] = Field(description="Why it is approved or has to change, as the reviewer chose.")
     late: bool = Field(description="It came after its delivery was closed.")
     file_name: ShownName
     note: str

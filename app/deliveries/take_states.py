@@ -1,6 +1,6 @@
 """Where a take stands: its place in the list, its state, and what the contract's record says of both."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from datetime import datetime
 from uuid import UUID
 
@@ -71,12 +71,12 @@ def start_recheck(session: Session, take: Take, *, by: UUID | None, priority: in
     publish(session, "take.received", studio_id=take.studio_id, priority=priority, take_id=take.id)
 
 
-def change_state(session: Session, take: Take, wanted: TakeState) -> None:
-    """Take a take from state to state; raise WrongState where that cannot be."""
+def change_state(session: Session, take: Take, wanted: TakeState, *, reasons: Sequence[str] = ()) -> None:
+    """Take a take from state to state, for the reasons of its verdict; raise WrongState where that cannot be."""
     ensure_may_become(take.state, wanted)
     now = clock.now()
     _run_review_clock(session, take, wanted, now)
-    return_to_received(session, take, wanted, now)
+    restore_state(session, take, wanted, now, reasons=reasons)
 
 
 def _run_review_clock(session: Session, take: Take, wanted: TakeState, now: datetime) -> None:
@@ -87,8 +87,10 @@ def _run_review_clock(session: Session, take: Take, wanted: TakeState, now: date
     take.conforming_since, take.returned_since = review_clock.conforming_since, review_clock.returned_since
 
 
-def return_to_received(session: Session, take: Take, state: TakeState, since: datetime) -> None:
-    """Restore a take to an earlier state."""
-    take.state, take.state_since = state, since
+def restore_state(
+    session: Session, take: Take, state: TakeState, since: datetime, *, reasons: Sequence[str] = ()
+) -> None:
+    """Restore a take to an earlier state, with the reasons that its verdict had then."""
+    take.state, take.state_since, take.verdict_reasons = state, since, list(reasons)
     session.flush()
     update_cue_sums(session, take.cue_id)

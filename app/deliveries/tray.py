@@ -177,7 +177,7 @@ def _leave_cue(session: Session, take: Take, *, by: UUID) -> None:
         take.conforming_since = take.returned_since = None
     take.edition += 1
     if take.state is not TakeState.RECEIVED:
-        take_states.return_to_received(session, take, TakeState.RECEIVED, clock.now())
+        take_states.restore_state(session, take, TakeState.RECEIVED, clock.now())
     session.flush()
 
 

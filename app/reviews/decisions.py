@@ -59,8 +59,7 @@ class Decision:
                 self._record(other, VerdictKind.SET_ASIDE, SUPERSEDED, keeps_draft=True)
                 self.gave_way.append(other.id)
         self._session.flush()  # the former pick gives way first: there is never more than one
-        verdict = self._record(take, VerdictKind.APPROVE, self._note)
-        verdict.reasons = list(self._reasons)
+        verdict = self._record(take, VerdictKind.APPROVE, self._note, reasons=self._reasons)
         self._session.flush()
         record_reasons(self._session, ReasonKind.PICK, [(verdict, None)])
         record_sources(self._session, take)
@@ -83,7 +82,9 @@ class Decision:
             publish(self._session, "take.approved", studio_id=take.studio_id, take_id=take.id, cue_accepted=accepted)
         return accepted
 
-    def _record(self, take: Take, kind: VerdictKind, note: str, *, keeps_draft: bool = False) -> Verdict:
+    def _record(
+        self, take: Take, kind: VerdictKind, note: str, *, reasons: Sequence[str] = (), keeps_draft: bool = False
+    ) -> Verdict:
         verdict = new_verdict(
             self._session,
             self._person_id,
@@ -94,7 +95,8 @@ class Decision:
             on_behalf_of=self._on_behalf_of,
             deemed_by_contract_id=self._silence_contract_id,
         )
-        change_state(self._session, take, STATE_AFTER[kind])
+        verdict.reasons = list(reasons)
+        change_state(self._session, take, STATE_AFTER[kind], reasons=reasons)
         draft = queries.draft_of(self._session, take.id)
         if draft is not None and not keeps_draft:
             kept = ("text", "reasons", "start_s", "end_s", "mentions")

@@ -101,7 +101,7 @@ def send_changes(session: Session, actor: Actor, project_id: UUID, *, note: str 
         verdict.reasons = draft.reasons
         session.add(verdict)
         given.append((verdict, draft.id))
-        change_state(session, draft.take, TakeState.CHANGE_REQUESTED)
+        change_state(session, draft.take, TakeState.CHANGE_REQUESTED, reasons=draft.reasons)
         draft.feedback_id = sending.id
     rounds = _count_rounds(session, sending, reversals)
     session.flush()

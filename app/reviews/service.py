@@ -9,7 +9,7 @@ from app.accounts.rules import Actor
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.deliveries.service import take_for
-from app.deliveries.take_states import return_to_received
+from app.deliveries.take_states import restore_state
 from app.kit import clock, kill_points
 from app.kit.db import new_id
 from app.kit.events import publish
@@ -226,6 +226,7 @@ def _take_back(
 ) -> list[TakeStateRead]:
     action_id = new_id()
     forget_reasons(session, decided)
+    reasons = _reasons_before(session, decided)
     # Approvals first: a former pick comes back only where there is none.
     for verdict in sorted(decided, key=lambda one: one.kind is not VerdictKind.APPROVE):
         take = takes[verdict.take_id]
@@ -234,7 +235,7 @@ def _take_back(
         )
         back.withdraws_id = verdict.id
         session.add(back)
-        return_to_received(session, take, verdict.state_before, verdict.since_before)
+        restore_state(session, take, verdict.state_before, verdict.since_before, reasons=reasons.get(take.id, ()))
         if verdict.dropped_draft:
             session.add(
                 ChangeRequest(
@@ -248,6 +249,14 @@ def _take_back(
             )
         session.flush()
     return [_standing_of(take) for take in takes.values()]
+
+
+def _reasons_before(session: Session, decided: Sequence[Verdict]) -> dict[UUID, Sequence[str]]:
+    """Return the reasons of the picks that come back when decisions are undone."""
+    undone = {verdict.id for verdict in decided}
+    were_picked = {verdict.take_id for verdict in decided if verdict.state_before is TakeState.APPROVED}
+    standing = queries.effective_verdicts(session, were_picked) if were_picked else []
+    return {verdict.take_id: verdict.reasons for verdict in standing if verdict.id not in undone}
 
 
 def _standing_of(take: Take) -> TakeStateRead:

@@ -23454,6 +23454,11 @@ export interface components {
             label: string | null;
             state: components["schemas"]["TakeState"];
             /**
+             * Verdict Reasons
+             * @description Why it is approved or has to change, as the reviewer chose.
+             */
+            verdict_reasons: string[];
+            /**
              * Late
              * @description It came after its delivery was closed.
              */
@@ -23526,6 +23531,11 @@ export interface components {
              */
             label: string | null;
             state: components["schemas"]["TakeState"];
+            /**
+             * Verdict Reasons
+             * @description Why it is approved or has to change, as the reviewer chose.
+             */
+            verdict_reasons: string[];
             /**
              * Late
              * @description It came after its delivery was closed.
@@ -23704,6 +23714,11 @@ export interface components {
              */
             label: string | null;
             state: components["schemas"]["TakeState"];
+            /**
+             * Verdict Reasons
+             * @description Why it is approved or has to change, as the reviewer chose.
+             */
+            verdict_reasons: string[];
             /**
              * Late
              * @description It came after its delivery was closed.

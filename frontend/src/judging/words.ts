@@ -9,6 +9,9 @@ export function sentence(text: string): string {
   return written.charAt(0).toUpperCase() + written.slice(1)
 }
 
+/** Reasons as sentences, after what they are of: "Fits the scene. Best timing." */
+export const reasonsText = (reasons: readonly string[]): string => reasons.map((reason) => `${reason}.`).join(' ')
+
 /** The text of an entry of the history: the checker's words as a sentence; reasons, names and people's texts unchanged. */
 export const historyText = ({
   kind,
@@ -18,8 +21,7 @@ export const historyText = ({
   kind: string
   text: string
   reasons?: string[]
-}): string =>
-  kind === 'checked' ? sentence(text) : [...reasons.map((reason) => `${reason}.`), text].filter(Boolean).join(' ')
+}): string => (kind === 'checked' ? sentence(text) : [reasonsText(reasons), text].filter(Boolean).join(' '))
 
 /** What a finding measured: up to the comma that begins its limit. */
 export function measuredPart(finding: ReviewFinding): [measured: string, rest: string] {

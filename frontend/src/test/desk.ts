@@ -128,6 +128,7 @@ export const UNMATCHED = {
   number: null,
   alternate: null,
   label: null,
+  verdict_reasons: [],
   state: 'returned',
   late: false,
   file_name: 'final_FINAL_sting2.wav',

@@ -40,6 +40,7 @@ export const aVersion = (take: object = {}) => ({
   number: 1,
   alternate: null,
   label: null,
+  verdict_reasons: [],
   state: 'returned',
   late: false,
   file_name: 'airlock_cycle.wav',

@@ -5,6 +5,7 @@ import { projectQuery } from '@/api/project'
 import { useRoles } from '@/api/roles'
 import { useTitle } from '@/app/title'
 import { Refusal } from '@/judging/Refusal'
+import { reasonsText } from '@/judging/words'
 import { Card, CardHead } from '@/ui/Card'
 import { bytes, plural } from '@/ui/format'
 import { Person } from '@/ui/Person'
@@ -108,6 +109,9 @@ function Files({ takes }: { takes: readonly Take[] }) {
               <State kind={standOf(take)} />
             ) : (
               <span className="small dim">Discarded; the file is kept</span>
+            )}
+            {take.verdict_reasons.length > 0 && (
+              <span className={`small mid ${classes.said}`}>{reasonsText(take.verdict_reasons)}</span>
             )}
             {take.note && <span className={`small mid ${classes.said}`}>“{take.note}”</span>}
           </li>

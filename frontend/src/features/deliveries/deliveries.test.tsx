@@ -30,6 +30,7 @@ const aTake = (id: string, more: Partial<Take> = {}): Take => ({
   number: 2,
   alternate: null,
   label: null,
+  verdict_reasons: [],
   state: 'approved',
   late: false,
   file_name: `${id}.wav`,

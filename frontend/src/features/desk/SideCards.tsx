@@ -18,6 +18,7 @@ import { type DeskList, useWithApprover } from './pages'
 import classes from './Side.module.css'
 
 const SHOWN_AT_FIRST = 14
+const loadApproved = () => import('./ApprovedVersions').then(({ ApprovedVersions }) => ApprovedVersions)
 const loadAskForm = () => import('./AskForm').then(({ AskForm }) => AskForm)
 
 interface ToMakeCardProps {
@@ -154,9 +155,28 @@ function ToMakeRow({ projectId, one, onChoose, onDrop }: RowProps) {
 export function WithApproverCard({ projectId, desk }: { projectId: string; desk: Desk }) {
   const { with_approver_cues: count, with_approver_files: files, accepted, cues: all } = desk
   const { items: cues, hasMore, isFetching, showMore } = useWithApprover(projectId, desk)
+  const [isOpen, setOpen] = useState(false)
+  const ApprovedVersions = useLazy(loadApproved, isOpen, () => setOpen(false))
   return (
     <Card aria-labelledby="with-approver">
-      <CardHead id="with-approver" title="In review" end={`${accepted} of ${all} accepted`} />
+      <CardHead
+        id="with-approver"
+        title="In review"
+        end={
+          <>
+            {accepted} of {all} accepted{' '}
+            <Button
+              variant="quiet"
+              aria-expanded={isOpen}
+              aria-label={`${isOpen ? 'Hide' : 'Show'} approved versions`}
+              onClick={() => setOpen(!isOpen)}
+            >
+              {isOpen ? 'Hide' : 'Show'}
+            </Button>
+          </>
+        }
+      />
+      {isOpen && ApprovedVersions && <ApprovedVersions projectId={projectId} />}
       <div className={classes.due}>
         {cues.length === 0 ? (
           <span className="mid">Nothing is in review.</span>

@@ -1,10 +1,10 @@
-import { screen, within } from '@testing-library/react'
+import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import { beforeAll, describe, expect, test } from 'vitest'
 
-import { atDesk, CHANGED, DESK, ME, RETURNED, STING, toMake } from '@/test/desk'
+import { atDesk, CHANGED, CUE, DESK, ME, RETURNED, STING, toMake, UNMATCHED, WARP } from '@/test/desk'
 import { openApp } from '@/test/openApp'
-import { answer, refusal, serve, wrote } from '@/test/server'
+import { answer, type Asked, refusal, serve, wrote } from '@/test/server'
 
 beforeAll(() => import('./DeskPage'))
 
@@ -29,6 +29,55 @@ test('cues that wait until the same day are told in one line', async () => {
   const card = await screen.findByRole('region', { name: 'In review' })
   expect(card).toHaveTextContent('alarm, bell: auto-accepted after Friday 15 March 2030 if nobody responds')
   expect(card).toHaveTextContent('chime: auto-accepted after Monday 18 March 2030 if nobody responds')
+})
+
+describe('the approved versions', () => {
+  const aTake = { ...UNMATCHED, cue: CUE, number: 2, state: 'approved' }
+  const TAKES = 'GET /v1/projects/p1/takes'
+  const show = async () => {
+    openApp('/desk')
+    await userEvent.click(await screen.findByRole('button', { name: 'Show approved versions' }))
+    return screen.findByRole('list', { name: 'Approved versions' })
+  }
+  /** Answers the list of approved takes; the tray reads its own by the same address. */
+  const approved = (page: (cursor: string | null) => { items: object[]; next: string | null }) => ({
+    [TAKES]: ({ query }: Asked) =>
+      answer(query.get('state') === 'approved' ? page(query.get('cursor')) : { items: [UNMATCHED], next: null }),
+  })
+
+  test('are listed with their labels and why each was chosen, once they are asked for', async () => {
+    const because = ['Fits the scene', 'Best timing']
+    const first = { ...aTake, id: 't1', label: 'longer', verdict_reasons: because }
+    const second = { ...aTake, id: 't2', cue: WARP, variation: 3, number: 1 }
+    const { asked } = serve(atDesk(approved(() => ({ items: [first, second], next: null }))))
+    const list = await show()
+    await waitFor(() => expect(within(list).getAllByRole('listitem')).toHaveLength(2))
+    const said = within(list)
+      .getAllByRole('listitem')
+      .map(({ textContent }) => textContent)
+    expect(said).toEqual(['airlock_cycle version 2, longerFits the scene. Best timing.', 'warp_in_03 version 1'])
+    expect(within(list).getByRole('link', { name: 'airlock_cycle' })).toHaveAttribute('href', '/takes/t1')
+    const read = asked.filter(({ path, query }) => path.endsWith('/takes') && query.get('state') === 'approved')
+    expect(read).toHaveLength(1)
+    await userEvent.click(screen.getByRole('button', { name: 'Hide approved versions' }))
+    expect(list).not.toBeInTheDocument()
+  })
+
+  test('come in pages', async () => {
+    const first = { items: [{ ...aTake, id: 't1' }], next: 'more' }
+    const last = { items: [{ ...aTake, id: 't2', cue: WARP }], next: null }
+    serve(atDesk(approved((cursor) => (cursor === 'more' ? last : first))))
+    const list = await show()
+    await userEvent.click(await screen.findByRole('button', { name: 'More approved versions' }))
+    expect(await within(list).findByRole('link', { name: 'warp_in' })).toBeVisible()
+    expect(screen.queryByRole('button', { name: 'More approved versions' })).toBeNull()
+  })
+
+  test('of a designer without any are said to be none', async () => {
+    serve(atDesk(approved(() => ({ items: [], next: null }))))
+    await show()
+    expect(await screen.findByText('No version of yours is approved yet.')).toBeVisible()
+  })
 })
 
 describe('long lists come in pages', () => {

@@ -31,6 +31,7 @@ const take = (more: Partial<Take>): Take => ({
   number: 2,
   alternate: null,
   label: null,
+  verdict_reasons: [],
   state: 'received',
   late: false,
   file_name: 'warp_in.wav',
@@ -146,6 +147,17 @@ describe('what became of the files', () => {
       ['notes.txt', 'not_sent', 'no sound'],
     ])
   })
+})
+
+test('a version says why it was approved, or has to change', () => {
+  const approved = take({ id: 'a', state: 'approved', verdict_reasons: ['Fits the scene', 'Best timing'] })
+  const changed = take({ id: 'b', state: 'change_requested', verdict_reasons: ['Too loud'], late: true })
+  const bare = take({ id: 'c', state: 'approved' })
+  expect(rows([], detail({ takes: [approved, changed, bare] })).done.map(({ detail: said }) => said)).toEqual([
+    'version 2, 201.6 kB. Fits the scene. Best timing.',
+    'version 2, 201.6 kB, after the delivery was closed. Too loud.',
+    'version 2, 201.6 kB',
+  ])
 })
 
 test('a dry stem is no version: it stands beside the one it is for, or waits for it', () => {

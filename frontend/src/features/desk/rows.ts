@@ -1,3 +1,4 @@
+import { reasonsText } from '@/judging/words'
 import { bytes, bytesOf, figure, plural } from '@/ui/format'
 import type { StateKind } from '@/ui/State'
 import type { Upload } from '@/uploads'
@@ -107,6 +108,9 @@ const TAKE_STATES = {
   set_aside: 'set_aside',
 } as const satisfies Record<Take['state'], StateKind>
 
+/** Why it was approved or has to change, after its figures. */
+const whySo = ({ verdict_reasons: reasons }: Take): string => (reasons.length === 0 ? '' : `. ${reasonsText(reasons)}`)
+
 function ofTake(take: Take): DeliveryRow {
   const version = take.number === null ? '' : `version ${take.number}, `
   const late = take.late ? ', after the delivery was closed' : ''
@@ -122,7 +126,7 @@ function ofTake(take: Take): DeliveryRow {
         ? 'The check failed three times. That is our fault, not the file’s.'
         : take.state === 'received'
           ? `${bytes(take.master_bytes)}, uploaded${late}`
-          : `${version}${bytes(take.master_bytes)}${late}`,
+          : `${version}${bytes(take.master_bytes)}${late}${whySo(take)}`,
     does: take.state === 'unjudged' ? 'recheck' : null,
   }
 }

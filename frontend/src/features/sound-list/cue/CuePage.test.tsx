@@ -74,6 +74,7 @@ function opened(part: 'team' | 'designer' = 'team') {
               number: 1,
               alternate: null,
               label: null,
+              verdict_reasons: [],
               state: 'returned',
               file_name: 'coolant_splash.wav',
               note: '',
@@ -107,6 +108,17 @@ function opened(part: 'team' | 'designer' = 'team') {
   const app = openApp(`${server.path}/cues/${id}`)
   return { server, app, id }
 }
+
+test('a version says beside its verdict why it was given', async () => {
+  const { server, id } = opened()
+  const listed = server.answers[`GET ${server.at}/takes`] as (of: Asked) => { items: object[] }
+  const [first] = listed({ query: new URLSearchParams({ cue_id: id }) } as Asked).items
+  const because = (state: string, ...verdict_reasons: string[]) => ({ ...first, id: state, state, verdict_reasons })
+  const items = [because('approved', 'Fits the scene', 'Best timing'), because('change_requested', 'Too loud')]
+  server.answers[`GET ${server.at}/takes`] = { items, next: null }
+  expect(await screen.findByText('Approved: Fits the scene. Best timing.')).toBeVisible()
+  expect(screen.getByText('Change requested: Too loud.')).toBeVisible()
+})
 
 test('the cue, its versions with findings, and its history stand on one page', async () => {
   const { server, id } = opened()

@@ -3,7 +3,7 @@ import { Link } from '@tanstack/react-router'
 import type { ApiProblem } from '@/api'
 import { WaveThumb } from '@/audio'
 import { NotHeard } from '@/heard/NotHeard'
-import { sentence } from '@/judging/words'
+import { reasonsText, sentence } from '@/judging/words'
 import { Card, CardHead } from '@/ui/Card'
 import { Finding } from '@/ui/Finding'
 import { ago, length, place } from '@/ui/format'
@@ -94,6 +94,11 @@ function Line({ cue, projectId, version, unheard, playing, reviews, onPlay }: Li
           {ago(take.received_at)}
         </span>
       </div>
+      {take.verdict_reasons.length > 0 && (
+        <p className="small mid">
+          {take.state === 'approved' ? 'Approved' : 'Change requested'}: {reasonsText(take.verdict_reasons)}
+        </p>
+      )}
       {previewUrl === null ? (
         wave
       ) : (

@@ -1,0 +1,58 @@
+import { useInfiniteQuery } from '@tanstack/react-query'
+import { Link } from '@tanstack/react-router'
+
+import { answered, api } from '@/api'
+import { queryKeys } from '@/api/queryKeys'
+import { variationName } from '@/judging/hearing'
+import { Refusal } from '@/judging/Refusal'
+import { reasonsText } from '@/judging/words'
+
+import classes from './Side.module.css'
+
+const PAGE = 20
+
+/** The designer's approved versions, and why each was chosen; the newest first. */
+export function ApprovedVersions({ projectId }: { projectId: string }) {
+  const { data, error, hasNextPage, isFetching, fetchNextPage } = useInfiniteQuery({
+    queryKey: queryKeys.desk(projectId, 'approved'),
+    queryFn: ({ pageParam: cursor }) =>
+      answered(
+        api.GET('/v1/projects/{project_id}/takes', {
+          params: { path: { project_id: projectId }, query: { state: ['approved'], cursor, limit: PAGE } },
+        }),
+      ),
+    initialPageParam: undefined as string | undefined,
+    getNextPageParam: ({ next }) => next ?? undefined,
+  })
+  const takes = data?.pages.flatMap(({ items }) => items) ?? []
+  return (
+    <>
+      <Refusal error={error} />
+      {data && takes.length === 0 && <p className={`mid ${classes.plain}`}>No version of yours is approved yet.</p>}
+      <ul aria-label="Approved versions" aria-busy={isFetching}>
+        {takes.map(({ id, cue, file_name, variation, number, label, verdict_reasons: reasons }) => (
+          <li key={id} className={classes.approved}>
+            <p>
+              <Link className="link strong" to="/takes/$takeId" params={{ takeId: id }}>
+                {cue?.name ?? file_name}
+                {variation > 1 && variationName(variation)}
+              </Link>{' '}
+              <span className="small dim">
+                version {number}
+                {label !== null && `, ${label}`}
+              </span>
+            </p>
+            {reasons.length > 0 && <p className="small mid">{reasonsText(reasons)}</p>}
+          </li>
+        ))}
+      </ul>
+      {hasNextPage && (
+        <p className={classes.plain}>
+          <button type="button" className="link small mid" aria-busy={isFetching} onClick={() => void fetchNextPage()}>
+            More approved versions
+          </button>
+        </p>
+      )}
+    </>
+  )
+}
