@@ -1,6 +1,7 @@
 """The server's command line: what runs it, keeps it, and looks into it."""
 
-from app.cli import accounts, jobs, keeping, projects, pulling, running  # noqa: F401  each adds its commands
+from app.cli import accounts, completion, jobs, keeping, projects, pulling, running  # noqa: F401  each adds its commands
+from app.cli.command_tree import PROGRAM
 from app.cli.groups import cli
 from app.kit.permissions import keep_new_files_private
 
@@ -8,4 +9,4 @@ from app.kit.permissions import keep_new_files_private
 def main() -> None:
     """Run the command line."""
     keep_new_files_private()
-    cli()
+    cli(prog_name=PROGRAM)  # not the name of the module that Python runs
