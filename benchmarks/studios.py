@@ -25,7 +25,8 @@ from app.projects.models import ApproverChange, Engagement, Liaison, Project, Sp
 from app.projects.rules import EngagementKind
 from app.renders.models import Picture, Render, RenderSet
 from app.renders.rules import RENDERED_STATES, RenderState, recipes
-from app.reviews.models import ChangeRequest, Comment, Feedback, Round, Verdict
+from app.reviews.models import ChangeRequest, Comment, Feedback, GivenReason, Round, Verdict
+from app.reviews.reason_rules import OURS, ReasonKind
 from app.reviews.rules import VerdictKind
 from app.sound_lists.models import Cue, Question, Revision, Stem
 from app.sound_lists.rules import CueState
@@ -48,6 +49,7 @@ NEWEST = (
 )
 EARLIER = ((TakeState.CHANGE_REQUESTED, 50), (TakeState.RETURNED, 35), (TakeState.SET_ASIDE, 15))
 TAKES_A_CUE = 10
+LABELLED = 0.1  # of all takes
 THUMB_POINTS = 128
 LASTING = timedelta(days=400)
 
@@ -108,6 +110,7 @@ class ProjectMaker:
         self._wanted = takes
         self._newest = newest
         self._dice = random.Random(seed)
+        self._words = random.Random(seed)  # for reasons and labels: the sounds are the same with and without them
         self._project_id, self._spec_id = new_id(), new_id()
         self._tenant = {"studio_id": team.studio_id, "project_id": self._project_id}
         self._begun = clock.now() - timedelta(days=300)
@@ -208,7 +211,7 @@ class ProjectMaker:
         summed = TakeForSums(take_id, designer_id, variation, number, state, state_since=at, received_at=at)
         add(
             Take, **self._tenant, **summed._asdict(), delivery_id=self._deliveries[place], cue_id=cue_id,
-            file_name=name, master_sha256=sha256, master_bytes=864_044,
+            file_name=name, master_sha256=sha256, master_bytes=864_044, **self._label(designer_id),
         )  # fmt: skip
         self._make_picture(sha256)
         if state is TakeState.RECEIVED:
@@ -219,16 +222,39 @@ class ProjectMaker:
             tool_version=audio_checks.TOOL_VERSION, created_at=at)  # fmt: skip
         if state in RENDERED_STATES:
             self._make_renders(take_id, sha256, category, loop=loop)
-        if state is TakeState.APPROVED:
-            self._say(Verdict, cue_id, take_id, at, action_id=new_id(), kind=VerdictKind.APPROVE,
-                      state_before=TakeState.CONFORMING, since_before=at, given_by=self._team.approver_id)  # fmt: skip
-        if state is TakeState.CHANGE_REQUESTED:
-            self._say(ChangeRequest, cue_id, take_id, at, text=dice.choice(SAID), start_s=0.1, end_s=0.4,
-                      written_by=self._team.approver_id, feedback_id=dice.choice(self._sendings))  # fmt: skip
+        if state in (TakeState.APPROVED, TakeState.CHANGE_REQUESTED):
+            self._judge(cue_id, take_id, at, is_pick=state is TakeState.APPROVED)
         if dice.random() < 0.2:
             add(Comment, **self._tenant, take_id=take_id, text=dice.choice(SAID), written_by=self._team.approver_id,
                 decides=True, created_at=at)  # fmt: skip
         return summed
+
+    def _judge(self, cue_id: UUID, take_id: UUID, at: datetime, *, is_pick: bool) -> None:
+        """Approve a take or request a change, most often with a reason."""
+        kind, words = ReasonKind.PICK if is_pick else ReasonKind.CHANGE, self._words
+        reasons = words.sample(OURS[kind], words.choices((0, 1, 2), (30, 55, 15))[0])
+        verdict_id, approver_id, change_id = new_id(), self._team.approver_id, None
+        if not is_pick:
+            change_id = new_id()
+            self._say(ChangeRequest, cue_id, take_id, at, id=change_id, text=self._dice.choice(SAID), start_s=0.1,
+                      end_s=0.4, written_by=approver_id, feedback_id=self._dice.choice(self._sendings),
+                      reasons=reasons)  # fmt: skip
+        self._say(Verdict, cue_id, take_id, at, id=verdict_id, action_id=new_id(), reasons=reasons,
+                  kind=VerdictKind.APPROVE if is_pick else VerdictKind.REQUEST_CHANGE, given_by=approver_id,
+                  state_before=TakeState.CONFORMING, since_before=at)  # fmt: skip
+        for reason in reasons:
+            self._bulk.add(GivenReason, **self._tenant, verdict_id=verdict_id, reason=reason, kind=kind,
+                           change_request_id=change_id)  # fmt: skip
+
+    def _label(self, designer_id: UUID) -> dict[str, Any]:
+        """Return a label for one take in ten."""
+        if self._words.random() >= LABELLED:
+            return {}
+        return {
+            "label": self._words.choice(OURS[ReasonKind.LABEL]),
+            "labelled_by": designer_id,
+            "labelled_at": self._begun,
+        }
 
     def _say(self, model: Any, cue_id: UUID, take_id: UUID, at: datetime, **what: Any) -> None:
         self._bulk.add(model, **self._tenant, cue_id=cue_id, take_id=take_id, created_at=at, **what)

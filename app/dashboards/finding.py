@@ -49,17 +49,18 @@ def find_elsewhere(
 ) -> schemas.FindElsewhereResult:
     """Return cues, files, reasons and labels that hold the words, in all projects that the caller sees but one."""
     words = typed.split()
-    if not words:
+    projects = queries.projects_elsewhere(session, actor, except_in=except_in) if words else []
+    if not projects:
         return schemas.FindElsewhereResult(hits=[])
     files = [
         _elsewhere(project, _file(project, take, cue))
-        for take, cue, project in queries.find_files_elsewhere(session, actor, words, except_in=except_in)
-    ][:OF_A_KIND]
+        for take, cue, project in queries.find_files_elsewhere(session, actor, projects, words, limit=OF_A_KIND)
+    ]
     cues = [
         _elsewhere(project, _cue(project, cue))
-        for cue, project in queries.find_cues_elsewhere(session, actor, words, except_in=except_in)
+        for cue, project in queries.find_cues_elsewhere(session, projects, words)
     ]
-    said = _reasons_and_labels(session, Elsewhere(actor, except_in), words)
+    said = _reasons_and_labels(session, Elsewhere(actor, projects), words)
     return schemas.FindElsewhereResult(
         hits=[*cues[: queries.HITS - len(files)], *files, *(_elsewhere(project, hit) for project, hit in said)]
     )

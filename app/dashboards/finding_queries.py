@@ -10,6 +10,7 @@ from app.accounts.models import Membership, Person
 from app.accounts.rules import Actor
 from app.deliveries.models import Take
 from app.kit.icontains import icontains
+from app.kit.in_array import in_array
 from app.projects.models import Engagement, Project
 from app.projects.visibility import visible_list, visible_work
 from app.reviews.models import Comment
@@ -42,36 +43,40 @@ def find_files(
     return session.execute(found.order_by(Take.id.desc()).limit(limit)).all()
 
 
+def projects_elsewhere(session: Session, actor: Actor, *, except_in: UUID | None) -> Sequence[UUID]:
+    """Return the ids of all projects that show the caller their list, but one: by them rows are found by an index."""
+    seen = select(Project.id).where(visible_list(actor, studio_id=Project.studio_id, project_id=Project.id))
+    if except_in is not None:
+        seen = seen.where(Project.id != except_in)
+    return session.scalars(seen).all()
+
+
 def find_cues_elsewhere(
-    session: Session, actor: Actor, words: Sequence[str], *, except_in: UUID | None
+    session: Session, project_ids: Sequence[UUID], words: Sequence[str]
 ) -> Sequence[Row[Cue, Project]]:
-    """Return cues that have every word in their texts, of all projects that the caller sees but one, newest first."""
+    """Return cues of some projects that have every word in their texts, those of the newest project first."""
     found = (
         select(Cue, Project)
         .join(Project, Project.id == Cue.project_id)
-        .where(visible_list(actor, studio_id=Cue.studio_id, project_id=Cue.project_id))
+        .where(in_array(Cue.project_id, project_ids))
         .where(*(or_(*(icontains(text, word) for text in CUE_TEXTS)) for word in words))
     )
-    if except_in is not None:
-        found = found.where(Cue.project_id != except_in)
     return session.execute(found.order_by(Cue.project_id.desc(), Cue.number).limit(HITS)).all()
 
 
 def find_files_elsewhere(
-    session: Session, actor: Actor, words: Sequence[str], *, except_in: UUID | None
+    session: Session, actor: Actor, project_ids: Sequence[UUID], words: Sequence[str], *, limit: int
 ) -> Sequence[Row[Take, Cue | None, Project]]:
-    """Return takes that have every word in their file name, of all projects that the caller sees but one."""
+    """Return the newest takes of some projects that have every word in their file name, as far as the caller sees."""
     is_visible = visible_work(actor, studio_id=Take.studio_id, project_id=Take.project_id, designer_id=Take.designer_id)
     found = (
         select(Take, Cue, Project)
         .join(Project, Project.id == Take.project_id)
         .join(Cue, Cue.id == Take.cue_id, isouter=True)
-        .where(is_visible, Take.discarded_at.is_(None))
+        .where(in_array(Take.project_id, project_ids), is_visible, Take.discarded_at.is_(None))
         .where(*(icontains(Take.file_name, word) for word in words))
     )
-    if except_in is not None:
-        found = found.where(Take.project_id != except_in)
-    return session.execute(found.order_by(Take.id.desc()).limit(HITS)).all()
+    return session.execute(found.order_by(Take.id.desc()).limit(limit)).all()
 
 
 def find_people(session: Session, studio_id: UUID, project_id: UUID, phrase: str, *, limit: int) -> Sequence[Person]:

@@ -11,8 +11,9 @@ from app.accounts.models import Person
 from app.accounts.rules import Actor
 from app.deliveries.models import Take
 from app.kit.icontains import icontains
+from app.kit.in_array import in_array
 from app.projects.models import Project
-from app.projects.visibility import visible_list, visible_work
+from app.projects.visibility import visible_work
 from app.reviews.models import ChangeRequest, GivenReason, Verdict
 from app.reviews.reason_rules import ReasonKind
 from app.sound_lists.models import Cue
@@ -35,19 +36,17 @@ class InProject:
 
 @dataclass(frozen=True)
 class Elsewhere:
-    """Work in all projects that a person sees, but one."""
+    """Work that a person sees in some projects."""
 
     actor: Actor
-    except_in: UUID | None
+    project_ids: Sequence[UUID]
 
     def conditions(self, table: Table) -> list[ColumnElement[bool]]:
         """Admit rows of this work, which are joined with their take."""
-        seen = visible_list(self.actor, studio_id=Project.studio_id, project_id=Project.id)
         own = visible_work(
             self.actor, studio_id=table.studio_id, project_id=table.project_id, designer_id=Take.designer_id
         )
-        others = [] if self.except_in is None else [table.project_id != self.except_in]
-        return [table.project_id.in_(select(Project.id).where(seen)), own, *others]
+        return [in_array(table.project_id, self.project_ids), own]
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from benchmarks.bulk import filling
 from benchmarks.studios import ProjectMaker, make_team
 from tests.support.postgres import Postgres
 
+NOT_IN_THE_FIRST = {"reviews_given_reasons": 0}  # tables that go on the way down, with their rows
 ROOMS = (
     "accounts",
     "briefs",
@@ -74,7 +75,7 @@ def test_rows_live_through_every_step_down_and_up(database: Database):
     before = rows_in(database)
     command.downgrade(alembic_config(database), "0027")  # the first
     migrate(database)
-    assert rows_in(database) == before
+    assert rows_in(database) == before | NOT_IN_THE_FIRST
     assert before["deliveries_takes"] >= 60
     if database.is_sqlite:
         with database.engine.connect() as connection:
