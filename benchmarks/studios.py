@@ -223,13 +223,13 @@ class ProjectMaker:
         if state in RENDERED_STATES:
             self._make_renders(take_id, sha256, category, loop=loop)
         if state in (TakeState.APPROVED, TakeState.CHANGE_REQUESTED):
-            self._judge(cue_id, take_id, at, is_pick=state is TakeState.APPROVED)
+            self._judge(cue_id, take_id, designer_id, at, is_pick=state is TakeState.APPROVED)
         if dice.random() < 0.2:
             add(Comment, **self._tenant, take_id=take_id, text=dice.choice(SAID), written_by=self._team.approver_id,
                 decides=True, created_at=at)  # fmt: skip
         return summed
 
-    def _judge(self, cue_id: UUID, take_id: UUID, at: datetime, *, is_pick: bool) -> None:
+    def _judge(self, cue_id: UUID, take_id: UUID, designer_id: UUID, at: datetime, *, is_pick: bool) -> None:
         """Approve a take or request a change, most often with a reason."""
         kind, words = ReasonKind.PICK if is_pick else ReasonKind.CHANGE, self._words
         reasons = words.sample(OURS[kind], words.choices((0, 1, 2), (30, 55, 15))[0])
@@ -244,7 +244,7 @@ class ProjectMaker:
                   state_before=TakeState.CONFORMING, since_before=at)  # fmt: skip
         for reason in reasons:
             self._bulk.add(GivenReason, **self._tenant, verdict_id=verdict_id, reason=reason, kind=kind,
-                           change_request_id=change_id)  # fmt: skip
+                           cue_id=cue_id, designer_id=designer_id, change_request_id=change_id)  # fmt: skip
 
     def _label(self, designer_id: UUID) -> dict[str, Any]:
         """Return a label for one take in ten."""

@@ -29,8 +29,8 @@ class InProject:
     designer_id: UUID | None
 
     def conditions(self, table: Table) -> list[ColumnElement[bool]]:
-        """Admit rows of this work; they are joined with their take where a designer is given."""
-        own = [] if self.designer_id is None else [Take.designer_id == self.designer_id]
+        """Admit rows of this work."""
+        own = [] if self.designer_id is None else [table.designer_id == self.designer_id]
         return [table.project_id == self.project_id, *own]
 
 
@@ -42,9 +42,9 @@ class Elsewhere:
     project_ids: Sequence[UUID]
 
     def conditions(self, table: Table) -> list[ColumnElement[bool]]:
-        """Admit rows of this work, which are joined with their take."""
+        """Admit rows of this work."""
         own = visible_work(
-            self.actor, studio_id=table.studio_id, project_id=table.project_id, designer_id=Take.designer_id
+            self.actor, studio_id=table.studio_id, project_id=table.project_id, designer_id=table.designer_id
         )
         return [in_array(table.project_id, self.project_ids), own]
 
@@ -75,11 +75,10 @@ def find_reasons(
     session: Session, reach: InProject | Elsewhere, words: Sequence[str], *, limit: int
 ) -> list[FoundReason]:
     """Return the newest verdicts of which a reason holds every word."""
-    given = select(GivenReason.verdict_id, GivenReason.kind, GivenReason.change_request_id).distinct()
-    if not isinstance(reach, InProject) or reach.designer_id is not None:
-        given = given.join(Verdict, Verdict.id == GivenReason.verdict_id).join(Take, Take.id == Verdict.take_id)
     newest = (
-        given.where(*reach.conditions(GivenReason))
+        select(GivenReason.verdict_id, GivenReason.kind, GivenReason.change_request_id)
+        .distinct()
+        .where(*reach.conditions(GivenReason))
         .where(*(_holds(GivenReason.reason, word) for word in words))
         .order_by(GivenReason.verdict_id.desc())
         .limit(limit)

@@ -61,7 +61,7 @@ class Decision:
         self._session.flush()  # the former pick gives way first: there is never more than one
         verdict = self._record(take, VerdictKind.APPROVE, self._note, reasons=self._reasons)
         self._session.flush()
-        record_reasons(self._session, ReasonKind.PICK, [(verdict, None)])
+        record_reasons(self._session, ReasonKind.PICK, [(verdict, take, None)])
         record_sources(self._session, take)
         self.approved.append(take)
 

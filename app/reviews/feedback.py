@@ -6,6 +6,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
+from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.deliveries.take_states import change_state
 from app.kit.db import new_id
@@ -85,7 +86,7 @@ def send_changes(session: Session, actor: Actor, project_id: UUID, *, note: str 
     session.flush()
     reversals: dict[UUID, list[bool]] = defaultdict(list)
     action_id = new_id()
-    given: list[tuple[Verdict, UUID | None]] = []
+    given: list[tuple[Verdict, Take, UUID | None]] = []
     for draft in sorted(sendable, key=lambda each: each.cue_id):  # contracts are locked in one order
         reversals[draft.cue_id].append(draft.take.state is TakeState.APPROVED)
         for_whom = rights.on_behalf_of(actor.person, draft.cue.category)
@@ -100,7 +101,7 @@ def send_changes(session: Session, actor: Actor, project_id: UUID, *, note: str 
         )
         verdict.reasons = draft.reasons
         session.add(verdict)
-        given.append((verdict, draft.id))
+        given.append((verdict, draft.take, draft.id))
         change_state(session, draft.take, TakeState.CHANGE_REQUESTED, reasons=draft.reasons)
         draft.feedback_id = sending.id
     rounds = _count_rounds(session, sending, reversals)

@@ -50,24 +50,14 @@ def counts(session: Session, wanted: ReasonFilter) -> Sequence[tuple[ReasonKind,
 
 def designers_with_reasons(session: Session, project_id: UUID) -> Sequence[Person]:
     """Return the designers of whose takes reasons were given, by name."""
-    made = select(Take.designer_id).join(Verdict, Verdict.take_id == Take.id)
-    ids = made.join(GivenReason, GivenReason.verdict_id == Verdict.id).where(GivenReason.project_id == project_id)
+    ids = select(GivenReason.designer_id).where(GivenReason.project_id == project_id).distinct()
     return session.scalars(select(Person).where(Person.id.in_(ids)).order_by(Person.name, Person.id)).all()
 
 
 def categories_with_reasons(session: Session, wanted: ReasonFilter) -> Sequence[str]:
     """Return the categories of the cues of which reasons were given, by name; empty for cues without one."""
-    query = (
-        select(Cue.category)
-        .distinct()
-        .select_from(GivenReason)
-        .join(Verdict, Verdict.id == GivenReason.verdict_id)
-        .join(Cue, Cue.id == Verdict.cue_id)
-        .where(GivenReason.project_id == wanted.project_id)
-    )
-    if wanted.designer_id is not None:
-        query = query.join(Take, Take.id == Verdict.take_id).where(Take.designer_id == wanted.designer_id)
-    return session.scalars(query.order_by(Cue.category)).all()
+    cues = _filtered(select(GivenReason.cue_id).distinct(), wanted)
+    return session.scalars(select(Cue.category).distinct().where(Cue.id.in_(cues)).order_by(Cue.category)).all()
 
 
 def places(
@@ -75,7 +65,10 @@ def places(
 ) -> list[ReasonPlace]:
     """Return the verdicts that gave a reason, newest first."""
     query = (
-        _filtered(select(Verdict, Take, Cue, ChangeRequest.start_s).select_from(GivenReason), wanted, joined=True)
+        _filtered(select(Verdict, Take, Cue, ChangeRequest.start_s).select_from(GivenReason), wanted)
+        .join(Verdict, Verdict.id == GivenReason.verdict_id)
+        .join(Take, Take.id == Verdict.take_id)
+        .join(Cue, Cue.id == GivenReason.cue_id)
         .outerjoin(ChangeRequest, ChangeRequest.id == GivenReason.change_request_id)
         .where(and_(GivenReason.kind == kind, GivenReason.reason == reason))
         .options(joinedload(Verdict.author), joinedload(Verdict.represented), joinedload(Take.designer))
@@ -87,19 +80,11 @@ def places(
     return [ReasonPlace(*row) for row in session.execute(query)]
 
 
-def _filtered(
-    query: Select[*tuple[Any, ...]], wanted: ReasonFilter, *, joined: bool = False
-) -> Select[*tuple[Any, ...]]:
-    """Narrow given reasons; joined with verdict, take and cue where these are asked for."""
+def _filtered(query: Select[*tuple[Any, ...]], wanted: ReasonFilter) -> Select[*tuple[Any, ...]]:
     query = query.where(GivenReason.project_id == wanted.project_id)
-    if joined or wanted.designer_id is not None or wanted.category is not None:
-        query = (
-            query.join(Verdict, Verdict.id == GivenReason.verdict_id)
-            .join(Take, Take.id == Verdict.take_id)
-            .join(Cue, Cue.id == Verdict.cue_id)
-        )
     if wanted.designer_id is not None:
-        query = query.where(Take.designer_id == wanted.designer_id)
+        query = query.where(GivenReason.designer_id == wanted.designer_id)
     if wanted.category is not None:
-        query = query.where(Cue.category == wanted.category)
+        of_category = select(Cue.id).where(Cue.project_id == wanted.project_id, Cue.category == wanted.category)
+        query = query.where(GivenReason.cue_id.in_(of_category))
     return query

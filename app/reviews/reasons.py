@@ -8,6 +8,7 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.accounts.service import ensure_member_of, ensure_producer_of
+from app.deliveries.models import Take
 from app.kit import clock
 from app.kit.db import insert_if_absent
 from app.kit.in_array import in_array
@@ -56,8 +57,8 @@ def _lists(session: Session, studio_id: UUID) -> ReviewReasonsRead:
     return ReviewReasonsRead(**lists)
 
 
-def record_reasons(session: Session, kind: ReasonKind, given: Sequence[tuple[Verdict, UUID | None]]) -> None:
-    """Record the reasons of verdicts, each with the change request that it sent."""
+def record_reasons(session: Session, kind: ReasonKind, given: Sequence[tuple[Verdict, Take, UUID | None]]) -> None:
+    """Record the reasons of verdicts, each with its take and the change request that it sent."""
     session.add_all(
         GivenReason(
             verdict_id=verdict.id,
@@ -65,9 +66,11 @@ def record_reasons(session: Session, kind: ReasonKind, given: Sequence[tuple[Ver
             kind=kind,
             studio_id=verdict.studio_id,
             project_id=verdict.project_id,
+            cue_id=verdict.cue_id,
+            designer_id=take.designer_id,
             change_request_id=change_request_id,
         )
-        for verdict, change_request_id in given
+        for verdict, take, change_request_id in given
         for reason in verdict.reasons
     )
 

@@ -9,6 +9,7 @@ from alembic import command
 from app.kit import queue
 from app.kit.db import Base, Database
 from app.migrate import alembic_config, migrate
+from app.reviews.models import GivenReason
 from app.row_security import PERSONAL, SERVERS_OWN, UNGUARDED
 from benchmarks.bulk import filling
 from benchmarks.studios import ProjectMaker, make_team
@@ -80,6 +81,21 @@ def test_rows_live_through_every_step_down_and_up(database: Database):
     if database.is_sqlite:
         with database.engine.connect() as connection:
             assert connection.exec_driver_sql("PRAGMA foreign_keys").scalar() == 1
+
+
+def test_a_reason_that_was_given_before_gets_the_cue_and_the_designer_of_its_version(database: Database):
+    migrate(database)
+    with filling(database) as bulk:
+        ProjectMaker(bulk, make_team(bulk, "Team"), takes=60, seed=1).make()
+    columns = (GivenReason.verdict_id, GivenReason.reason, GivenReason.cue_id, GivenReason.designer_id)
+    asked = sa.select(*columns).order_by(GivenReason.verdict_id, GivenReason.reason)
+    with database.engine.connect() as connection:
+        before = connection.execute(asked).all()
+    command.downgrade(alembic_config(database), "0077")
+    migrate(database)
+    with database.engine.connect() as connection:
+        assert connection.execute(asked).all() == before
+    assert len(before) >= 10
 
 
 def rows_in(database: Database) -> dict[str, int]:
