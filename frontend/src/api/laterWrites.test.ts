@@ -5,6 +5,7 @@ import { later } from './later'
 import { LaterWrites } from './laterWrites'
 
 interface Arrived {
+  method: string
   path: string
   key: string | null
   csrf: string | null
@@ -28,7 +29,14 @@ beforeEach(() => {
     const path = new URL(asked.url).pathname
     const text = await asked.text()
     const body: unknown = text === '' ? null : JSON.parse(text)
-    const one = { path, key: asked.headers.get('Idempotency-Key'), csrf: asked.headers.get('X-CSRF-Token'), body }
+    const { method } = asked
+    const one = {
+      method,
+      path,
+      key: asked.headers.get('Idempotency-Key'),
+      csrf: asked.headers.get('X-CSRF-Token'),
+      body,
+    }
     arrived.push(one)
     return answer(one)
   })
@@ -49,6 +57,23 @@ const begun = (onLateAnswer = () => undefined as void, personId = 'p1') => {
   writes.begin()
   return writes
 }
+const approve = (writes: LaterWrites, key: string, onKept: () => void = () => undefined) =>
+  answered(
+    api.POST('/v1/takes/{take_id}/verdict', {
+      params: { path: { take_id: 't1' } },
+      headers: { 'Idempotency-Key': key },
+      body: { kind: 'approve', note: '', reasons: [], seen_state: 'conforming', mentions: [] },
+      fetch: writes.fetch('t1 approved', onKept),
+    }),
+  )
+const undo = (writes: LaterWrites, key: string, onKept: () => void = () => undefined) =>
+  answered(
+    api.DELETE('/v1/takes/{take_id}/verdict', {
+      params: { path: { take_id: 't1' } },
+      fetch: writes.fetch('undo', onKept, key),
+    }),
+  )
+const nothing = () => undefined
 const back = () => vi.waitFor(() => expect(localStorage).toHaveLength(0), 8_000)
 
 describe('writes that a lost line must not lose', () => {
@@ -143,5 +168,115 @@ describe('writes that a lost line must not lose', () => {
     begun()
     await back()
     expect(texts().at(-1)).toBe('one')
+  })
+})
+
+describe('the undo of a write that is sent later', () => {
+  const methods = () => arrived.map(({ method }) => method)
+  const away = async (writes: LaterWrites) => {
+    isThere = false
+    vi.spyOn(navigator, 'onLine', 'get').mockReturnValue(false)
+    const onKept = vi.fn()
+    const given = approve(writes, 'k1', onKept)
+    given.catch(nothing)
+    await vi.waitFor(() => expect(onKept).toHaveBeenCalled())
+    return { given }
+  }
+  const lineReturns = () => {
+    isThere = true
+    vi.spyOn(navigator, 'onLine', 'get').mockReturnValue(true)
+  }
+
+  test('takes it out at once where it was not sent, and nothing is sent later', async () => {
+    const writes = begun()
+    const { given } = await away(writes)
+    const said = say(writes, 't2', 'two')
+    await vi.waitFor(() => expect(later.getState().waiting).toBe(2))
+    expect(writes.drop('k1')).toBe(true)
+    await expect(given).rejects.toMatchObject({ name: 'AbortError' })
+    expect(later.getState().waiting).toBe(1)
+    expect(localStorage).toHaveLength(1)
+    lineReturns()
+    await said
+    expect(arrived.map(({ path }) => path)).toEqual(['/v1/takes/t2/comments'])
+    expect(later.getState()).toEqual({ waiting: 0, refused: [] })
+  })
+
+  test('is no longer sent by another page that had found it', async () => {
+    const writes = begun()
+    await away(writes)
+    begun() // another page of the same person
+    expect(writes.drop('k1')).toBe(true)
+    lineReturns()
+    await say(writes, 't2', 'two')
+    await vi.waitFor(() => expect(texts()).toContain('two'))
+    expect(arrived.map(({ path }) => path)).not.toContain('/v1/takes/t1/verdict')
+  })
+
+  test('follows one that may have arrived, in order, and outlives the page', async () => {
+    const writes = begun()
+    answer = () => {
+      isThere = false
+      throw new TypeError('Failed to fetch') // it arrived, and its answer was lost
+    }
+    const onKept = vi.fn()
+    void approve(writes, 'k1', onKept).catch(nothing)
+    await vi.waitFor(() => expect(onKept).toHaveBeenCalled())
+    expect(writes.drop('k1')).toBe(false)
+    const onUndoKept = vi.fn()
+    void undo(writes, 'k1', onUndoKept).catch(nothing)
+    await vi.waitFor(() => expect(onUndoKept).toHaveBeenCalled())
+    expect(localStorage).toHaveLength(2)
+    answer = () => Response.json({})
+    arrived = []
+    begun() // the next page: the first one is closed, and would send the same with the same keys
+    isThere = true
+    await back()
+    const sent = arrived.filter(({ key }, at) => arrived.findIndex((one) => one.key === key) === at)
+    expect(sent.map(({ method, path }) => `${method} ${path}`)).toEqual([
+      'POST /v1/takes/t1/verdict',
+      'DELETE /v1/takes/t1/verdict',
+    ])
+  })
+
+  test('waits for the answer to one that is being sent', async () => {
+    const writes = begun()
+    let answerVerdict = nothing
+    vi.stubGlobal('fetch', async (asked: Request) => {
+      arrived.push({ method: asked.method, path: '', key: null, csrf: null, body: null })
+      if (asked.method === 'POST') await new Promise<void>((resolve) => (answerVerdict = resolve as typeof nothing))
+      return Response.json({})
+    })
+    const given = approve(writes, 'k1')
+    await vi.waitFor(() => expect(methods()).toEqual(['POST']))
+    expect(writes.drop('k1')).toBe(false)
+    const undone = undo(writes, 'k1')
+    await vi.waitFor(() => expect(localStorage).toHaveLength(2))
+    expect(methods()).toEqual(['POST'])
+    answerVerdict()
+    await Promise.all([given, undone])
+    expect(methods()).toEqual(['POST', 'DELETE'])
+    expect(localStorage).toHaveLength(0)
+  })
+
+  test('is not sent where the server refuses what it would undo', async () => {
+    const writes = begun()
+    const { given } = await away(writes)
+    const undone = undo(writes, 'k1')
+    await vi.waitFor(() => expect(localStorage).toHaveLength(2))
+    answer = () => Response.json({ status: 409, code: 'late', detail: 'the version moved on' }, { status: 409 })
+    lineReturns()
+    await expect(undone).rejects.toMatchObject({ name: 'AbortError' })
+    await expect(given).rejects.toMatchObject({ code: 'late' })
+    await expect(undo(writes, 'k1')).rejects.toMatchObject({ name: 'AbortError' })
+    expect(methods()).toEqual(['POST'])
+    expect(later.getState()).toMatchObject({ waiting: 0, refused: [{ what: 't1 approved' }] })
+  })
+
+  test('a write is sent all the same where the browser is wrong to know of no line', async () => {
+    const writes = begun()
+    vi.spyOn(navigator, 'onLine', 'get').mockReturnValue(false)
+    await say(writes, 't1', 'one')
+    expect(texts()).toEqual(['one'])
   })
 })

@@ -14,17 +14,22 @@ interface KeptWrite {
   body: string
   /** What it does, in words: "Approve shield_hit A". */
   what: string
+  /** The key of the write that it undoes: it is sent behind that one, and only if that one is accepted. */
+  undoes?: string
 }
 
 /** Who asked for a write on this page. */
 interface Asked {
   answer: (response: Response) => void
+  drop: () => void
   onKept: () => void
   /** It was said to wait for the connection, and the person went on. */
   isKept: boolean
 }
 
 const BUSY_MS = 2_000
+
+const dropped = () => new DOMException('it was undone before it was sent', 'AbortError')
 
 /**
  * Writes that a lost line must not lose: verdicts and comments. Each is kept in this browser before it is sent, and they
@@ -36,7 +41,11 @@ export class LaterWrites {
   #count = 0
   #isAway = false
   #isSending = false
-  readonly #onTheirWay = new Set<KeptWrite>()
+  readonly #onTheirWay = new Map<KeptWrite, Promise<unknown>>()
+  /** Sent at least once: the server may have them, also where its answer was lost. */
+  readonly #tried = new WeakSet<KeptWrite>()
+  readonly #refusedKeys = new Set<string>()
+  readonly #unkept = new Set<string>()
   readonly #asked = new Map<string, Asked>()
 
   /** Go on with what earlier pages of this person left. */
@@ -50,9 +59,12 @@ export class LaterWrites {
     void this.#send()
   }
 
-  /** What sends a request of ours later where it must. `onKept` is called where it waits for the connection. */
+  /**
+   * What sends a request of ours later where it must. `onKept` is called where it waits for the connection. One that
+   * undoes another is given that one's key.
+   */
   fetch =
-    (what: string, onKept: () => void) =>
+    (what: string, onKept: () => void, undoes?: string) =>
     async (request: Request): Promise<Response> => {
       this.begin()
       const { pathname, search } = new URL(request.url)
@@ -63,18 +75,29 @@ export class LaterWrites {
         path: pathname + search,
         body: await request.text(),
         what,
+        undoes,
       }
+      if (undoes !== undefined && this.#refusedKeys.has(undoes)) throw dropped()
       this.#writes.push(write)
       this.#store(WAITING, write)
-      const answer = new Promise<Response>((resolve) =>
-        this.#asked.set(write.place, { answer: resolve, onKept, isKept: false }),
+      const answer = new Promise<Response>((resolve, reject) =>
+        this.#asked.set(write.place, { answer: resolve, drop: () => reject(dropped()), onKept, isKept: false }),
       )
-      if (this.#isAway || this.#isSending) {
+      if (this.#isAway || this.#isSending || undoes !== undefined) {
         if (this.#isAway) this.#sayKept()
         void this.#send()
       } else void this.#sendAtOnce(write) // lists that are read meanwhile see it sooner
       return answer
     }
+
+  /** Forget a write that was not sent: its caller sees an AbortError. False where the server has it, or may have it. */
+  drop(key: string): boolean {
+    const write = this.#writes.find((one) => one.key === key)
+    if (write === undefined || this.#tried.has(write) || !this.#isStored(write)) return false
+    this.#forget(write)?.drop()
+    this.#showWaiting()
+    return true
+  }
 
   forgetRefused(place: string): void {
     this.#unstore(REFUSED, place)
@@ -82,28 +105,35 @@ export class LaterWrites {
   }
 
   async #sendAtOnce(write: KeptWrite): Promise<void> {
-    this.#onTheirWay.add(write)
-    const response = await this.#answerTo(write).catch(() => null)
+    const sending = this.#answerTo(write).catch(() => null)
+    this.#onTheirWay.set(write, sending)
+    const response = await sending
     this.#onTheirWay.delete(write)
     if (response === null || response.status === 429) await this.#send()
     else await this.#finish(write, response)
   }
 
-  #next(): KeptWrite | undefined {
-    return this.#writes.find((write) => !this.#onTheirWay.has(write))
-  }
-
   async #send(): Promise<void> {
-    if (this.#isSending) return
+    if (this.#isSending || this.#writes.length === 0) return
     this.#isSending = true
     try {
-      for (let next = this.#next(); next; next = this.#next()) {
-        const response = await this.#answerTo(next)
+      let isThere = false
+      for (;;) {
+        if (this.#onTheirWay.size > 0) await Promise.all(this.#onTheirWay.values())
+        const next = this.#writes[0]
+        if (next === undefined) break
+        if (!this.#asked.has(next.place) && !this.#isStored(next)) {
+          this.#forget(next) // another page of the person has sent or undone it
+          continue
+        }
+        const response = await this.#answerTo(next, isThere)
+        isThere = false
         if (response === null) {
           this.#isAway = true
           this.#sayKept()
           await serverReturns()
           this.#isAway = false
+          isThere = true
         } else if (response.status === 429) await new Promise((resolve) => setTimeout(resolve, BUSY_MS))
         else if (response.status === 401 && this.#isLate(next))
           break // it is sent once the person has signed in
@@ -119,8 +149,11 @@ export class LaterWrites {
     return this.#asked.get(place)?.isKept ?? true
   }
 
-  /** The server's answer; null where it was not reached. */
-  async #answerTo({ key, method, path, body }: KeptWrite): Promise<Response | null> {
+  /** The server's answer; null where it was not reached. A browser that knows of no line is not asked to send. */
+  async #answerTo(write: KeptWrite, isThere = false): Promise<Response | null> {
+    if (!navigator.onLine && !isThere) return null
+    this.#tried.add(write)
+    const { key, method, path, body } = write
     const headers = {
       'Content-Type': 'application/json',
       'Idempotency-Key': key,
@@ -137,14 +170,23 @@ export class LaterWrites {
 
   async #finish(write: KeptWrite, response: Response): Promise<void> {
     const isLate = this.#isLate(write)
-    const asked = this.#asked.get(write.place)
-    this.#asked.delete(write.place)
-    this.#unstore(WAITING, write.place)
-    this.#writes = this.#writes.filter((one) => one !== write)
+    const asked = this.#forget(write)
+    if (!response.ok) {
+      this.#refusedKeys.add(write.key)
+      for (const undo of this.#writes.filter(({ undoes }) => undoes === write.key)) this.#forget(undo)?.drop()
+    }
     if (isLate && !response.ok) await this.#keepRefused(write, response.clone())
     this.#showWaiting()
     asked?.answer(response)
     if (isLate) later.writer.onLateAnswer()
+  }
+
+  #forget(write: KeptWrite): Asked | undefined {
+    const asked = this.#asked.get(write.place)
+    this.#asked.delete(write.place)
+    this.#unstore(WAITING, write.place)
+    this.#writes = this.#writes.filter((one) => one !== write)
+    return asked
   }
 
   async #keepRefused({ place, what }: KeptWrite, response: Response): Promise<void> {
@@ -180,7 +222,16 @@ export class LaterWrites {
     try {
       localStorage.setItem(`${prefix}:${this.#person}:${kept.place}`, JSON.stringify(kept))
     } catch {
-      // A browser that keeps nothing keeps it as long as the page stands.
+      this.#unkept.add(kept.place) // a browser that keeps nothing keeps it as long as the page stands
+    }
+  }
+
+  /** Whether it is still kept in this browser. */
+  #isStored({ place }: KeptWrite): boolean {
+    try {
+      return this.#unkept.has(place) || localStorage.getItem(`${WAITING}:${this.#person}:${place}`) !== null
+    } catch {
+      return true
     }
   }
 

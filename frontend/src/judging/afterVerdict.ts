@@ -2,11 +2,14 @@ import type { InfiniteData } from '@tanstack/react-query'
 
 import type { QueueItem, QueuePage, ReviewTake } from './api'
 
+interface Decided {
+  cueId: string
+  takeIds: readonly string[]
+  picked: boolean
+}
+
 /** The queue once takes were decided on: they leave, with the other alternates of their variation where one was picked. */
-export function withoutVerdict(
-  items: readonly QueueItem[],
-  decided: { cueId: string; takeIds: readonly string[]; picked: boolean },
-): QueueItem[] {
+export function withoutVerdict(items: readonly QueueItem[], decided: Decided): QueueItem[] {
   return items.flatMap((item) => {
     if (item.cue.id !== decided.cueId) return [item]
     const left = item.takes.filter((take) => decided.takeIds.includes(take.id))
@@ -15,6 +18,35 @@ export function withoutVerdict(
     return takes.length === 0 ? [] : [{ ...item, takes }]
   })
 }
+
+/** The queue once a decision was undone: what left by it is there again, at its place of before. */
+export function withVerdictBack(
+  now: readonly QueuePage[],
+  before: readonly QueuePage[],
+  decided: Decided,
+): QueuePage[] {
+  const was = before.flatMap(({ items }) => items)
+  const at = was.findIndex(({ cue }) => cue.id === decided.cueId)
+  const item = was[at]
+  if (!item) return [...now]
+  const stayed = withoutVerdict([item], decided).flatMap(({ takes }) => takes.map(({ id }) => id))
+  const there = now.flatMap(({ items }) => items).find(({ cue }) => cue.id === decided.cueId)
+  const newest = new Map(there?.takes.map((take) => [take.id, take]))
+  const takes = item.takes.flatMap((take) => newest.get(take.id) ?? (stayed.includes(take.id) ? [] : [take]))
+  const back = { ...item, ...there, takes }
+  if (there) return inPages(now, (items) => items.map((one) => (one === there ? back : one)))
+  const ahead = was
+    .slice(0, at)
+    .reverse()
+    .map(({ cue }) => cue.id)
+  const ids = new Set(now.flatMap(({ items }) => items.map(({ cue }) => cue.id)))
+  const previous = ahead.find((id) => ids.has(id))
+  if (previous === undefined) return now.map((page, n) => (n === 0 ? { ...page, items: [back, ...page.items] } : page))
+  return inPages(now, (items) => items.flatMap((one) => (one.cue.id === previous ? [one, back] : [one])))
+}
+
+const inPages = (pages: readonly QueuePage[], change: (items: QueueItem[]) => QueueItem[]): QueuePage[] =>
+  pages.map((page) => ({ ...page, items: change(page.items) }))
 
 /** The queue once a change of a take was noted as a draft. */
 export const withDraft = (

@@ -1,13 +1,13 @@
 import { type InfiniteData, type QueryClient, type QueryKey, useQueryClient } from '@tanstack/react-query'
 import { useState } from 'react'
 
-import { answered, api, ApiProblem, lineLost, useMutation } from '@/api'
+import { answered, api, ApiProblem, lineLost, newIdempotencyKey, useMutation } from '@/api'
 import { answerOr, laterWrites, waitingId } from '@/api/laterWrites'
 import { type Me, meQuery } from '@/api/me'
 import { queryKeys } from '@/api/queryKeys'
 import { dismissToast, showToast } from '@/app/toast'
 
-import { withDraft, withoutVerdict } from './afterVerdict'
+import { withDraft, withoutVerdict, withVerdictBack } from './afterVerdict'
 import {
   countQuery,
   type QueueCount,
@@ -43,11 +43,12 @@ const giveVerdict = (
   { note, reasons, startS, endS }: ChangeSaid,
   what: string,
   onKept: () => void,
-  mentions: string[] = [],
+  { mentions = [], key = newIdempotencyKey() }: { mentions?: string[]; key?: string } = {},
 ) =>
   answered(
     api.POST('/v1/takes/{take_id}/verdict', {
       params: { path: { take_id: take.id } },
+      headers: { 'Idempotency-Key': key },
       body: { kind, note, reasons: [...reasons], start_s: startS, end_s: endS, seen_state: take.state, mentions },
       fetch: laterWrites.fetch(what, onKept),
     }),
@@ -56,8 +57,22 @@ const giveVerdict = (
 /** What follows a verdict in its toast: ": Fits the scene". */
 const because = (reasons: readonly string[]): string => (reasons.length > 0 ? `: ${reasons.join(', ')}` : '')
 
-const takeBack = (takeId: string) =>
-  answered(api.DELETE('/v1/takes/{take_id}/verdict', { params: { path: { take_id: takeId } } }))
+/** A verdict that can be undone: of a take, and the key that it was sent with. */
+interface Undoable {
+  takeId: string
+  key: string
+}
+
+const takeBack = ({ takeId, key }: Undoable, what: string, onKept: () => void) =>
+  answered(
+    api.DELETE('/v1/takes/{take_id}/verdict', {
+      params: { path: { take_id: takeId } },
+      fetch: laterWrites.fetch(what, onKept, key),
+    }),
+  )
+
+/** A verdict was undone before it was sent, or an undo was dropped with the verdict that the server refused. */
+const isDropped = (error: unknown): boolean => error instanceof DOMException && error.name === 'AbortError'
 
 /** A change as it is shown until the server has it. */
 function waitingDraft(
@@ -113,13 +128,24 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
   const queueKey: QueryKey = queueQuery(projectId, filter).queryKey
   const countKey: QueryKey = countQuery(projectId, filter).queryKey
 
+  const begin = () => underWay.set(client, (underWay.get(client) ?? 0) + 1)
+  /** Wait for what began; lists are read again once nothing else is under way. */
+  const end = async (sent: Promise<unknown>, onRefused: (error: unknown) => void) => {
+    await sent.catch((error: unknown) => {
+      if (!isDropped(error)) onRefused(error)
+    })
+    const others = (underWay.get(client) ?? 1) - 1
+    underWay.set(client, others)
+    if (others === 0) await refresh(client, projectId)
+  }
+
   const decide = async (
     decided: Decided,
     send: (onKept: () => void) => Promise<unknown>,
-    undoOn: readonly string[],
+    undoOn: readonly Undoable[],
   ) => {
     setRefusal(null)
-    underWay.set(client, (underWay.get(client) ?? 0) + 1)
+    begin()
     await client.cancelQueries({ queryKey: queryKeys.reviewQueue(projectId) })
     const before = client.getQueryData<InfiniteData<QueuePage>>(queueKey)
     const countBefore = client.getQueryData<QueueCount>(countKey)
@@ -130,20 +156,34 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
     if (countBefore?.is_all) client.setQueryData(countKey, { ...countBefore, cues: countBefore.cues - left })
     let isKept = false
     const sent = send(() => (isKept = true))
+
+    const showAgain = () => {
+      const now = client.getQueryData<InfiniteData<QueuePage>>(queueKey)
+      const again = now && withVerdictBack(now.pages, before?.pages ?? [], what)
+      if (now && again) client.setQueryData(queueKey, { ...now, pages: again })
+      const back = cuesOf(again) - cuesOf(now?.pages)
+      client.setQueryData<QueueCount>(countKey, (count) => count && { ...count, cues: count.cues + back })
+      onBack?.(decided.cue.id)
+    }
     const undo = async () => {
-      try {
+      begin()
+      const atServer = undoOn.filter(({ key }) => !laterWrites.drop(key))
+      let isUndoKept = false
+      const undone = async (onKept: () => void) => {
+        const noteKept = () => {
+          isUndoKept = true
+          onKept()
+        }
+        const sent = Promise.all(atServer.map((one) => takeBack(one, `undo of “${decided.done}”`, noteKept)))
+        void end(sent, (error) => {
+          if (!isUndoKept) setRefusal({ what: `${decided.done} It stays so.`, problem: asProblem(error) })
+        })
         await sent
-        for (const id of undoOn) await takeBack(id)
-        onBack?.(decided.cue.id)
-      } catch (error) {
-        setRefusal({ what: `${decided.done} It stays so.`, problem: asProblem(error) })
       }
-      await refresh(client, projectId)
+      await answerOr(undone, () => undefined).then(showAgain, () => undefined)
     }
     showToast(decided.done, undo)
-    try {
-      await sent
-    } catch (error) {
+    await end(sent, (error) => {
       dismissToast()
       if (underWay.get(client) === 1) {
         client.setQueryData(queueKey, before)
@@ -154,17 +194,17 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
         setRefusal({ what: decided.refused, problem: asProblem(error) })
         onBack?.(decided.cue.id)
       }
-    }
-    const others = (underWay.get(client) ?? 1) - 1
-    underWay.set(client, others)
-    if (others === 0) await refresh(client, projectId)
+    })
   }
 
   const approve = (cue: ReviewCue, takes: readonly ReviewTake[], name: string, reasons: readonly string[] = []) => {
     const what = `${cue.name} ${name} approved`
+    const keyed = takes.map((take) => ({ take, key: newIdempotencyKey() }))
     // All are kept before the first is sent: they are sent in this order.
     const send = (onKept: () => void) =>
-      Promise.all(takes.map((take) => giveVerdict(take, 'approve', { note: '', reasons }, what, onKept)))
+      Promise.all(
+        keyed.map(({ take, key }) => giveVerdict(take, 'approve', { note: '', reasons }, what, onKept, { key })),
+      )
     return decide(
       {
         cue,
@@ -173,7 +213,7 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
         refused: `${cue.name} ${name} is not approved.`,
       },
       send,
-      takes.map(({ id }) => id).reverse(),
+      keyed.map(({ take, key }) => ({ takeId: take.id, key })).reverse(),
     )
   }
 
@@ -183,8 +223,9 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
     waiting: readonly ReviewTake[],
     picked: readonly ReviewTake[],
     reasons: readonly string[] = [],
-  ) =>
-    decide(
+  ) => {
+    const key = newIdempotencyKey()
+    return decide(
       {
         cue,
         takes: waiting,
@@ -195,12 +236,14 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
         answered(
           api.POST('/v1/cues/{cue_id}/accept-set', {
             params: { path: { cue_id: cue.id } },
+            headers: { 'Idempotency-Key': key },
             body: { note: '', reasons: [...reasons], take_ids: picked.map(({ id }) => id) },
             fetch: laterWrites.fetch(`the set for ${cue.name} accepted`, onKept),
           }),
         ),
-      picked.slice(0, 1).map(({ id }) => id),
+      picked.slice(0, 1).map(({ id }) => ({ takeId: id, key })),
     )
+  }
 
   const change = useMutation({
     mutationFn: async ({ takes, said }: { takes: readonly ReviewTake[]; said: ChangeSaid }) => {
@@ -208,7 +251,7 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
       for (const take of takes) {
         const mentions = await mentionsOf(client, take.id, said.note)
         const draft = await answerOr(
-          async (onKept) => (await giveVerdict(take, 'request_change', said, what, onKept, mentions)).draft,
+          async (onKept) => (await giveVerdict(take, 'request_change', said, what, onKept, { mentions })).draft,
           () => waitingDraft(client, cueOf(client.getQueryData(queueKey), take.id), take, said),
         )
         // Lists are refetched later than the next cue is opened: what was noted must not come again meanwhile.
