@@ -9,7 +9,7 @@ import { reasonsText } from '@/judging/words'
 
 import classes from './Side.module.css'
 
-const PAGE = 20
+const PAGE = 10
 
 /** The designer's approved versions, and why each was chosen; the newest first. */
 export function ApprovedVersions({ projectId }: { projectId: string }) {

@@ -176,7 +176,6 @@ export function WithApproverCard({ projectId, desk }: { projectId: string; desk:
           </>
         }
       />
-      {isOpen && ApprovedVersions && <ApprovedVersions projectId={projectId} />}
       <div className={classes.due}>
         {cues.length === 0 ? (
           <span className="mid">Nothing is in review.</span>
@@ -204,6 +203,7 @@ export function WithApproverCard({ projectId, desk }: { projectId: string; desk:
           </>
         )}
       </div>
+      {isOpen && ApprovedVersions && <ApprovedVersions projectId={projectId} />}
     </Card>
   )
 }
