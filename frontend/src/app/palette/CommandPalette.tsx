@@ -216,10 +216,14 @@ function PaletteLine({ id, line, selected, onPoint, onAct }: PaletteLineProps) {
         </>
       ) : (
         <>
-          {line.found.number && <span className="mono dim small">{line.found.number}</span>}
-          <span className="grow cut-text">{line.found.title}</span>
+          {line.found.number && <span className={`${classes.number} mono dim small`}>{line.found.number}</span>}
+          <span className={`${classes.title} grow cut-text`}>{line.found.title}</span>
           {line.found.detail}
-          {selected && <Key keys="Enter" />}
+          {selected && (
+            <span className={classes.enter}>
+              <Key keys="Enter" />
+            </span>
+          )}
         </>
       )}
     </div>
