@@ -171,6 +171,19 @@ describe('writes that a lost line must not lose', () => {
   })
 })
 
+test('writes are sent beside one another while the server is there', async () => {
+  const writes = begun()
+  const answers: (() => void)[] = []
+  vi.stubGlobal('fetch', async () => {
+    await new Promise<void>((resolve) => answers.push(resolve))
+    return Response.json({})
+  })
+  const said = ['one', 'two', 'three'].map((text) => say(writes, 't1', text))
+  await vi.waitFor(() => expect(answers).toHaveLength(3))
+  for (const answerOne of answers) answerOne()
+  await Promise.all(said)
+})
+
 describe('the undo of a write that is sent later', () => {
   const methods = () => arrived.map(({ method }) => method)
   const away = async (writes: LaterWrites) => {
@@ -257,6 +270,25 @@ describe('the undo of a write that is sent later', () => {
     await Promise.all([given, undone])
     expect(methods()).toEqual(['POST', 'DELETE'])
     expect(localStorage).toHaveLength(0)
+  })
+
+  test('keeps nothing waiting that is written after it', async () => {
+    const writes = begun()
+    let answerVerdict = nothing
+    vi.stubGlobal('fetch', async (asked: Request) => {
+      arrived.push({ method: asked.method, path: new URL(asked.url).pathname, key: null, csrf: null, body: null })
+      if (asked.url.endsWith('/verdict') && asked.method === 'POST')
+        await new Promise<void>((resolve) => (answerVerdict = resolve as typeof nothing))
+      return Response.json({})
+    })
+    const given = approve(writes, 'k1')
+    await vi.waitFor(() => expect(methods()).toEqual(['POST']))
+    const undone = undo(writes, 'k1')
+    await say(writes, 't2', 'two')
+    expect(methods()).toEqual(['POST', 'POST'])
+    answerVerdict()
+    await Promise.all([given, undone])
+    expect(methods()).toEqual(['POST', 'POST', 'DELETE'])
   })
 
   test('is not sent where the server refuses what it would undo', async () => {

@@ -41,7 +41,7 @@ export class LaterWrites {
   #count = 0
   #isAway = false
   #isSending = false
-  readonly #onTheirWay = new Map<KeptWrite, Promise<unknown>>()
+  readonly #onTheirWay = new Map<KeptWrite, Promise<Response | null>>()
   /** Sent at least once: the server may have them, also where its answer was lost. */
   readonly #tried = new WeakSet<KeptWrite>()
   readonly #refusedKeys = new Set<string>()
@@ -83,7 +83,7 @@ export class LaterWrites {
       const answer = new Promise<Response>((resolve, reject) =>
         this.#asked.set(write.place, { answer: resolve, drop: () => reject(dropped()), onKept, isKept: false }),
       )
-      if (this.#isAway || this.#isSending || undoes !== undefined) {
+      if (this.#isAway || this.#isSending) {
         if (this.#isAway) this.#sayKept()
         void this.#send()
       } else void this.#sendAtOnce(write) // lists that are read meanwhile see it sooner
@@ -105,7 +105,7 @@ export class LaterWrites {
   }
 
   async #sendAtOnce(write: KeptWrite): Promise<void> {
-    const sending = this.#answerTo(write).catch(() => null)
+    const sending = this.#answerBehind(write).catch(() => null)
     this.#onTheirWay.set(write, sending)
     const response = await sending
     this.#onTheirWay.delete(write)
@@ -114,7 +114,7 @@ export class LaterWrites {
   }
 
   async #send(): Promise<void> {
-    if (this.#isSending || this.#writes.length === 0) return
+    if (this.#isSending || this.#writes.every((write) => this.#onTheirWay.has(write))) return
     this.#isSending = true
     try {
       let isThere = false
@@ -147,6 +147,13 @@ export class LaterWrites {
   /** Nobody waits for the answer: an earlier page asked, or the person went on. */
   #isLate({ place }: KeptWrite): boolean {
     return this.#asked.get(place)?.isKept ?? true
+  }
+
+  /** The server's answer once what the write undoes was accepted; null where that was not. */
+  async #answerBehind(write: KeptWrite): Promise<Response | null> {
+    const undone = this.#writes.find(({ key }) => key === write.undoes)
+    if (undone && !(await this.#onTheirWay.get(undone))?.ok) return null
+    return this.#answerTo(write)
   }
 
   /** The server's answer; null where it was not reached. A browser that knows of no line is not asked to send. */

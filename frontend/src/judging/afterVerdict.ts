@@ -2,7 +2,8 @@ import type { InfiniteData } from '@tanstack/react-query'
 
 import type { QueueItem, QueuePage, ReviewTake } from './api'
 
-interface Decided {
+/** The takes of a cue that a verdict was given on; `picked` where the other alternates of their variation are out. */
+export interface Decided {
   cueId: string
   takeIds: readonly string[]
   picked: boolean

@@ -5,6 +5,7 @@ import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 import { asked, isFiltered, type QueueFilter } from './queueFilter'
+import { withoutUnderWay } from './underWay'
 
 type Schemas = components['schemas']
 export type QueueItem = Schemas['QueueItem']
@@ -38,11 +39,14 @@ export const queueQuery = (projectId: string, filter: QueueFilter = {}) =>
     queryKey: isFiltered(filter)
       ? queryKeys.reviewQueue(projectId, 'filtered', filter)
       : queryKeys.reviewQueue(projectId),
-    queryFn: ({ pageParam: cursor }) =>
-      answered(
-        api.GET('/v1/review-queue', {
-          params: { query: { project_id: projectId, own: true, ...asked(filter), cursor } },
-        }),
+    queryFn: async ({ client, pageParam: cursor }) =>
+      withoutUnderWay(
+        client,
+        await answered(
+          api.GET('/v1/review-queue', {
+            params: { query: { project_id: projectId, own: true, ...asked(filter), cursor } },
+          }),
+        ),
       ),
     initialPageParam: undefined as string | undefined,
     getNextPageParam: ({ next }) => next ?? undefined,

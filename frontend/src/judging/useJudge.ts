@@ -19,6 +19,7 @@ import {
 } from './api'
 import { mentionsOf } from './mentionNames'
 import type { QueueFilter } from './queueFilter'
+import { underWay } from './underWay'
 
 /** What was refused, and why: said where it happened. */
 export interface Refusal {
@@ -107,12 +108,9 @@ function waitingDraft(
 const cueOf = (queue: InfiniteData<QueuePage> | undefined, takeId: string): ReviewCue | undefined =>
   queue?.pages.flatMap(({ items }) => items).find(({ takes }) => takes.some(({ id }) => id === takeId))?.cue
 
-/** Verdicts on their way: lists are read again after the last of them, so that none brings back what was just decided. */
-const underWay = new WeakMap<QueryClient, number>()
-
 const cuesOf = (pages: readonly QueuePage[] = []): number => pages.reduce((sum, { items }) => sum + items.length, 0)
 
-interface Decided {
+interface Decision {
   cue: ReviewCue
   takes: readonly ReviewTake[]
   /** What was done, for the toast: "shield_hit A approved." */
@@ -128,28 +126,30 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
   const queueKey: QueryKey = queueQuery(projectId, filter).queryKey
   const countKey: QueryKey = countQuery(projectId, filter).queryKey
 
-  const begin = () => underWay.set(client, (underWay.get(client) ?? 0) + 1)
   /** Wait for what began; lists are read again once nothing else is under way. */
   const end = async (sent: Promise<unknown>, onRefused: (error: unknown) => void) => {
     await sent.catch((error: unknown) => {
       if (!isDropped(error)) onRefused(error)
     })
-    const others = (underWay.get(client) ?? 1) - 1
-    underWay.set(client, others)
-    if (others === 0) await refresh(client, projectId)
+    const here = underWay(client)
+    here.count -= 1
+    if (here.count > 0) return
+    here.decided.clear()
+    await refresh(client, projectId)
   }
 
   const decide = async (
-    decided: Decided,
+    decided: Decision,
     send: (onKept: () => void) => Promise<unknown>,
     undoOn: readonly Undoable[],
   ) => {
     setRefusal(null)
-    begin()
+    underWay(client).count += 1
+    const what = { cueId: decided.cue.id, takeIds: decided.takes.map(({ id }) => id), picked: true }
+    underWay(client).decided.add(what)
     await client.cancelQueries({ queryKey: queryKeys.reviewQueue(projectId) })
     const before = client.getQueryData<InfiniteData<QueuePage>>(queueKey)
     const countBefore = client.getQueryData<QueueCount>(countKey)
-    const what = { cueId: decided.cue.id, takeIds: decided.takes.map(({ id }) => id), picked: true }
     const pages = before?.pages.map((page) => ({ ...page, items: withoutVerdict(page.items, what) }))
     if (before && pages) client.setQueryData(queueKey, { ...before, pages })
     const left = cuesOf(before?.pages) - cuesOf(pages)
@@ -158,6 +158,7 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
     const sent = send(() => (isKept = true))
 
     const showAgain = () => {
+      underWay(client).decided.delete(what)
       const now = client.getQueryData<InfiniteData<QueuePage>>(queueKey)
       const again = now && withVerdictBack(now.pages, before?.pages ?? [], what)
       if (now && again) client.setQueryData(queueKey, { ...now, pages: again })
@@ -166,7 +167,7 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
       onBack?.(decided.cue.id)
     }
     const undo = async () => {
-      begin()
+      underWay(client).count += 1
       const atServer = undoOn.filter(({ key }) => !laterWrites.drop(key))
       let isUndoKept = false
       const undone = async (onKept: () => void) => {
@@ -184,8 +185,9 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
     }
     showToast(decided.done, undo)
     await end(sent, (error) => {
+      underWay(client).decided.delete(what)
       dismissToast()
-      if (underWay.get(client) === 1) {
+      if (underWay(client).count === 1) {
         client.setQueryData(queueKey, before)
         client.setQueryData(countKey, countBefore)
       }
