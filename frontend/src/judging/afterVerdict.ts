@@ -3,7 +3,7 @@ import type { InfiniteData } from '@tanstack/react-query'
 import type { QueueItem, QueuePage, ReviewTake } from './api'
 
 /** The takes of a cue that a verdict was given on; `picked` where the other alternates of their variation are out. */
-export interface Decided {
+interface Decided {
   cueId: string
   takeIds: readonly string[]
   picked: boolean

@@ -11,6 +11,7 @@ import { withDraft, withoutVerdict, withVerdictBack } from './afterVerdict'
 import {
   countQuery,
   type QueueCount,
+  type QueueItem,
   type QueuePage,
   queueQuery,
   refresh,
@@ -134,7 +135,7 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
     const here = underWay(client)
     here.count -= 1
     if (here.count > 0) return
-    here.decided.clear()
+    here.decisions.clear()
     await refresh(client, projectId)
   }
 
@@ -146,11 +147,12 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
     setRefusal(null)
     underWay(client).count += 1
     const what = { cueId: decided.cue.id, takeIds: decided.takes.map(({ id }) => id), picked: true }
-    underWay(client).decided.add(what)
+    const withoutIt = (items: QueueItem[]) => withoutVerdict(items, what)
+    underWay(client).decisions.add(withoutIt)
     await client.cancelQueries({ queryKey: queryKeys.reviewQueue(projectId) })
     const before = client.getQueryData<InfiniteData<QueuePage>>(queueKey)
     const countBefore = client.getQueryData<QueueCount>(countKey)
-    const pages = before?.pages.map((page) => ({ ...page, items: withoutVerdict(page.items, what) }))
+    const pages = before?.pages.map((page) => ({ ...page, items: withoutIt(page.items) }))
     if (before && pages) client.setQueryData(queueKey, { ...before, pages })
     const left = cuesOf(before?.pages) - cuesOf(pages)
     if (countBefore?.is_all) client.setQueryData(countKey, { ...countBefore, cues: countBefore.cues - left })
@@ -158,7 +160,7 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
     const sent = send(() => (isKept = true))
 
     const showAgain = () => {
-      underWay(client).decided.delete(what)
+      underWay(client).decisions.delete(withoutIt)
       const now = client.getQueryData<InfiniteData<QueuePage>>(queueKey)
       const again = now && withVerdictBack(now.pages, before?.pages ?? [], what)
       if (now && again) client.setQueryData(queueKey, { ...now, pages: again })
@@ -185,7 +187,7 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
     }
     showToast(decided.done, undo)
     await end(sent, (error) => {
-      underWay(client).decided.delete(what)
+      underWay(client).decisions.delete(withoutIt)
       dismissToast()
       if (underWay(client).count === 1) {
         client.setQueryData(queueKey, before)
