@@ -44,7 +44,8 @@ def make_demo_project(runtime: Runtime, *, progress: Progress, keep_going: KeepG
     if done.exists():
         known = json.loads(done.read_text())
         return known["project"], known["token"]
-    progress.begin("Making the demo project: 36 cues, every sound by our own generators. The page is open already")
+    progress.begin(f"{runtime.settings.base_url} is open already")
+    progress.begin("Making the demo project: 36 cues, every sound by our own generators")
     people = make_people(runtime)
     try:
         second = signed_in_visitor(runtime, people[SECOND_DESIGNER])
