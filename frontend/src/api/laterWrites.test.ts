@@ -178,8 +178,11 @@ test('writes are sent beside one another while the server is there', async () =>
     await new Promise<void>((resolve) => answers.push(resolve))
     return Response.json({})
   })
-  const said = ['one', 'two', 'three'].map((text) => say(writes, 't1', text))
-  await vi.waitFor(() => expect(answers).toHaveLength(3))
+  const said: Promise<unknown>[] = []
+  for (const text of ['one', 'two', 'three']) {
+    said.push(say(writes, 't1', text))
+    await vi.waitFor(() => expect(answers).toHaveLength(said.length))
+  }
   for (const answerOne of answers) answerOne()
   await Promise.all(said)
 })
