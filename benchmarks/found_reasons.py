@@ -4,20 +4,15 @@ python -m benchmarks.found_reasons        both databases, one after the other; a
 … --docs                                  and write the table into docs/large-teams.md
 """
 
-import argparse
-import os
-
 import httpx
 import sqlalchemy as sa
 
 from app import logs
 from app.reviews.models import GivenReason
+from benchmarks.both_databases import Times, options_of, places, times_of, write_down
 from benchmarks.bulk import analyse, bare, filling
-from benchmarks.long_queue import places
 from benchmarks.served import Place, headers_for
 from benchmarks.studios import Made, ProjectMaker, make_team
-from benchmarks.tables import DOCS, machine, table, write_between
-from benchmarks.team_screens import ask
 
 TAKES = 46_000  # for 5,000 cues
 REASONS = "/v1/projects/{project}/reasons"
@@ -36,7 +31,6 @@ PAGES = {
     "search for a reason in all projects": "/v1/find?q=too%20long",
 }
 OF_DESIGNERS = {"a designer's own reasons": REASONS, "a designer's search for a reason": FIND + "too%20long"}
-Times = dict[str, tuple[float, float, float]]
 
 
 def fill(place: Place) -> tuple[Made, int]:
@@ -57,39 +51,28 @@ def select_given(session: sa.orm.Session) -> int:
 
 
 def measure(place: Place, made: Made) -> Times:
-    """Return the median, the 95th percentile and the CPU time of each page, in ms."""
-    times = {}
+    """Return how each page answers, to the approver and to a designer."""
+    times: Times = {}
     with place.serving() as (address, process):
         for secret, pages in ((made.approver_secret, PAGES), (made.designer_secret, OF_DESIGNERS)):
             with httpx.Client(base_url=address, headers=headers_for(secret), timeout=60) as client:
                 designer = client.get(REASONS.format(project=made.project_id)).raise_for_status().json()["designers"]
                 names = {"project": made.project_id, "designer": designer[0]["id"] if designer else None}
-                for name, path in pages.items():
-                    median, p95, cpu, size = ask(client, path.format(**names), process.pid)
-                    print(f"{name:42} {median:6.0f} {p95:6.0f} {cpu:6.0f} ms {size:>9,} bytes", flush=True)
-                    times[name] = (median, p95, cpu)
+                times |= times_of(client, {name: path.format(**names) for name, path in pages.items()}, process.pid)
     return times
 
 
 def main() -> None:
     """Fill, ask, and write down."""
-    parser = argparse.ArgumentParser(prog="python -m benchmarks.found_reasons", description=__doc__.partition("\n")[0])
-    parser.add_argument("--docs", action="store_true", help="write the table into docs/large-teams.md")
-    options = parser.parse_args()
+    options = options_of("benchmarks.found_reasons", __doc__)
     logs.configure()
     times = {}
     with places() as by_name:
         for name, place in by_name.items():
             made, given = fill(place)
             times[name] = measure(place, made)
-    head = ["ms", *(f"{name} {figure}" for name in times for figure in ("p50", "p95", "CPU"))]
-    rows = [[page, *(f"{one:.0f}" for name in times for one in times[name][page])] for page in (*PAGES, *OF_DESIGNERS)]
-    load = f"load {', '.join(f'{one:.1f}' for one in os.getloadavg())} at the end"
-    about = f"One web process; {made.cues:,} cues, {made.takes:,} takes, {given:,} reasons given; {machine()}; {load}."
-    text = f"{about}\n\n{table(head, rows)}"
-    print(text)
-    if options.docs:
-        write_between(DOCS / "large-teams.md", "found reasons", text)
+    about = f"{made.cues:,} cues, {made.takes:,} takes, {given:,} reasons given"
+    write_down(times, about, "found reasons", in_docs=options.docs)
 
 
 if __name__ == "__main__":

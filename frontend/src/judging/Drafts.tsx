@@ -70,7 +70,7 @@ export function Drafts({ projectId, mayApprove, onAsk }: DraftsProps) {
               <p className="small mid">{roundsOf(drafts)} You can’t undo sending.</p>
               <input
                 ref={field}
-                className={classes.note}
+                className={`line-field ${classes.note}`}
                 aria-label="Message to the designer (optional)"
                 placeholder="Message to the designer (optional)"
                 maxLength={10_000}

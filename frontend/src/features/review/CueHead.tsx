@@ -169,7 +169,7 @@ function CutForm({ cueId, name, projectId, onClose, onCut }: CutFormProps) {
           // The line was opened to be written in.
           // eslint-disable-next-line jsx-a11y/no-autofocus
           autoFocus
-          className={classes.field}
+          className={`line-field ${classes.field}`}
           aria-label={`Why cut ${name}?`}
           placeholder="Reason"
           maxLength={10_000}

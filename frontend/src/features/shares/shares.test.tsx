@@ -153,7 +153,7 @@ test('a playlist opens where one stopped; Alt and arrows, and buttons, put it in
   await noViolations()
 })
 
-test('labels tell alternates apart in the list and in the player', async () => {
+test('labels distinguish alternates in the list and in the player', async () => {
   const takes = [take('t1', 'door', { label: 'longer' }), take('t2', 'door', { label: 'wild' }), take('t3', 'steps')]
   open('/projects/p1/playlists/l1', { 'GET /v1/playlists/l1': { ...PLAYLIST, takes } })
   expect(await screen.findByRole('region', { name: 'Now' })).toHaveTextContent('door SW-001 wild')

@@ -188,7 +188,7 @@ function Answer({ question, projectId, onClose }: AnswerProps) {
           // The line was opened to be written in.
           // eslint-disable-next-line jsx-a11y/no-autofocus
           autoFocus
-          className={classes.answerText}
+          className={`line-field ${classes.answerText}`}
           aria-label={`Answer for ${question.cue.name}`}
           maxLength={4000}
           value={text}
