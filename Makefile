@@ -19,7 +19,7 @@ unexport PYTHONDONTWRITEBYTECODE
 help:  ## List these commands
 	@grep -hE '^[a-z0-9-]+:.*##' $(MAKEFILE_LIST) | awk -F':.*## ' '{printf "  make %-14s %s\n", $$1, $$2}'
 
-setup: .make/python .make/kernel .make/node .make/page  ## Set up everything that running and testing need
+setup: .make/python .make/kernel .make/node .make/page frontend/src/api/schema.gen.ts  ## Set up everything that running and testing need
 
 run: setup  ## Serve the product with a demo project (PORT=8000, DATA=data)
 	@exec env SOUNDLIST_DATA_DIR="$(DATA)" $(BIN)/soundlist demo --port $(PORT)
@@ -53,7 +53,7 @@ check: setup  ## Lint, types, import contracts, code that nobody calls, OpenAPI 
 	@! $(BIN)/vulture | grep -E 'unused (class|function|import|method)|unreachable' || { echo "nobody calls these: remove them"; exit 1; }
 	$(BIN)/soundlist openapi .make/openapi.json && diff -u frontend/openapi.json .make/openapi.json >/dev/null || \
 	  { echo "frontend/openapi.json is not what the server says: run make openapi"; exit 1; }
-	cd frontend && npm run --silent gen -- --check && npm run --silent typecheck && npm run --silent lint
+	cd frontend && npm run --silent typecheck && npm run --silent lint
 
 unit: setup .make/postgresql .make/s3 .make/librosa  ## Python tests, on SQLite and a folder of sounds
 	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --record=.make/statements $(ARGS)
@@ -142,7 +142,7 @@ constraints: .make/python  ## Pin every Python package with its hashes (UPGRADE=
 	@echo setuptools | $(COMPILE) --extra server --constraint constraints.txt --no-annotate --output-file constraints-server.txt pyproject.toml -
 
 clean:  ## Remove what set-up made; data stays
-	rm -rf .venv .make frontend/node_modules frontend/dist
+	rm -rf .venv .make frontend/node_modules frontend/dist frontend/src/api/schema.gen.ts
 
 .make/python: pyproject.toml constraints.txt constraints-uv.txt
 	@mkdir -p .make
@@ -175,9 +175,12 @@ clean:  ## Remove what set-up made; data stays
 	@echo "Installing frontend packages" && cd frontend && npm ci --silent --no-audit --no-fund
 	@touch $@
 
-.make/page: .make/node frontend/openapi.json frontend/index.html frontend/vite.config.ts $(shell find frontend/src frontend/public -type f 2>/dev/null)
+.make/page: .make/node frontend/index.html frontend/vite.config.ts $(shell find frontend/src frontend/public -type f -not -name '*.gen.ts' 2>/dev/null)
 	@echo "Building the frontend" && cd frontend && npm run --silent build
 	@touch $@
+
+frontend/src/api/schema.gen.ts: .make/node frontend/openapi.json frontend/scripts/gen.mjs
+	@echo "Writing the frontend's types" && cd frontend && npm run --silent gen
 
 .make/postgresql:
 	@mkdir -p .make
