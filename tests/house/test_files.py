@@ -21,19 +21,7 @@ DOCUMENTS = [
     *sorted((ROOT / "docs").rglob("*.md")),
     *(ROOT / folder / "README.md" for folder in ("frontend", "training")),
 ]
-PAGES = [path for path in sorted((ROOT / "docs").rglob("*.md")) if path.parent.name != "decisions"]
 DECISIONS = sorted((ROOT / "docs" / "decisions").glob("[0-9]*.md"))
-PARTS = ["Status", "Context", "Decision", "Consequences"]
-MAX_WORDS = 1500  # of a page that is read from its beginning; figures in tables count
-REFERENCE = {"domain.md", "security.md"}  # looked up row by row
-MAX_LINES = 400
-CODE = {".c", ".cs", ".css", ".h", ".js", ".mjs", ".py", ".sh", ".sql", ".ts", ".tsx"}
-FOLDERS = ["app", "audio_checks", "benchmarks", "deploy", "frontend/e2e", "frontend/scripts", "frontend/src",
-           "integrations", "migrations", "tests", "training"]  # fmt: skip
-MAY_BE_LONGER = {
-    "frontend/src/api/schema.gen.ts": "generated from the OpenAPI document",
-    "migrations/versions/0027_tables_of_the_first_release.py": "all tables of a release, in the order of their keys",
-}
 SERVER_COMMANDS = {
     "adopt",
     "desk",
@@ -112,30 +100,6 @@ def commands_in_documents(program: str) -> set[str]:
     }
 
 
-def too_long(root: Path, folder: str, most: int = MAX_LINES) -> dict[str, int]:
-    """Return the files of code of a folder that have more lines than that, with their number."""
-    files = [path for path in (root / folder).rglob("*") if path.suffix in CODE]
-    assert files
-    lines = {str(path.relative_to(root)): len(path.read_text().splitlines()) for path in files}
-    return {name: count for name, count in lines.items() if count > most}
-
-
-@pytest.mark.parametrize("folder", FOLDERS)
-def test_no_file_is_too_long_to_read_at_once(folder: str):
-    assert {name for name in too_long(ROOT, folder) if name not in MAY_BE_LONGER} == set()
-
-
-def test_what_may_be_longer_is_there():
-    assert [name for name in MAY_BE_LONGER if not (ROOT / name).is_file()] == []
-
-
-def test_a_long_file_would_be_found(tmp_path: Path):
-    (tmp_path / "pages").mkdir()
-    for name, lines in {"short.py": 3, "long.py": 4, "long.css": 4, "long.md": 4}.items():
-        (tmp_path / "pages" / name).write_text("\n" * lines)
-    assert too_long(tmp_path, "pages", 3) == {"pages/long.py": 4, "pages/long.css": 4}
-
-
 def test_every_command_of_the_server_that_the_documents_name_is_one():
     named = commands_in_documents("soundlist")
     assert {command.split()[0] for command in named} == SERVER_COMMANDS - {"demo", "openapi"} | {"jobs", "operators"}
@@ -191,47 +155,6 @@ def test_anchors_are_those_of_forges(tmp_path: Path):
         "# What it *costs*\n## A take: `check`, and its [cue](x.md)\n```\n# no heading\n```\n## Limits\n## Limits\n"
     )
     assert anchors(page) == {"what-it-costs", "a-take-check-and-its-cue", "limits", "limits-1"}
-
-
-@pytest.mark.parametrize("page", sorted((ROOT / "docs").glob("*.md")), ids=lambda path: path.name)
-def test_pages_are_short(page: Path):
-    words = [word for word in page.read_text().split() if re.search(r"\w", word)]
-    assert len(words) <= MAX_WORDS or page.name in REFERENCE
-
-
-def beginning(page: str) -> str:
-    """Return what a page has between its title and the first empty line after; "" for a heading, a table or code."""
-    found = re.match(r"(?:<!--.*?-->\s*)?# [^\n]+\n\s*(.+?)(?:\n\s*\n|\Z)", page, re.DOTALL)
-    return "" if found is None or found[1].startswith(("#", "|", "```", "<")) else found[1]
-
-
-@pytest.mark.parametrize("page", PAGES, ids=lambda path: str(path.relative_to(ROOT)))
-def test_pages_begin_with_a_sentence(page: Path):
-    assert re.search(r"\w+ \w+.*[.:]", beginning(page.read_text()), re.DOTALL), "say first what one can do with it"
-
-
-@pytest.mark.parametrize(
-    ("page", "text"),
-    [
-        ("# Packs\n\n## Targets\nA target says what.\n", ""),
-        ("# Packs\n\n| to | do |\n|---|---|\n| a | b |\n", ""),
-        ("# Packs\n\n```\nmake it.\n```\n", ""),
-        ("# Packs\n", ""),
-        ("# Packs\n\nDownload\nfiles.\n\n## Targets\n", "Download\nfiles."),
-        ("<!-- Made. -->\n\n# Packs\n\n- Download files.\n", "- Download files.\n"),
-    ],
-)
-def test_the_beginning_of_a_page_is_its_first_paragraph(page: str, text: str):
-    assert beginning(page) == text
-
-
-@pytest.mark.parametrize("decision", DECISIONS, ids=lambda path: path.stem)
-def test_decisions_have_status_context_decision_and_consequences(decision: Path):
-    text = decision.read_text()
-    title = re.match(r"# 0*(\d+)\b", text)
-    assert title
-    assert int(title[1]) == int(decision.name[:4])
-    assert [part for part in re.findall(r"^\*\*(\w+)\.\*\*", text, re.MULTILINE) if part in PARTS] == PARTS
 
 
 def test_decisions_are_numbered_once():
