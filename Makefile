@@ -4,8 +4,10 @@ DATA ?= data
 PYTHON ?= python3
 WORKERS ?= 2
 PARALLEL_JOBS ?= 2
-# First what says soonest that something is wrong, then the longest; what is short fills the gap at the end.
-PARTS := check unit e2e frontend-test unit-postgres
+# The longest first; what is short fills the gap at the end.
+PARTS := unit e2e frontend-test unit-postgres
+SLOW_PARTS := slow-unit slow-e2e slow-unit-postgres slow-frontend-test
+FAST := not slow and not lint
 BIN := .venv/bin
 COMPILE = $(BIN)/uv pip compile --quiet --no-header --universal --python-version 3.11 --generate-hashes $(if $(UPGRADE),--upgrade)
 SHELL := /bin/bash
@@ -14,7 +16,7 @@ export PYTHONPATH := $(CURDIR)
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup run dev hooks test test-all check coverage fix unit unit-postgres frontend-test e2e firefox kill planted-bugs attack large-zip false-alarms audit audit-levels fuzz parity bench weights docs openapi constraints audit-dependencies pins clean
+.PHONY: help setup run dev hooks quick test test-slow check coverage fix unit unit-postgres frontend-test e2e slow-unit slow-unit-postgres slow-frontend-test slow-e2e firefox kill planted-bugs attack large-zip false-alarms audit audit-levels fuzz parity bench weights docs openapi constraints audit-dependencies pins clean
 
 help:  ## List these commands
 	@grep -hE '^[a-z0-9-]+:.*##' $(MAKEFILE_LIST) | awk -F':.*## ' '{printf "  make %-14s %s\n", $$1, $$2}'
@@ -32,17 +34,20 @@ dev: setup  ## Serve the demo project and follow every change: open port 5173 (P
 hooks: setup  ## Check what you commit before it is committed
 	@$(BIN)/pre-commit install
 
-test: .make/s3  ## Set up and pass every test; two parts at a time, for much in them waits
-	@mkdir -p .make && rm -f .make/*.failed
-	@$(MAKE) --no-print-directory --keep-going --jobs=$(PARALLEL_JOBS) $(PARTS:%=parallel-%) || { cat .make/*.failed 2>/dev/null; exit 1; }
-	@tail -q -n 1 .make/unit.log .make/unit-postgres.log
+test: .make/s3  ## Set up and pass the fast tests, two parts at a time: 12 minutes on two cores
+	@$(call in_parallel,$(PARTS))
 
-test-all: test  ## The same, then every test of rooms and journeys on PostgreSQL and S3 too, and the long walks in the browser
-	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres --store s3 tests/app tests/journeys
-	@cd frontend && LONG_WALKS=1 npm run --silent e2e -- judging leaving worked-example
-	@$(MAKE) --no-print-directory firefox
+test-slow: .make/s3  ## Pass every other test: PostgreSQL, kills, attacks, timing, long walks in the browser
+	@$(call in_parallel,$(SLOW_PARTS))
+	@if command -v firefox-esr >/dev/null; then $(MAKE) --no-print-directory firefox; else echo "firefox-esr is not installed: make firefox installs it"; fi
 
-parallel-unit-postgres: parallel-unit  # which records what PostgreSQL has to be sent
+# Run parts beside each other; afterwards repeat what each passed.
+define in_parallel
+mkdir -p .make && rm -f .make/*.failed; \
+$(MAKE) --no-print-directory --keep-going --jobs=$(PARALLEL_JOBS) $(1:%=parallel-%) || { cat .make/*.failed 2>/dev/null; exit 1; }; \
+for part in $(1); do echo "$$part: $$(grep -E '[0-9]+ passed' .make/$$part.log | tail -n 1)"; done
+endef
+
 parallel-%: setup .make/postgresql .make/browser .make/librosa
 	@.ci/part $* $(MAKE) --no-print-directory $*
 
@@ -50,27 +55,40 @@ check: setup  ## Lint, types, import contracts, code that nobody calls, OpenAPI 
 	$(BIN)/ruff check . && $(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-cache
+	$(BIN)/pytest -q -n $(WORKERS) --dist loadgroup -m lint tests/house
 	@! $(BIN)/vulture | grep -E 'unused (class|function|import|method)|unreachable' || { echo "nobody calls these: remove them"; exit 1; }
 	$(BIN)/soundlist openapi .make/openapi.json && diff -u frontend/openapi.json .make/openapi.json >/dev/null || \
 	  { echo "frontend/openapi.json is not what the server says: run make openapi"; exit 1; }
 	cd frontend && npm run --silent typecheck && npm run --silent lint
 
-unit: setup .make/postgresql .make/s3 .make/librosa  ## Python tests, on SQLite and a folder of sounds
-	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --record=.make/statements $(ARGS)
+unit: setup .make/postgresql .make/s3 .make/librosa  ## Fast Python tests, on SQLite and a folder of sounds
+	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup -m '$(FAST)' --record=.make/statements $(ARGS)
+
+slow-unit: setup .make/postgresql .make/s3 .make/librosa .make/caddy  ## Slow Python tests, on SQLite and a folder of sounds
+	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup -m slow $(ARGS)
 
 coverage: setup .make/postgresql .make/s3 .make/librosa  ## Lines and branches that the tests of rooms and journeys run; 95 % in rules, services and queries
 	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --cov --cov-report= tests/app tests/journeys $(ARGS)
 	@$(BIN)/coverage report --include='app/*' --format=total | sed 's/^/app, percent: /'
 	@$(BIN)/coverage report --include='app/*/rules.py,app/*/*_rules.py,app/*/service.py,app/*/queries.py,app/*/*_queries.py' --fail-under=95
 
-unit-postgres: setup .make/postgresql .make/s3 .make/librosa  ## What differs on PostgreSQL and S3, and every statement there once
+unit-postgres: setup .make/postgresql .make/s3 .make/librosa  ## Fast tests of what differs on PostgreSQL and S3
+	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup -m 'both_databases and $(FAST)' --database postgres --store s3 tests/app $(ARGS)
+
+slow-unit-postgres: setup .make/postgresql .make/s3 .make/librosa  ## On PostgreSQL and S3, the slow tests and every statement that make unit recorded
 	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres --store s3 --recorded=.make/statements tests/app tests/journeys $(ARGS)
 
-frontend-test: setup  ## Tests of the frontend's parts
+frontend-test: setup  ## Fast tests of the frontend's parts
 	@cd frontend && npm run --silent test
+
+slow-frontend-test: setup  ## Slow tests of the frontend's parts
+	@cd frontend && npm run --silent --if-present test:slow
 
 e2e: setup .make/browser .make/postgresql  ## Walk the product in a real browser as its users
 	@cd frontend && npm run --silent e2e
+
+slow-e2e: setup .make/browser .make/postgresql  ## Long walks in a real browser, and those that take time
+	@cd frontend && npm run --silent --if-present e2e:slow
 
 firefox: setup .make/browser .make/postgresql  ## Walk the first minute of each role in Firefox too
 	@command -v firefox-esr >/dev/null && command -v pulseaudio >/dev/null || sh .ci/install firefox-esr pulseaudio

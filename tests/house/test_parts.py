@@ -1,12 +1,11 @@
 """Parts of the tests that run beside each other: who says what is seen, and a failure is never lost."""
 
-import re
-import shutil
 import subprocess
 from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.lint
 PART = Path(__file__).resolve().parents[2] / ".ci/part"
 
 
@@ -35,15 +34,3 @@ def test_a_part_that_fails_says_so_and_keeps_its_end(folder: Path):
     assert ran.returncode == 1
     kept = (folder / ".make/unit.failed").read_text().splitlines()
     assert kept == ["unit FAILED; it ended with", *map(str, range(61, 101))]
-
-
-def test_postgresql_waits_for_the_statements_that_the_other_part_records(tmp_path: Path):
-    """Both workers choose their tests by these records, and must choose the same."""
-    shutil.copy(PART.parents[1] / "Makefile", tmp_path)
-    (tmp_path / ".ci").mkdir()
-    (tmp_path / ".ci/part").write_text('#!/bin/sh\necho "part $1"\n')
-    (tmp_path / ".ci/part").chmod(0o755)
-    made = ["setup", ".make/postgresql", ".make/s3", ".make/librosa", ".make/browser"]
-    command = ["make", "--dry-run", "parallel-unit-postgres", *(f"--assume-old={target}" for target in made)]
-    printed = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True).stdout
-    assert re.findall(r"^part (.+)$", printed, re.MULTILINE) == ["unit", "unit-postgres"]

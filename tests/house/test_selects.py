@@ -4,6 +4,9 @@ import ast
 import tomllib
 from pathlib import Path
 
+import pytest
+
+pytestmark = pytest.mark.lint
 ROOT = Path(__file__).resolve().parents[2]
 ELSEWHERE = {
     "app/accounts/rate_limits.py": "one statement counts and reads a try; what it answers is read beside it",
