@@ -1,17 +1,20 @@
 """The arguments that several commands take, and what they mean: paths, a spec, a number of processes."""
 
 import argparse
+import codecs
 import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
 from audio_checks.cli.progress import Progress
+from audio_checks.cli.terminal import say
 from audio_checks.errors import AudioChecksError
 from audio_checks.run.discovery import Found, PathNotFound, SpecFinder, audio_files
 from audio_checks.spec.delivery_spec import DeliverySpec
 
 OK, FOUND, WRONG = 0, 1, 2
+LONG_ENOUGH_TO_TELL = 8  # bytes of a text whose encoding is guessed
 FORMAT_HELP = "{}; to a file if one is named; may be repeated"
 
 
@@ -70,36 +73,67 @@ def number_of_jobs(text: str) -> int:
     return jobs
 
 
-def found_files(options: argparse.Namespace, *, may_be_none: bool = False) -> list[Found]:
-    """Return the files that the given paths mean; UsageError when there is none to find, or no path at all."""
+def found_files(options: argparse.Namespace, *, may_be_none: bool = False, default: str | None = None) -> list[Found]:
+    """Return the files that the given paths mean; UsageError when there is none to find, or no path at all.
+
+    Afterwards `options.paths` has every path, those from `--files-from` and the default too.
+    """
     paths = list(options.paths)
     if options.files_from is not None:
         paths += _paths_from(options.files_from)
     elif not paths:
-        raise UsageError("no path given")
+        if default is None:
+            raise UsageError("no path given: name files or folders, . is this folder")
+        paths = [default]
+    options.paths = paths
     if "-" in paths:
         raise UsageError(
             "- is standard input, and a sound read from there has no name to judge: write it to a file first;"
             " --files-from - reads paths from standard input, and ./- is a file of that name"
         )
+    unvisited: list[str] = []
     try:
-        found = list(audio_files(paths))
+        found = list(audio_files(paths, unvisited))
     except PathNotFound as error:
         raise UsageError(str(error)) from None
-    if not found and not may_be_none:
+    for folder in unvisited:
+        say(folder)
+    if not found and (unvisited or not may_be_none):
         raise UsageError(
-            "no audio found" + ("; --allow-empty says that this is fine" if "allow_empty" in options else "")
+            "no audio found"
+            + ("; --allow-empty says that this is fine" if "allow_empty" in options and not unvisited else "")
         )
     return found
 
 
 def _paths_from(source: str) -> list[str]:
+    """Return the paths of a list: one a line or separated by NUL, in UTF-8 or UTF-16."""
     try:
         raw = sys.stdin.buffer.read() if source == "-" else Path(source).read_bytes()
     except OSError as error:
         raise UsageError(f"{source}: cannot be read: {error.strerror}") from None
+    encoding = _wide_encoding(raw)  # Windows PowerShell writes UTF-16 for >
+    if encoding is not None:
+        try:
+            raw = raw.decode(encoding).encode("utf-8", "surrogatepass")
+        except UnicodeDecodeError as error:
+            raise UsageError(
+                f"{source}: is UTF-16 text that is damaged at byte {error.start} ({error.reason}); write it as UTF-8"
+            ) from None
+    raw = raw.removeprefix(codecs.BOM_UTF8)
     lines = raw.split(b"\0") if b"\0" in raw else raw.splitlines()
     return [os.fsdecode(line) for line in lines if line]
+
+
+def _wide_encoding(raw: bytes) -> str | None:
+    """Return the encoding of a text of UTF-16, with or without a byte order mark; None for any other."""
+    if raw.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return "utf-16"
+    for encoding, high_bytes in (("utf-16-le", raw[1::2]), ("utf-16-be", raw[::2])):
+        # Letters of ASCII have a zero in every second byte. NUL between paths is far rarer than that.
+        if len(raw) > LONG_ENOUGH_TO_TELL and high_bytes.count(0) > len(high_bytes) * 0.8:
+            return encoding
+    return None
 
 
 def needed_spec_for(path: str, finder: SpecFinder, options: argparse.Namespace) -> DeliverySpec:

@@ -2,6 +2,7 @@
 
 import os
 import stat
+from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -27,11 +28,20 @@ class PathNotFound(Exception):
     """A path that was given, or a folder below it, that cannot be looked into."""
 
 
-def audio_files(paths: Iterable[str]) -> Iterator[Found]:
+def audio_files(paths: Iterable[str], unvisited: list[str] | None = None) -> Iterator[Found]:
     """Yield every file that the paths mean, each once, folders in the order of their names.
 
     A file that is named is taken whatever its ending; in folders, those with the ending of an audio
-    format are taken, hidden ones are not, and links to folders are not followed.
+    format are taken, and hidden ones are not. Links to folders are followed after everything else,
+    each folder once, so that a circle of links ends.
+
+    Parameters
+    ----------
+    paths : iterable of str
+        Files and folders.
+    unvisited : list of str, optional
+        Receives a sentence about each folder below the paths that was not looked into: a link to a
+        folder that holds the link itself, a link that leads nowhere, a Git submodule that is not checked out.
 
     Raises
     ------
@@ -39,32 +49,100 @@ def audio_files(paths: Iterable[str]) -> Iterator[Found]:
         A path does not exist, or a folder cannot be listed.
     """
     seen: set[str] = set()
-    for path in paths:
-        for found in _below(path):
-            key = os.path.normpath(found.path)
-            if key not in seen:
-                seen.add(key)
-                yield found
+    walk = _Walk([] if unvisited is None else unvisited)
+    for found in walk.files(paths):
+        key = os.path.normpath(found.path)
+        if key not in seen:
+            seen.add(key)
+            yield found
 
 
-def _below(path: str) -> Iterator[Found]:
+class _Walk:
+    """One walk over paths: the folders that it has been in, and the links that it has yet to follow."""
+
+    def __init__(self, unvisited: list[str]) -> None:
+        self._unvisited = unvisited
+        self._visited: set[tuple[int, int]] = set()
+        self._links: deque[tuple[str, str, str]] = deque()  # the path given, the link below it, the folder that has it
+
+    def files(self, paths: Iterable[str]) -> Iterator[Found]:
+        for path in paths:
+            try:
+                is_folder = stat.S_ISDIR(os.stat(reachable(path)).st_mode)
+            except (OSError, ValueError) as error:
+                if not (isinstance(error, OSError) and os.path.lexists(path)):
+                    raise PathNotFound(f"{path}: no such file or folder") from None
+                is_folder = False  # a link that leads nowhere, or a file out of reach: the check says so
+            if is_folder:
+                yield from self._below(path, "", again=True)
+            else:
+                yield Found(path, os.path.basename(path))
+        while self._links:
+            path, link, holder = self._links.popleft()
+            target = os.path.realpath(os.path.join(path, link))
+            if os.path.join(holder, "").startswith(os.path.join(target, "")):
+                if _identity(target) not in self._visited:
+                    self._unvisited.append(f"{os.path.join(path, link)}: not followed: it links to a folder above it")
+            elif _identity(target) not in self._visited:
+                yield from self._below(path, link, again=False)
+
+    def _below(self, path: str, link: str, *, again: bool) -> Iterator[Found]:
+        """Yield the files below a path that was given, or below a link there.
+
+        With `again`, folders count that were visited before under another of the given paths.
+        """
+        top = os.path.join(unlimited(path), link) if link else unlimited(path)
+        for folder, folders, names in os.walk(top, onerror=_refuse):
+            self._visited.add(_identity(folder))
+            below = os.path.normpath(os.path.join(link, os.path.relpath(folder, top))) if folder != top else link
+            if not (folders or names) and is_absent_submodule(folder):
+                place = os.path.join(path, below)
+                self._unvisited.append(f"{place}: not checked out: git submodule update --init --recursive")
+            folders[:] = sorted(one for one in folders if not one.startswith("."))
+            linked = [one for one in folders if _is_link(os.path.join(folder, one))]
+            if linked:
+                holder = os.path.realpath(folder)
+                self._links += ((path, os.path.join(below, one), holder) for one in linked)
+                folders[:] = [one for one in folders if one not in linked]
+            if not again:
+                folders[:] = [one for one in folders if _identity(os.path.join(folder, one)) not in self._visited]
+            for name in sorted(names):
+                if name.startswith("."):
+                    continue
+                suffix = os.path.splitext(name)[1].lower()
+                if suffix in AUDIO_SUFFIXES:
+                    relative = os.path.join(below, name)
+                    yield Found(os.path.join(path, relative), relative)
+                elif not suffix and not os.path.exists(os.path.join(folder, name)):
+                    self._unvisited.append(f"{os.path.join(path, below, name)}: a link that leads nowhere")
+
+
+def _identity(folder: str) -> tuple[int, int]:
+    """Return what tells a folder from every other, whatever path leads to it."""
     try:
-        is_folder = stat.S_ISDIR(os.stat(reachable(path)).st_mode)
-    except (OSError, ValueError) as error:
-        if not (isinstance(error, OSError) and os.path.lexists(path)):
-            raise PathNotFound(f"{path}: no such file or folder") from None
-        is_folder = False  # a link that leads nowhere, or a file out of reach: the check says so
-    if not is_folder:
-        yield Found(path, os.path.basename(path))
-        return
-    start = unlimited(path)
-    for folder, folders, names in os.walk(start, onerror=_refuse):
-        folders[:] = sorted(one for one in folders if not one.startswith("."))
-        below = "" if folder == start else os.path.relpath(folder, start)
-        for name in sorted(names):
-            if not name.startswith(".") and os.path.splitext(name)[1].lower() in AUDIO_SUFFIXES:
-                relative = os.path.join(below, name)
-                yield Found(os.path.join(path, relative), relative)
+        at = os.stat(folder)
+    except OSError as error:
+        raise PathNotFound(f"{error.filename}: the folder cannot be looked into: {error.strerror}") from None
+    return at.st_dev, at.st_ino
+
+
+def _is_link(folder: str) -> bool:
+    """Return whether a folder is a link, or on Windows a junction."""
+    is_junction = getattr(os.path, "isjunction", None)  # since Python 3.12; os.walk passes them over from then on
+    return os.path.islink(folder) or (is_junction is not None and is_junction(folder))
+
+
+def is_absent_submodule(folder: str) -> bool:
+    """Return whether an empty folder is the place of a Git submodule, as `.gitmodules` above it says."""
+    path = Path(folder).absolute()
+    for above in path.parents:
+        try:
+            text = (above / ".gitmodules").read_text(encoding="utf-8", errors="surrogateescape")
+        except OSError:
+            continue
+        places = (line.partition("=") for line in text.splitlines())
+        return any(key.strip() == "path" and above / place.strip().strip('"') == path for key, _, place in places)
+    return False
 
 
 def _refuse(error: OSError) -> None:

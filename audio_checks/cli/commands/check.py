@@ -31,6 +31,7 @@ from audio_checks.spec.sound_list import read_sound_list
 
 if TYPE_CHECKING:
     from audio_checks.fixing.in_place import Change
+    from audio_checks.run.changed_since import Changes
     from audio_checks.run.runner import Task
 
 FORMATS = reporters.formats()
@@ -81,7 +82,7 @@ def run(options: argparse.Namespace) -> int:
         if options.diff:
             _show(changes)
             found = _exit_code(judging.with_set_checks(tasks, entries), options.fail_level)
-            return max(found, FOUND if changes or left else OK)
+            return max(found, FOUND if changes or left else OK, OK if judging.complete else WRONG)
         done, stayed = _fix_in_place(changes)
         left = left or stayed
         tasks, entries = judging.again(tasks, entries, done)
@@ -93,7 +94,7 @@ def run(options: argparse.Namespace) -> int:
         say(f"not run, because this version lacks them: {', '.join(report.not_run)}")
     outputs.write(lambda name, colour: reporters.judged_as(name, report, _style(options, colour=colour)))
     _offer_baseline(report, options)
-    return max(_exit_code(entries, options.fail_level), FOUND if left else OK)
+    return max(_exit_code(entries, options.fail_level), FOUND if left else OK, OK if judging.complete else WRONG)
 
 
 def _style(options: argparse.Namespace, *, colour: bool) -> reporters.Style:
@@ -112,6 +113,7 @@ class _Judging:
         self._options = options
         self._finder = SpecFinder(options.spec)
         self.sound_list = read_sound_list(Path(options.sound_list)) if options.sound_list else None
+        self.complete = True  # False when sounds of the change are out of reach
         self.specs: list[DeliverySpec] = []
         self._spec_of: dict[str, DeliverySpec | None] = {}
         self._views: dict[tuple[int, str | None], DeliverySpec] = {}
@@ -123,7 +125,7 @@ class _Judging:
         from audio_checks.run import runner
 
         options = self._options
-        found = found_files(options, may_be_none=options.allow_empty)
+        found = found_files(options, may_be_none=options.allow_empty, default=".")
         self._spec_of = {one.path: spec_for(one.path, self._finder, options) for one in found}
         if options.target is None:
             self._dry = dry_stems((one.path for one in found), self.sound_list)
@@ -163,6 +165,7 @@ class _Judging:
     def _changed(self, found: list[Found]) -> list[Found]:
         """Return the files that the change touches; all, where it touches what they are judged by."""
         from audio_checks.run.changed_since import Changes, spec_files
+        from audio_checks.run.runner import printable_path
 
         options = self._options
         changes = Changes(options.changed_since)
@@ -170,7 +173,7 @@ class _Judging:
         of_all: dict[int, bool] = {}
         for spec in {id(spec): spec for spec in self._spec_of.values()}.values():
             rules = [*shared, *(spec_files(self._finder.file_of(spec)) if spec else ())]
-            new = [rule for rule in rules if changes.touch(rule)]
+            new = [rule for rule in rules if self._is_known(rule, changes) and changes.touch(rule)]
             of_all[id(spec)] = bool(new)
             for rule in new:
                 note(f"{rule} differs from {options.changed_since}, so every file that it is about is judged")
@@ -180,9 +183,25 @@ class _Judging:
             if of_all[id(self._spec_of[one.path])]
             or any(changes.touch(path) for path in (one.path, self._dry.get(one.path)) if path)
         ]
-        if not touched:
+        for folder in changes.absent_submodules(options.paths):
+            say(
+                f"{printable_path(folder)}: the submodule differs from {options.changed_since} and is not checked out,"
+                " so its sounds were not judged: git submodule update --init --recursive"
+            )
+            self.complete = False
+        for warning in changes.notes:
+            note(printable(warning))
+        if not touched and self.complete:
             note(f"nothing to judge: no audio differs from {options.changed_since}")
         return touched
+
+    @staticmethod
+    def _is_known(rule: Path, changes: "Changes") -> bool:
+        """Return whether Git knows a file that sounds are judged by; say so where it does not."""
+        if known := changes.knows(rule):
+            return known
+        note(f"{rule} is in no Git repository, so it is taken for unchanged")
+        return known
 
     def entries(self, tasks: Sequence["Task"]) -> list[FileReport]:
         """Return the report of each file: from the cache where nothing changed, checked again elsewhere."""

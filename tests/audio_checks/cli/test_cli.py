@@ -75,6 +75,22 @@ class TestExitCodes:
         assert "out" in err
         assert "fault of the tool" not in err
 
+    def test_no_path_is_this_folder(self, folder, run):
+        write_wav(folder / "laser.wav", GOOD)
+        for command in ("check", "measure"):
+            _, out, _ = run(command, "--format", "jsonl")
+            assert [json.loads(line)["path"] for line in out.splitlines()] == ["./laser.wav"]
+
+    def test_damaged_utf16_is_named(self, folder, run):
+        (folder / "list.txt").write_bytes(b"\xff\xfea\0\n")
+        code, _, err = run("check", "--files-from", "list.txt")
+        assert (code, "list.txt: is UTF-16 text that is damaged at byte 4" in err) == (2, True)
+
+    def test_nothing_judged_because_of_what_is_not_there_fails(self, folder, run):
+        (folder / "shared").symlink_to("../gone")
+        code, _, err = run("check", *SPEC, "--allow-empty", ".")
+        assert (code, "./shared: a link that leads nowhere" in err, "no audio found" in err) == (2, True, True)
+
     def test_no_audio(self, folder, run):
         (folder / "readme.txt").write_text("hello", encoding="utf-8")
         code, _, err = run("check", *SPEC, ".")
@@ -86,7 +102,7 @@ class TestExitCodes:
         [
             ([], "COMMAND"),
             (["chek"], "chek"),
-            (["check"], "no path given"),
+            (["fix", *SPEC, "--out", "out"], "no path given"),
             (["check", "nowhere.wav"], "nowhere.wav: no such file or folder"),
             (["check", "--frmat", "json", "."], "--frmat"),
             (["check", "--format", "yaml", "."], "formats: github, json, jsonl, junit, sarif, text"),
@@ -210,7 +226,17 @@ class TestFiles:
     def test_paths_from_stdin(self, folder, run, monkeypatch):
         for name in ("a.wav", "b c.wav", "d\ne.wav"):
             write_wav(folder / name, GOOD)
-        for raw, count in ((b"a.wav\r\nb c.wav\n", 2), (b"a.wav\0d\ne.wav\0", 2)):
+        lines = "a.wav\r\nb c.wav\n"
+        for raw, count in (
+            (lines.encode(), 2),
+            (b"a.wav\0d\ne.wav\0", 2),
+            (lines.encode("utf-8-sig"), 2),
+            (lines.encode("utf-16"), 2),  # with a byte order mark, as Windows PowerShell writes for >
+            ("\ufeff".encode("utf-16-be") + lines.encode("utf-16-be"), 2),
+            (lines.encode("utf-16-le"), 2),
+            (lines.encode("utf-16-be"), 2),
+            ("\ufeffa.wav\0d\ne.wav\0".encode("utf-16-le"), 2),
+        ):
             monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(raw)))
             code, out, _ = run("check", "--files-from", "-", "--format", "jsonl")
             assert (code, len(out.splitlines())) == (0, count)
