@@ -8,7 +8,7 @@ import os
 import shutil
 import sqlite3
 import subprocess
-from contextlib import closing
+from contextlib import closing, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -19,7 +19,7 @@ from app.kit import clock
 from app.kit.db import Database
 from app.kit.runtime import Runtime
 from app.kit.storage import FolderStore, Store
-from app.migrate import migrate
+from app.migrate import CannotUpgrade, ensure_upgradable, migrate
 from app.row_security import make_request_role
 
 BLOBS = "blobs"
@@ -67,7 +67,7 @@ def back_up(runtime: Runtime, folder: Path, *, keep: int) -> Copied:
 def restore(runtime: Runtime, folder: Path, database: Path | None = None) -> Copied:
     """Fill an empty database and a store from a backup; the newest database in it unless one is named.
 
-    Raises BackupRefused where there is no backup, it is of the other kind of database, or something is there.
+    Raises BackupRefused where there is no backup, this version cannot read it, or something is there.
     """
     found = _databases(folder)
     if database is None and not found:
@@ -86,6 +86,10 @@ def restore(runtime: Runtime, folder: Path, database: Path | None = None) -> Cop
             f"the database holds {len(tables)} tables already; name an empty one in SOUNDLIST_DATABASE_URL "
             "or SOUNDLIST_DATA_DIR"
         )
+    try:
+        ensure_upgradable(_revision_of(runtime.database, source))
+    except CannotUpgrade as error:
+        raise BackupRefused(f"{source.name} cannot be restored: {error}") from None
     copied = Copied(source)
     _copy_blobs(FolderStore(folder / BLOBS), runtime.store, copied)
     _load(runtime.database, source)
@@ -120,6 +124,19 @@ def _dump(database: Database, target: Path) -> None:
         _run("pg_dump", url, "--format=custom", "--no-owner", f"--file={target}")
 
 
+def _revision_of(database: Database, source: Path) -> str | None:
+    """Return the revision of the tables in a copy."""
+    if not database.is_sqlite:
+        arguments = ("--data-only", "--table=alembic_version", "--file=-", str(source))
+        _, _, rows = _run("pg_restore", None, *arguments).partition("FROM stdin;\n")
+        return rows.partition("\n")[0] or None
+    with closing(sqlite3.connect(f"{source.resolve().as_uri()}?mode=ro", uri=True)) as copy:
+        with suppress(sqlite3.OperationalError):  # no such table, in the copy of an empty database
+            (revision,) = copy.execute("select version_num from alembic_version").fetchone()
+            return str(revision)
+    return None
+
+
 def _load(database: Database, source: Path) -> None:
     url = database.engine.url
     if database.is_sqlite:
@@ -135,15 +152,18 @@ def _load(database: Database, source: Path) -> None:
     _run("pg_restore", url, "--exit-on-error", "--no-owner", "--single-transaction", str(source))
 
 
-def _run(program: str, url: URL, *arguments: str) -> None:
-    """Run one of PostgreSQL's programs on a database; the password goes by the environment, where no list shows it."""
+def _run(program: str, url: URL | None, *arguments: str) -> str:
+    """Run one of PostgreSQL's programs and return its output; the password goes by the environment, unlisted."""
     if shutil.which(program) is None:
         raise BackupRefused(
             f"{program} is not installed; install PostgreSQL's client: apt-get install postgresql-client"
         )
-    environment = dict(os.environ) | ({"PGPASSWORD": str(url.password)} if url.password else {})
-    shown = url.set(drivername="postgresql", password=None).render_as_string()
-    command = [program, f"--dbname={shown}", *arguments]
-    ran = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    environment, command = dict(os.environ), [program]
+    if url is not None:
+        environment |= {"PGPASSWORD": str(url.password)} if url.password else {}
+        shown = url.set(drivername="postgresql", password=None).render_as_string()
+        command.append(f"--dbname={shown}")
+    ran = subprocess.run([*command, *arguments], env=environment, capture_output=True, text=True, check=False)
     if ran.returncode:
         raise BackupRefused(f"{program} failed: {ran.stderr.strip().splitlines()[-1]}")
+    return ran.stdout

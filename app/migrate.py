@@ -1,5 +1,6 @@
 """Brings a database to the tables that this version wants."""
 
+import re
 from functools import cache
 from pathlib import Path
 
@@ -17,6 +18,15 @@ from app.kit.runtime import Runtime
 from app.row_security import ensure_rows_are_guarded, guard_rows
 
 MIGRATIONS = Path(__file__).resolve().parent.parent / "migrations"
+BEFORE_RELEASE = re.compile(r"00\d\d|0001_[0-9a-f]{8}")  # revisions that versions before 1.0 gave
+
+
+class CannotUpgrade(Exception):
+    """The database is at a revision that this version does not know."""
+
+
+class MadeBeforeRelease(CannotUpgrade):
+    """The database was made by a version before 1.0, whose tables no version upgrades."""
 
 
 def alembic_config(database: Database) -> Config:
@@ -27,12 +37,12 @@ def alembic_config(database: Database) -> Config:
     return config
 
 
-def migrate(database: Database, revision: str = "head") -> None:
-    """Upgrade our tables and those of the job queue."""
+def migrate(database: Database) -> None:
+    """Upgrade our tables and those of the job queue; raise CannotUpgrade where the database's revision is unknown."""
+    ensure_upgradable(current_revision(database))
     queue.create_tables(database)
-    command.upgrade(alembic_config(database), revision)
-    if revision == "head":
-        guard_rows(database)
+    command.upgrade(alembic_config(database), "head")
+    guard_rows(database)
 
 
 def login_warning(database: Database) -> str | None:
@@ -49,6 +59,33 @@ def login_warning(database: Database) -> str | None:
     )
 
 
+def current_revision(database: Database) -> str | None:
+    """Return the revision of a database's tables; None where it has none."""
+    with database.engine.connect() as connection:
+        return MigrationContext.configure(connection).get_current_revision()
+
+
+def ensure_upgradable(revision: str | None) -> None:
+    """Raise CannotUpgrade unless this version knows a database's revision, or it has none."""
+    ensure_made_since_release(revision)
+    if revision is not None and revision not in _history():
+        raise CannotUpgrade(
+            f"the database is at revision {revision}, and this version knows those up to {_history()[0]}: a newer "
+            "version made it; update Soundlist, or name another database in SOUNDLIST_DATABASE_URL or SOUNDLIST_DATA_DIR"
+        )
+
+
+def ensure_made_since_release(revision: str | None) -> None:
+    """Raise MadeBeforeRelease where a revision is of a version before 1.0, and not this one."""
+    if revision is None or revision in _history() or not BEFORE_RELEASE.fullmatch(revision):
+        return
+    raise MadeBeforeRelease(
+        f"the database is at revision {revision}, which a version before 1.0 made, and this version wants "
+        f"{_history()[0]}; no version upgrades it, and nothing in it was changed. Keep it, name an empty database in "
+        "SOUNDLIST_DATABASE_URL or an empty folder in SOUNDLIST_DATA_DIR, and run: soundlist migrate"
+    )
+
+
 @cache
 def _history() -> tuple[str, ...]:
     """Return the revisions that this version knows, the newest first."""
@@ -61,6 +98,10 @@ def ensure_at_head(runtime: Runtime) -> None:
     with runtime.database.reading() as session:
         found = MigrationContext.configure(session.connection()).get_current_revision()
     known = _history()
+    try:
+        ensure_made_since_release(found)
+    except MadeBeforeRelease as error:
+        raise NotReady(str(error)) from None
     if found in known[1:] or found is None:
         raise NotReady(
             f"the database is at revision {found or 'none'}, and this version wants {known[0]}; run: soundlist migrate"

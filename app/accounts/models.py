@@ -26,7 +26,7 @@ class Studio(Base):
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     name: Mapped[str]
     is_demo: Mapped[bool] = mapped_column(default=False)
-    time_zone: Mapped[str] = mapped_column(default="UTC", server_default="UTC")  # an IANA name: Europe/Berlin
+    time_zone: Mapped[str] = mapped_column(default="UTC")  # an IANA name: Europe/Berlin
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 

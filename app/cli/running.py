@@ -100,14 +100,14 @@ def worker(stop_with_input: StopWithInput = False) -> None:
 @cli.command()
 def migrate() -> None:
     """Bring the database to the tables of this version."""
-    from app.migrate import login_warning
+    from app.migrate import CannotUpgrade, login_warning
     from app.migrate import migrate as bring_up_to_date
     from app.row_security import CannotGuardRows
 
     runtime = opened(read_settings_or_exit())
     try:
         bring_up_to_date(runtime.database)
-    except CannotGuardRows as error:
+    except (CannotGuardRows, CannotUpgrade) as error:
         raise refusal([str(error)]) from None
     if warning := login_warning(runtime.database):
         typer.echo(warning, err=True)

@@ -4,7 +4,7 @@ from datetime import datetime
 from typing import Any
 from uuid import UUID
 
-from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, UniqueConstraint, false, text
+from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, UniqueConstraint, text
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
@@ -40,9 +40,7 @@ class CheckRun(Base):
     spec_id: Mapped[UUID] = mapped_column(ForeignKey("projects_specs.id"))
     key: Mapped[str] = mapped_column(index=True)  # hash of master, resolved spec, cue facts and tool version
     is_current: Mapped[bool] = mapped_column(default=True)
-    needs_notification: Mapped[bool] = mapped_column(
-        default=False, server_default=false()
-    )  # those whom it concerns do not know
+    needs_notification: Mapped[bool] = mapped_column(default=False)  # those whom it concerns do not know
     verdict: Mapped[str]  # conforming, rejected, unreadable, unjudged
     pcm_sha256: Mapped[str | None]
     report: Mapped[dict[str, Any]]  # the file object of the report: facts, measurements, judgements, findings

@@ -7,17 +7,17 @@ from pathlib import Path
 
 import httpx
 import typer
-from alembic.util.exc import CommandError
 
 from app.demo.data_lock import DataLock, InUse
 from app.demo.process_tree import ProcessTree
 from app.demo.progress import Progress
 from app.demo.project import DemoIncomplete, make_demo_project
 from app.demo.whole_files import write_whole
-from app.kit import processes
+from app.kit import clock, processes
+from app.kit.db import Database
 from app.kit.permissions import tighten
 from app.kit.runtime import Runtime
-from app.migrate import migrate
+from app.migrate import CannotUpgrade, MadeBeforeRelease, current_revision, ensure_upgradable, migrate
 from app.settings import Settings
 
 HOST = "127.0.0.1"
@@ -30,19 +30,18 @@ def run_demo(port: int) -> int:
         settings.data_dir.mkdir(parents=True, exist_ok=True)
         for line in tighten(settings.private_paths):
             typer.echo(line, err=True)
-        with Progress(typer.echo) as progress, DataLock(settings.data_dir, progress.begin) as lock:
-            processes.listener(HOST, port).close()
-            return _run(settings.data_dir, port, lock, progress)
+        with Progress(typer.echo) as progress:
+            with DataLock(settings.data_dir, progress.begin):
+                processes.listener(HOST, port).close()
+                _move_old_data_aside(settings)
+            with DataLock(settings.data_dir, progress.begin) as lock:
+                return _run(settings.data_dir, port, lock, progress)
     except InUse as error:
         typer.echo(str(error), err=True)
     except processes.PortTaken as error:
         typer.echo(f"{error}: make run PORT={port + 1}", err=True)
-    except CommandError as error:  # of Alembic
-        typer.echo(
-            f"the database in {settings.data_dir} is not one of this version ({error}); "
-            "update Soundlist, or choose another folder: make run DATA=another-folder",
-            err=True,
-        )
+    except CannotUpgrade as error:
+        typer.echo(f"{error}; or choose another folder: make run DATA=another-folder", err=True)
     except OSError as error:
         if error.filename is None:
             raise
@@ -51,6 +50,29 @@ def run_demo(port: int) -> int:
             err=True,
         )
     return 2
+
+
+def _move_old_data_aside(settings: Settings) -> None:
+    """Rename a data folder that a version before 1.0 made, and make an empty one; the caller holds its lock."""
+    data_dir = settings.data_dir.resolve()
+    if settings.database_url or not (data_dir / "soundlist.sqlite").exists():
+        return
+    database = Database(settings.resolved_database_url)
+    try:
+        ensure_upgradable(current_revision(database))
+    except MadeBeforeRelease as error:
+        reason = str(error).partition(",")[0]
+    else:
+        return
+    finally:
+        database.dispose()
+    aside = data_dir.with_name(f"{data_dir.name}-before-1.0-{clock.now():%Y%m%dT%H%M%SZ}")
+    data_dir.rename(aside)
+    data_dir.mkdir(mode=0o700)
+    typer.echo(
+        f"  {reason}, and this version cannot read it. Everything in {settings.data_dir} was moved to {aside}, "
+        f"and a new demo begins in {settings.data_dir}."
+    )
 
 
 def _run(data_dir: Path, port: int, lock: DataLock, progress: Progress) -> int:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import sqlalchemy as sa
 from anyio.from_thread import start_blocking_portal
 from typer.testing import CliRunner
 
@@ -138,6 +139,21 @@ def test_nothing_is_put_over_what_is_there(opened: Opened, tmp_path: Path):
         other = tmp_path / ("database-1.sqlite" if not new.runtime.database.is_sqlite else "database-1.dump")
         with pytest.raises(BackupRefused, match="of another kind of database"):
             restore(new.runtime, tmp_path, other)
+
+
+def test_a_copy_from_before_the_release_is_refused_before_anything_is_written(opened: Opened, tmp_path: Path):
+    folder = tmp_path / "backup"
+    with opened("old") as old:
+        migrate(old.runtime.database)
+        with old.runtime.database.writing() as session:
+            session.execute(sa.text("update alembic_version set version_num = '0078'"))
+        old.runtime.store.put(new_id(), [b"a sound"])
+        back_up(old.runtime, folder, keep=1)
+    with opened("new") as new:
+        with pytest.raises(BackupRefused, match="cannot be restored: .* revision 0078, which a version before 1.0 made"):
+            restore(new.runtime, folder)
+        assert sa.inspect(new.runtime.database.engine).get_table_names() == []
+        assert list(new.runtime.store.blobs()) == []
 
 
 def test_the_commands_say_what_they_did(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):

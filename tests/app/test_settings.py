@@ -1,7 +1,9 @@
 """Settings are checked at start, all at once, each with what was found, what is wanted and how to fix it."""
 
 import socket
+import sqlite3
 from collections.abc import Callable
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -100,6 +102,24 @@ def test_what_cannot_serve_does_not_start(environment, tmp_path: Path, command: 
     assert "run: soundlist migrate" in result.output
     assert "the store cannot be written to" in result.output
     assert "Traceback" not in result.output
+
+
+@pytest.mark.parametrize("command", ["serve", "worker", "migrate"])
+def test_a_database_from_before_the_release_is_reported_and_kept(environment, tmp_path: Path, command: str):
+    environment(SECRET_KEY="k" * 32)
+    file = tmp_path / "data" / "soundlist.sqlite"
+    assert started("migrate").exit_code == 0
+    with closing(sqlite3.connect(file)) as database:
+        database.execute("update alembic_version set version_num = '0077'")
+        database.commit()
+        before = list(database.iterdump())
+    result = started(command)
+    assert result.exit_code == 2
+    assert "the database is at revision 0077, which a version before 1.0 made" in result.output
+    assert "an empty folder in SOUNDLIST_DATA_DIR" in result.output
+    assert "Traceback" not in result.output
+    with closing(sqlite3.connect(file)) as database:
+        assert list(database.iterdump()) == before
 
 
 def test_a_data_folder_that_cannot_be_made_is_reported(environment, tmp_path: Path):

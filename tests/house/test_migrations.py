@@ -1,4 +1,4 @@
-"""One migration history, equal to the models, up and down; and no table of ours is DBOS's."""
+"""One migration, equal to the models; what cannot be upgraded is refused; and no table of ours is DBOS's."""
 
 from pathlib import Path
 
@@ -7,15 +7,12 @@ import sqlalchemy as sa
 from alembic import command
 
 from app.kit import queue
-from app.kit.db import Base, Database
-from app.migrate import alembic_config, migrate
-from app.reviews.models import GivenReason
+from app.kit.db import CONSTRAINT_NAMES, Base, Database
+from app.migrate import CannotUpgrade, MadeBeforeRelease, alembic_config, migrate
 from app.row_security import PERSONAL, SERVERS_OWN, UNGUARDED
-from benchmarks.bulk import filling
-from benchmarks.studios import ProjectMaker, make_team
+from migrations.write_initial import INITIAL, write_initial
 from tests.support.postgres import Postgres
 
-NOT_IN_THE_FIRST = {"reviews_given_reasons": 0}  # tables that go on the way down, with their rows
 ROOMS = (
     "accounts",
     "briefs",
@@ -60,50 +57,41 @@ def test_the_history_ends_at_the_models(database: Database):
     command.check(alembic_config(database))
 
 
-def test_down_and_up_again(database: Database):
-    migrate(database)
-    full = tables_of(database)
-    command.downgrade(alembic_config(database), "base")
-    assert not tables_of(database) & set(Base.metadata.tables)
-    migrate(database)
-    assert tables_of(database) == full
+def test_the_initial_migration_is_the_one_that_the_models_make(tmp_path: Path):
+    write_initial(tmp_path / "initial.py")
+    assert INITIAL.read_text() == (tmp_path / "initial.py").read_text(), "run: make migration"
 
 
-def test_rows_live_through_every_step_down_and_up(database: Database):
-    migrate(database)
-    with filling(database) as bulk:
-        ProjectMaker(bulk, make_team(bulk, "Team"), takes=60, seed=1).make()
-    before = rows_in(database)
-    command.downgrade(alembic_config(database), "0027")  # the first
-    migrate(database)
-    assert rows_in(database) == before | NOT_IN_THE_FIRST
-    assert before["deliveries_takes"] >= 60
-    if database.is_sqlite:
-        with database.engine.connect() as connection:
-            assert connection.exec_driver_sql("PRAGMA foreign_keys").scalar() == 1
+def test_other_tables_have_another_revision(tmp_path: Path):
+    write_initial(tmp_path / "initial.py")
+    with_one_more = sa.MetaData(naming_convention=CONSTRAINT_NAMES)
+    for table in Base.metadata.tables.values():
+        table.to_metadata(with_one_more)
+    with_one_more.tables["accounts_people"].append_column(sa.Column("height_cm", sa.Integer))
+    write_initial(tmp_path / "other.py", with_one_more)
+    revisions = {line for path in tmp_path.iterdir() for line in path.read_text().splitlines() if "revision =" in line}
+    assert len([line for line in revisions if line.startswith("revision")]) == 2
 
 
-def test_a_reason_that_was_given_before_gets_the_cue_and_the_designer_of_its_version(database: Database):
-    migrate(database)
-    with filling(database) as bulk:
-        ProjectMaker(bulk, make_team(bulk, "Team"), takes=60, seed=1).make()
-    columns = (GivenReason.verdict_id, GivenReason.reason, GivenReason.cue_id, GivenReason.designer_id)
-    asked = sa.select(*columns).order_by(GivenReason.verdict_id, GivenReason.reason)
-    with database.engine.connect() as connection:
-        before = connection.execute(asked).all()
-    command.downgrade(alembic_config(database), "0077")
-    migrate(database)
-    with database.engine.connect() as connection:
-        assert connection.execute(asked).all() == before
-    assert len(before) >= 10
+@pytest.mark.parametrize("revision", ["0078", "0001_ffffffff"])
+def test_a_database_from_before_the_release_is_refused_and_left_as_it_is(database: Database, revision: str):
+    at_revision(database, revision)
+    with pytest.raises(MadeBeforeRelease, match=rf"at revision {revision}, .* wants 0001_.* run: soundlist migrate"):
+        migrate(database)
+    assert tables_of(database) == {"alembic_version"}
 
 
-def rows_in(database: Database) -> dict[str, int]:
-    with database.engine.connect() as connection:
-        return {
-            name: connection.scalar(sa.select(sa.func.count()).select_from(table)) or 0
-            for name, table in Base.metadata.tables.items()
-        }
+def test_a_database_of_a_newer_version_is_refused_and_left_as_it_is(database: Database):
+    at_revision(database, "1f2e3d4c5b6a")
+    with pytest.raises(CannotUpgrade, match=r"at revision 1f2e3d4c5b6a, .* a newer version made it; update Soundlist"):
+        migrate(database)
+    assert tables_of(database) == {"alembic_version"}
+
+
+def at_revision(database: Database, revision: str) -> None:
+    with database.engine.begin() as connection:
+        connection.exec_driver_sql("create table alembic_version (version_num varchar(32) not null)")
+        connection.execute(sa.text("insert into alembic_version values (:revision)"), {"revision": revision})
 
 
 def test_no_table_of_ours_is_one_of_the_queue(database: Database):

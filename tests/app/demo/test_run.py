@@ -4,10 +4,11 @@ import fcntl
 import os
 import signal
 import socket
+import sqlite3
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from pathlib import Path
 
 import httpx
@@ -94,6 +95,9 @@ def demo(data: Path, port: int, started_within_s: float) -> Iterator[httpx.Clien
 @pytest.mark.timeout(780)  # all starts and stops, each with its own bound
 def test_the_demo_is_made_kept_and_stopped(tmp_path: Path):
     data, port = tmp_path / "data", free_port()
+    data.mkdir()
+    with closing(sqlite3.connect(data / "soundlist.sqlite")) as old:  # of a version before the release
+        old.executescript("create table alembic_version (version_num); insert into alembic_version values ('0078')")
     kill_while_project_is_made(data, port)
     with demo(data, port, FIRST_START_S) as client:
         (project,) = client.get("/v1/projects").json()["items"]

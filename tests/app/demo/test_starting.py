@@ -4,10 +4,12 @@ import fcntl
 import os
 import signal
 import socket
+import sqlite3
 import subprocess
 import sys
 import threading
 from collections.abc import Callable, Iterator
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -97,8 +99,40 @@ def test_a_database_of_a_newer_version_is_reported(tmp_path: Path, demo: Callabl
         port = probe.getsockname()[1]
     code, output = demo(port)
     assert code == 2
-    assert "is not one of this version" in output
+    assert "at revision of tomorrow" in output
+    assert "a newer version made it; update Soundlist" in output
     assert "make run DATA=another-folder" in output
+
+
+def test_what_a_version_before_the_release_made_is_moved_aside(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
+    data = tmp_path / "data"
+    settings = Settings(data_dir=data)
+    data.mkdir()
+    with closing(sqlite3.connect(data / "soundlist.sqlite")) as database:
+        database.executescript(
+            "create table alembic_version (version_num); insert into alembic_version values ('0042')"
+        )
+    (data / "blobs").mkdir()
+    (data / "blobs" / "master").write_bytes(b"a sound")
+    run._move_old_data_aside(settings)
+    (aside,) = (path for path in tmp_path.iterdir() if path != data)
+    assert (aside / "blobs" / "master").read_bytes() == b"a sound"
+    assert (aside / "soundlist.sqlite").exists()
+    assert list(data.iterdir()) == []
+    said = capsys.readouterr().out
+    assert "at revision 0042" in said
+    assert f"Everything in {data} was moved to {aside}, and a new demo begins in {data}" in said
+
+
+def test_the_data_of_this_version_stays(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
+    runtime = Runtime.of(Settings(data_dir=tmp_path / "data"))
+    migrate(runtime.database)
+    runtime.close()
+    before = sorted(path.name for path in (tmp_path / "data").iterdir())
+    run._move_old_data_aside(runtime.settings)
+    assert [path.name for path in tmp_path.iterdir()] == ["data"]
+    assert sorted(path.name for path in (tmp_path / "data").iterdir()) == before
+    assert capsys.readouterr().out == ""
 
 
 def left_behind(data: Path) -> subprocess.Popen[str]:

@@ -53,6 +53,15 @@ def test_a_database_without_our_tables_wants_to_be_migrated(runtime: Runtime):
     assert "soundlist migrate" in parts["migrations"]
 
 
+def test_a_database_from_before_the_release_is_not_ready(runtime: Runtime):
+    with runtime.database.writing() as session:
+        session.execute(sa.text("update alembic_version set version_num = '0078'"))
+    code, parts = asked(runtime)
+    assert code == 503
+    assert "at revision 0078, which a version before 1.0 made" in parts["migrations"]
+    assert "name an empty database" in parts["migrations"]
+
+
 def test_a_database_that_a_newer_version_migrated_will_do(runtime: Runtime):
     with runtime.database.writing() as session:
         session.execute(sa.text("update alembic_version set version_num = 'of_a_later_version'"))
