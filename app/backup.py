@@ -130,10 +130,10 @@ def _revision_of(database: Database, source: Path) -> str | None:
         arguments = ("--data-only", "--table=alembic_version", "--file=-", str(source))
         _, _, rows = _run("pg_restore", None, *arguments).partition("FROM stdin;\n")
         return rows.partition("\n")[0] or None
-    with closing(sqlite3.connect(f"{source.resolve().as_uri()}?mode=ro", uri=True)) as copy:
-        with suppress(sqlite3.OperationalError):  # no such table, in the copy of an empty database
-            (revision,) = copy.execute("select version_num from alembic_version").fetchone()
-            return str(revision)
+    uri = f"{source.resolve().as_uri()}?mode=ro"
+    with closing(sqlite3.connect(uri, uri=True)) as copy, suppress(sqlite3.OperationalError):  # of an empty database
+        (revision,) = copy.execute("select version_num from alembic_version").fetchone()
+        return str(revision)
     return None
 
 

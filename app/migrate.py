@@ -71,7 +71,8 @@ def ensure_upgradable(revision: str | None) -> None:
     if revision is not None and revision not in _history():
         raise CannotUpgrade(
             f"the database is at revision {revision}, and this version knows those up to {_history()[0]}: a newer "
-            "version made it; update Soundlist, or name another database in SOUNDLIST_DATABASE_URL or SOUNDLIST_DATA_DIR"
+            "version made it; update Soundlist, or name another database in SOUNDLIST_DATABASE_URL or another "
+            "folder in SOUNDLIST_DATA_DIR"
         )
 
 
