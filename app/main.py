@@ -14,7 +14,7 @@ from app import rooms
 from app.accounts.authentication import DEMO_COOKIE, SESSION_COOKIE
 from app.dashboards.watching import GRANTING, sights_of
 from app.kit import error_responses, events, health
-from app.kit.api_document import ApiDocument
+from app.kit.api_document import ApiDocument, Application
 from app.kit.change_feed import ChangeFeed
 from app.kit.changes import forget_old_changes
 from app.kit.compression import CompressedAnswers, PrecompressedFiles
@@ -42,7 +42,7 @@ def create_app(runtime: Runtime) -> FastAPI:
         sweeping.cancel()
         runtime.close()
 
-    app = FastAPI(
+    app = Application(
         title="Soundlist",
         version="1",
         description="Sound lists, deliveries, reviews and packs; one spec and one verdict everywhere.",
