@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.signal import butter, sosfilt
+from scipy.signal import butter, resample_poly, sosfilt
 
 from benchmarks.faults.audible import WINDOW_S, excess_db, heard_over_db, masked_there
 from benchmarks.faults.sounds import Samples
@@ -298,6 +298,15 @@ def _lowered(rng: np.random.Generator, samples: Samples, rate: int, drive_db: fl
     return Injured(np.clip(loud, -1, 1) * 10 ** (rng.uniform(-12, -0.5) / 20), 0.0, len(samples) / rate)
 
 
+def _resampled(rng: np.random.Generator, samples: Samples, rate: int, drive_db: float) -> Injured | None:
+    """Clipped in a session at twice the sample rate; the converter's steep filter leaves ripples on the flat tops."""
+    if driven(samples, drive_db) is None:
+        return None
+    loud = resample_poly(samples / np.abs(samples).max() * 10 ** (drive_db / 20), 2, 1, axis=0)
+    heard = resample_poly(np.clip(loud, -1, 1), 1, 2, axis=0)
+    return Injured(heard * rng.uniform(0.3, 0.95) / np.abs(heard).max(), 0.0, len(samples) / rate)
+
+
 def _shifted(rng: np.random.Generator, samples: Samples, rate: int, percent: float) -> Injured | None:
     centred = samples - samples.mean(axis=0)
     return Injured(0.9 * centred + rng.choice([-1, 1]) * percent / 100, 0.0, len(samples) / rate)
@@ -357,6 +366,16 @@ def _buzz(rng: np.random.Generator, samples: Samples, rate: int, level_db: float
     return Injured(faulty, 0.0, len(samples) / rate)
 
 
+def _neutral(rng: np.random.Generator, samples: Samples, rate: int, level_db: float) -> Injured | None:
+    """A neutral that carries what three phases of dimmers leave: the third multiple and its own odd ones."""
+    faulty = hum_over(rng, samples, rate, level_db, np.array([1, 3, 9, 15]), rng.uniform(0.4, 1, 4))
+    if faulty is None:
+        return None
+    if rng.random() < 0.5:
+        faulty[:, 1:] = samples[:, 1:]
+    return Injured(faulty, 0.0, len(samples) / rate)
+
+
 def with_noise(samples: Samples, noise: Samples, rate: int, floor_dbfs: float) -> Injured | None:
     """The sound twice, half a second between, over noise; where its loudest 0.2 s lies 15 dB over the noise."""
     loud = samples / np.abs(samples).max() * 0.7
@@ -396,4 +415,6 @@ FAULTS = (
     Fault("click", "samples in the wrong order", CLICK_DB, CLICK_UNIT, _garbled),
     Fault("hum", "three or four multiples", HUM_DB, HUM_UNIT, _buzz),
     Fault("click", "pulse of any shape", CLICK_DB, CLICK_UNIT, _any_pulse),
+    Fault("clipping", "clipped, then resampled", DRIVE_DB, "dB over", _resampled),
+    Fault("hum", "multiples of three", HUM_DB, HUM_UNIT, _neutral),
 )

@@ -17,13 +17,9 @@ PROMISED = {
     " third strongest as loud as what the sound has around it in its quietest quarter, throughout the sound.",
     "noise-floor": "a steady noise beyond the limit, 15 dB or more under the sound, alone for half a second.",
 }
-_ATTACK = (
-    "a fade-in of a tenth of a millisecond into what dies away or grows is the attack of a percussive sound: four of"
-    " the real masters begin so"
-)
 BEYOND = {  # ways that were tried and are not promised, and why: by check and name
-    ("cut-start", "cut, with a ramp too short"): _ATTACK,
-    ("cut-start", "start point of a sampler"): _ATTACK,
+    ("cut-start", "start point of a sampler"): "a fade-in of a tenth of a millisecond into what dies away or grows is"
+    " the attack of a percussive sound: four of the real masters begin so",
     ("clipping", "clipped, then resampled"): "the steep filter of a converter leaves of a top of under five samples"
     " nothing but its rounded corners, as a low-passed square or a saturated tone has them",
     ("hum", "multiples of three"): "without the mains and its double it is a tone of 150 or 180 Hz with its harmonics,"

@@ -22,7 +22,7 @@ AUDIBLE = {"click": 20.0}  # from which level on a fault counts as audible; othe
 NEAR_S = 0.003  # a click or a hole must be found where it is
 NAMED_PLACE = re.compile(r"[(,] ?(\d+\.\d{3}) s(?=[,)])")
 NO_PLACE = {  # the sound has by nature what the fault would leave
-    "click": {"square", "training chimes", "training debris"},  # partials of the last two begin in mid-wave
+    "click": {"square"},
     "dropout": {"square", "stutter"},
     "clipping": {"square"},
     "noise-floor": {"stutter", "bell"},

@@ -1,4 +1,4 @@
-"""Faults as studios, drivers and editors make them, for `fourth_unseen_sounds`: no detector was tuned on them."""
+"""Faults as studios, drivers and editors make them, for the held-out sounds: no detector was tuned on them."""
 
 from collections.abc import Callable
 

@@ -1,4 +1,4 @@
-"""More whole sounds of games, by still other means: the fourth unseen half, which no detector was tuned on.
+"""Held-out families of whole game sounds, made by other means: no detector was tuned on them.
 
 Pushes into banks of resonators, a pipe that is blown, closed forms of rich tones, tape that runs at a changing speed,
 and a lightning's shape in space.
