@@ -44,10 +44,6 @@ def exponential_noise(draws: Draws, rate: int, rt60_s: float) -> Floats:
     return _damped(draws, ir, rate, rt60_s)
 
 
-def _late(taps: Floats, rate: int, seconds: float) -> Floats:
-    return np.concatenate((np.zeros((int(seconds * rate), 2)), taps))
-
-
 def delay_network(draws: Draws, rate: int, rt60_s: float) -> Floats:
     frames = _length(rate, rt60_s)
     count = 8
