@@ -87,12 +87,16 @@ def _write_down(held_out: list[Trial]) -> None:
         csv.writer(file, lineterminator="\n").writerow([f"{datetime.now(UTC):%Y-%m-%d %H:%M}", *shares])
 
 
-def _looks() -> tuple[int, str]:
-    """Return how often the held-out set was looked at, and the table of these looks."""
+def _looks() -> list[list[str]]:
+    """Return the log of looks at the held-out set, with its heading."""
     with LOOKS.open(encoding="utf-8", newline="") as file:
-        head, *looks = csv.reader(file)
+        return list(csv.reader(file))
+
+
+def _looks_table() -> str:
+    head, *looks = _looks()
     rows = "".join(f"| {' | '.join(look)} |\n" for look in looks)
-    return len(looks), f"| {' | '.join(head)} |\n|{'---|' * len(head)}\n{rows}"
+    return f"| {' | '.join(head)} |\n|{'---|' * len(head)}\n{rows}"
 
 
 def _page(
@@ -102,6 +106,7 @@ def _page(
     masters: int,
     flagged: dict[str, set[str]],
 ) -> str:
+    looks = _looks()[1:]
     return f"""{MARK}
 
 # False alarms
@@ -112,8 +117,8 @@ of the faults that were put into whole sounds on purpose it finds ({MUST} at aud
 
 Both sets of the trial are synthetic: families of sounds, with faults put in. The development set was used to set
 thresholds. The held-out set has other families, and faults of its own beside those of the development set. Its author
-ran no detector and read none of their code, but once saw the thresholds. It was looked at {_looks()[0]} times,
-and no detector was changed because of what a look showed.
+ran no detector and read none of their code, but once saw the thresholds. It was looked at {len(looks)} times, the last
+time on {looks[-1][0][:10]}, and no detector was changed because of what a look showed.
 
 ## What is promised
 {_list(PROMISED)}
@@ -209,7 +214,7 @@ Left out of both sets, because the sound has by its nature what the fault would 
 ### Looks at the held-out set
 Per cent found of each check's faults, at the levels that count.
 
-{_looks()[1]}
+{_looks_table()}
 The look at 20:33 had 4 sounds of each family, and also counted the start point of a sampler, which fades a start in:
 the promise holds for a start without a fade. The look at 20:44 was at hum alone. The looks of 22 November also put in
 faults of three sets that detectors had been developed on and that are not kept. No detector was changed because of

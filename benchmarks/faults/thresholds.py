@@ -13,6 +13,7 @@ from audio_checks.measure import (
     repeats,
     straight_tops,
 )
+from audio_checks.measure import click_rules as rules
 from audio_checks.measure.decibels import decibels, power_decibels
 
 
@@ -22,22 +23,22 @@ def thresholds() -> dict[str, str]:
         "click": f"the sixth difference of a half-millisecond is {clicks.STANDS_OUT:g} times, its largest step"
         f" {clicks.STEPS_OUT:g} times, or its bend below 1 kHz {clicks.BENDS_OUT:g} times the largest within"
         f" {clicks.REACH / 2:g} ms before and after. What is {clicks.CANDIDATE:g} times as sharp, or so large a step,"
-        f" or {clicks.BENDS_DOUBTFUL:g} times as bent, is a click where {clicks.ALONE[0].cells / 2:g} ms there can be"
-        f" predicted neither from the {clicks.BESIDE / 2:g} ms before nor from those after,"
-        f" {clicks.HARDER_THAN_BESIDE:g} times as badly as that sound itself, and {clicks.HARDER_THAN_AROUND:g} times"
-        f" as badly both ways as any other place so near; from {clicks.DULL_DOUBTFUL:g} times on also where it is"
-        f" predicted {clicks.DULL_HARDER_THAN_BESIDE:g} and {clicks.DULL_HARDER_THAN_AROUND:g} times as badly without"
+        f" or {clicks.BENDS_DOUBTFUL:g} times as bent, is a click where {rules.ALONE[0].cells / 2:g} ms there can be"
+        f" predicted neither from the {clicks.CONTEXT / 2:g} ms before nor from those after,"
+        f" {rules.HARDER_THAN_BESIDE:g} times as badly as that sound itself, and {rules.HARDER_THAN_AROUND:g} times"
+        f" as badly both ways as any other place so near; from {rules.DULL_DOUBTFUL:g} times on also where it is"
+        f" predicted {rules.DULL_HARDER_THAN_BESIDE:g} and {rules.DULL_HARDER_THAN_AROUND:g} times as badly without"
         f" the highs, at a quarter of the rate or so. Steady sounds throughout (the peak of their sixth differences,"
         f" but for the {clicks.CLICKED} sharpest of {clicks.SEGMENT} cells, under {clicks.STEADY:g} times the"
         f" RMS) are predicted"
         f" from {clicks.ORDER} samples, and {clicks.STANDS_OUT:g} times are wanted of what cannot be. Where the largest"
         f" step changes by less than {100 * clicks.GLIDES:g} % from one half-millisecond to the next, a tone glides:"
         f" there what is {clicks.GLIDE_DOUBTFUL:g} times as hard to predict as the {clicks.GLIDED / 2:g} ms before and"
-        f" after is looked at so too, and {clicks.GLIDE_HARDER:g} times as badly as the sound on either side is enough."
-        f" Several within {clicks.IN_BURSTS[0].cells / 2:g} ms are one event where one is"
-        f" {clicks.BURST_STANDS_OUT:g} times as sharp as all that lies {clicks.BURST / 2:g} to {clicks.REACH / 2:g} ms"
-        f" before and after, and is predicted {clicks.BURST_HARDER_THAN_BESIDE:g} and"
-        f" {clicks.BURST_HARDER_THAN_AROUND:g} times as badly, in a sound whose sixth differences have there the same"
+        f" after is looked at so too, and {rules.GLIDE_HARDER:g} times as badly as the sound on either side is enough."
+        f" Several within {rules.IN_BURSTS[0].cells / 2:g} ms are one event where one is"
+        f" {clicks.BURST_STANDS_OUT:g} times as sharp as all that lies {rules.BURST / 2:g} to {clicks.REACH / 2:g} ms"
+        f" before and after, and is predicted {rules.BURST_HARDER_THAN_BESIDE:g} and"
+        f" {rules.BURST_HARDER_THAN_AROUND:g} times as badly, in a sound whose sixth differences have there the same"
         f" power before as after, within {power_decibels(clicks.BURST_GOES_ON):.1f} dB."
         f" What lies {-decibels(clicks.BELOW_PEAK):.0f} dB under the file's peak counts for nothing.",
         "dropout": f"a hole is {dropouts.SHORTEST / 2:g} to {dropouts.LONGEST / 2:g} ms in which no step exceeds"

@@ -7,6 +7,7 @@ import pytest
 from benchmarks.faults import held_out_injuries, held_out_sounds, injuries, sounds
 from benchmarks.faults.masters import MOST
 from benchmarks.faults.promise import BEYOND, PROMISED
+from benchmarks.faults.thresholds import thresholds
 from benchmarks.faults.trial import CHECKS, Trial, counts, false_alarms, trials
 
 MOST_MISSED = 0.1  # of so few: with the whole trial's 5 % a single miss more would not show
@@ -44,3 +45,7 @@ def test_faults_and_families_can_be_sent_to_other_processes() -> None:
 def test_promises_name_checks_and_faults_that_exist() -> None:
     assert {check for checks in PROMISED for check in checks.split(", ")} == set(CHECKS)
     assert BEYOND.keys() <= {(fault.check, fault.name) for fault in injuries.FAULTS + held_out_injuries.FAULTS}
+
+
+def test_every_promise_has_thresholds() -> None:
+    assert thresholds().keys() == PROMISED.keys()  # raises where a detector's constant was renamed
