@@ -8,22 +8,25 @@ COPY docs/checks /src/docs/checks
 RUN npm run build
 
 # The compiled kernel is built here, so that what runs has no compiler.
-FROM python:3.13-slim-trixie AS wheels
+FROM python:3.13-slim-trixie AS packages
 RUN apt-get update && apt-get install -y --no-install-recommends gcc libc6-dev && rm -rf /var/lib/apt/lists/*
 WORKDIR /src
-COPY constraints-server.txt ./
-RUN pip wheel --no-cache-dir --wheel-dir /wheels --require-hashes --only-binary :all: --requirement constraints-server.txt
-COPY pyproject.toml setup.py MANIFEST.in README.md LICENSE ./
+COPY pyproject.toml uv.lock setup.py MANIFEST.in README.md LICENSE ./
+COPY .ci/locked.py .ci/
+RUN python .ci/locked.py uv setuptools > build.txt \
+    && pip install --no-cache-dir --require-hashes --only-binary :all: --requirement build.txt
+ENV UV_PROJECT_ENVIRONMENT=/opt/soundlist UV_COMPILE_BYTECODE=1 UV_NO_CACHE=1 UV_PYTHON_DOWNLOADS=never
+RUN uv sync --frozen --no-build --no-install-project --extra server
 COPY audio_checks ./audio_checks
-RUN pip install --no-cache-dir --no-index --find-links /wheels setuptools \
-    && pip wheel --no-cache-dir --wheel-dir /wheels --no-deps --no-build-isolation .
+RUN pip wheel --no-cache-dir --no-deps --no-build-isolation --wheel-dir /wheels . \
+    && uv pip install --python /opt/soundlist/bin/python --no-deps /wheels/*.whl
 
 FROM python:3.13-slim-trixie
 # pg_dump and pg_restore, for `soundlist backup` and `soundlist restore`: of no older version than the server. A voice
 # for stand-ins and slates, which beep without one.
 RUN apt-get update && apt-get install -y --no-install-recommends postgresql-client espeak-ng && rm -rf /var/lib/apt/lists/*
-RUN --mount=type=bind,from=wheels,source=/wheels,target=/wheels \
-    pip install --no-cache-dir --no-index --find-links /wheels 'audio-checks[server]'
+COPY --from=packages /opt/soundlist /opt/soundlist
+ENV PATH=/opt/soundlist/bin:$PATH
 WORKDIR /srv/soundlist
 COPY app ./app
 COPY migrations ./migrations

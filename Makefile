@@ -9,14 +9,14 @@ PARTS := unit e2e frontend-test unit-postgres
 SLOW_PARTS := slow-unit slow-e2e slow-unit-postgres slow-frontend-test
 FAST := not slow and not lint
 BIN := .venv/bin
-COMPILE = $(BIN)/uv pip compile --quiet --no-header --universal --python-version 3.11 --generate-hashes $(if $(UPGRADE),--upgrade)
+UV := $(BIN)/uv --quiet --no-python-downloads
 SHELL := /bin/bash
 export PYTHONPATH := $(CURDIR)
 # Where images and shells set it, each of the thousand processes of a test run would compile all it imports again: 3.5 s.
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup run dev hooks quick test test-slow check coverage fix unit unit-postgres frontend-test e2e slow-unit slow-unit-postgres slow-frontend-test slow-e2e firefox kill planted-bugs attack large-zip false-alarms audit audit-levels fuzz parity bench weights docs migration openapi constraints audit-dependencies pins clean
+.PHONY: help setup run dev hooks quick test test-slow check coverage fix unit unit-postgres frontend-test e2e slow-unit slow-unit-postgres slow-frontend-test slow-e2e firefox kill planted-bugs attack large-zip false-alarms audit audit-levels fuzz parity bench weights docs migration openapi lock audit-dependencies pins clean
 
 help:  ## List these commands
 	@grep -hE '^[a-z0-9-]+:.*##' $(MAKEFILE_LIST) | awk -F':.*## ' '{printf "  make %-14s %s\n", $$1, $$2}'
@@ -127,7 +127,7 @@ bench: setup .make/peers  ## Measure speed and quality against peers
 	$(BIN)/python -m benchmarks
 
 weights: setup  ## Train the weights of judgements (needs ffmpeg; SOUNDS_DIR= adds real recordings, RECORDED_DIR= adds others in measured rooms; an hour)
-	$(BIN)/uv pip install --quiet --python $(BIN)/python --constraint constraints.txt --editable '.[training]'
+	$(UV) sync --frozen --inexact --no-install-project --extra training
 	$(BIN)/python -m training.reverb
 	test -z "$(RECORDED_DIR)" || { $(BIN)/python -m training.reverb_recorded && $(BIN)/python -m training.reverb --tables-only; }
 	$(BIN)/python -m training.reversed
@@ -145,7 +145,7 @@ docs: setup  ## Write the generated pages
 migration: setup  ## Write the migration that makes every table of the models
 	$(BIN)/python -m migrations.write_initial
 
-openapi: .make/python .make/node  ## Write the OpenAPI document and the frontend's types
+openapi: .make/kernel .make/node  ## Write the OpenAPI document and the frontend's types
 	$(BIN)/soundlist openapi frontend/openapi.json
 	$(BIN)/python -m tests.support.described_checks frontend/src/test/checks.json
 	$(BIN)/python -m tests.support.browser_vectors frontend/src/features/desk/precheck/vectors.json
@@ -157,21 +157,19 @@ audit-dependencies: .make/python  ## Look for known vulnerabilities in what is l
 pins:  ## Pin images and actions by digest (needs docker, gh and their registries)
 	@$(PYTHON) deploy/pin_digests.py
 
-constraints: .make/python  ## Pin every Python package with its hashes (UPGRADE=1 takes the newest versions)
-	@echo uv | $(COMPILE) --no-annotate --output-file constraints-uv.txt -
-	@$(COMPILE) --extra server --extra dev --output-file constraints.txt pyproject.toml
-	@echo setuptools | $(COMPILE) --extra server --constraint constraints.txt --no-annotate --output-file constraints-server.txt pyproject.toml -
+lock: .make/python  ## Lock what pyproject.toml asks for (UPGRADE=1 takes the newest versions)
+	@$(UV) lock $(if $(UPGRADE),--upgrade)
 
 clean:  ## Remove what set-up made; data stays
 	rm -rf .venv .make frontend/node_modules frontend/dist frontend/src/api/schema.gen.ts
 
-.make/python: pyproject.toml constraints.txt constraints-uv.txt
+.make/python: pyproject.toml uv.lock
 	@mkdir -p .make
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "Python 3.11 or newer is needed: PYTHON=/path/to/python make"; exit 1; }
 	@$(PYTHON) -m venv .venv || { echo "Python lacks venv: apt-get install python3-venv"; exit 1; }
-	@echo "Installing Python packages" && $(BIN)/pip install --quiet --disable-pip-version-check --require-hashes --requirement constraints-uv.txt
-	@$(BIN)/uv pip install --quiet --python $(BIN)/python --require-hashes --no-build --requirement constraints.txt
-	@$(BIN)/uv pip install --quiet --python $(BIN)/python --no-deps --no-build-isolation --editable .
+	@echo "Installing Python packages" && $(BIN)/python .ci/locked.py uv >.make/uv.txt
+	@$(BIN)/pip install --quiet --disable-pip-version-check --require-hashes --only-binary :all: --requirement .make/uv.txt
+	@$(UV) sync --frozen --no-build --no-install-project --extra server --extra dev
 	@printf '#!/bin/sh\nPYTHONPATH="%s" exec "%s/.venv/bin/python" -P -m app "$$@"\n' "$(CURDIR)" "$(CURDIR)" > $(BIN)/soundlist
 	@chmod +x $(BIN)/soundlist
 	@touch $@
@@ -181,13 +179,13 @@ clean:  ## Remove what set-up made; data stays
 	@$(BIN)/python -c 'import librosa.core.spectrum, librosa.feature.spectral'
 	@touch $@
 
-.make/peers:
-	@$(BIN)/uv pip install --quiet --python $(BIN)/python --editable '.[bench]' || echo "some peers cannot be installed; the tables say which"
+.make/peers: .make/python
+	@$(UV) sync --frozen --inexact --no-install-project --extra bench || echo "some peers cannot be installed; the tables say which"
 	@for peer in sox loudgain; do command -v $$peer >/dev/null || sh .ci/install $$peer || true; done
 	@touch $@
 
 .make/kernel: .make/python setup.py $(wildcard audio_checks/kernel/*.c audio_checks/kernel/*.h)
-	@echo "Compiling the kernel" && $(BIN)/uv pip install --quiet --python $(BIN)/python --no-deps --no-build-isolation --editable .
+	@echo "Compiling the kernel" && $(UV) pip install --python $(BIN)/python --no-deps --no-build-isolation --editable .
 	@touch $@
 
 .make/node: frontend/package-lock.json

@@ -3,15 +3,15 @@
 import json
 import re
 import runpy
+import subprocess
 import tomllib
 from pathlib import Path
 from typing import Any
 
-import pytest
 import yaml
 
 ROOT = Path(__file__).resolve().parents[2]
-LOCKS = ("constraints.txt", "constraints-server.txt", "constraints-uv.txt")
+LOCK = tomllib.loads((ROOT / "uv.lock").read_text())["package"]
 PIN = runpy.run_path(str(ROOT / "deploy/pin_digests.py"))
 # Named by tag only: `make pins` pins them where images and GitHub can be reached. What is pinned leaves this list.
 NOT_PINNED = {
@@ -33,47 +33,45 @@ NOT_PINNED = {
 }
 
 
-def locked(name: str) -> dict[str, list[str]]:
-    """Return the pinned packages of a lock file, `name==version; marker`, each with its hashes."""
-    text = (ROOT / name).read_text().replace("\\\n", " ")
-    lines = [line for line in text.splitlines() if line and not line.lstrip().startswith("#")]
-    return {line.partition(" --hash")[0].strip(): re.findall(r"--hash=sha256:([0-9a-f]{64})", line) for line in lines}
+def test_every_package_has_its_version_and_hashes():
+    ours = [package for package in LOCK if package["source"] == {"editable": "."}]
+    assert [package["name"] for package in ours] == ["audio-checks"]
+    for package in (package for package in LOCK if package not in ours):
+        assert package["version"], package["name"]
+        files = [*package.get("wheels", []), *([package["sdist"]] if "sdist" in package else [])]
+        assert files, package["name"]
+        assert all(file["hash"].startswith("sha256:") for file in files), package["name"]
 
 
-def names(packages: dict[str, list[str]]) -> set[str]:
-    return {package.partition("==")[0] for package in packages}
+def test_the_lock_is_of_the_dependencies_that_the_project_names():
+    done = subprocess.run(
+        [ROOT / ".venv/bin/uv", "lock", "--check", "--offline"], cwd=ROOT, capture_output=True, text=True
+    )
+    assert done.returncode == 0, f"run: make lock\n{done.stderr}"
 
 
-@pytest.mark.parametrize("name", LOCKS)
-def test_every_package_has_its_version_and_hashes(name: str):
-    packages = locked(name)
-    assert packages
-    assert [package for package, hashes in packages.items() if "==" not in package or not hashes] == []
-
-
-def test_every_dependency_is_locked():
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
-    extras = project["optional-dependencies"]
-
-    def wanted(*lists: list[str]) -> set[str]:
-        return {re.split(r"[^A-Za-z0-9_.-]", each)[0].lower() for some in lists for each in some}
-
-    assert wanted(project["dependencies"], extras["server"], extras["dev"]) <= names(locked("constraints.txt"))
-    assert wanted(project["dependencies"], extras["server"]) <= names(locked("constraints-server.txt"))
-    assert locked("constraints-server.txt").items() <= locked("constraints.txt").items(), "run: make constraints"
-    assert "pytest" not in names(locked("constraints-server.txt"))
+def test_what_is_there_before_uv_is_installs_by_the_hashes_of_the_lock():
+    done = subprocess.run([ROOT / ".ci/locked.py", "uv", "setuptools"], capture_output=True, text=True, check=True)
+    lines = [line.split(" --hash=") for line in done.stdout.splitlines()]
+    wheels = {
+        package["name"]: {wheel["hash"] for wheel in package["wheels"]} for package in LOCK if "wheels" in package
+    }
+    versions = {package["name"]: package["version"] for package in LOCK}
+    assert [line[0] for line in lines] == [f"{name}=={versions[name]}" for name in ("uv", "setuptools")]
+    assert [set(line[1:]) for line in lines] == [wheels["uv"], wheels["setuptools"]]
 
 
 def test_setup_and_image_install_nothing_without_a_hash():
-    """Each installs from a lock file, from wheels that one named, or our own package without its dependencies."""
-    setup = (ROOT / "Makefile").read_text().partition("\n.make/python:")[2].partition("\n.make/librosa:")[0]
+    """Each installs from the lock, or our own package without its dependencies."""
+    setup = (ROOT / "Makefile").read_text().partition("\n.make/python:")[2].partition("\n.make/peers:")[0]
+    setup += (ROOT / "Makefile").read_text().partition("\n.make/kernel:")[2].partition("\n.make/node:")[0]
     image = (ROOT / "Dockerfile").read_text().replace("\\\n", " ")
-    installs = [line for line in (setup + image).splitlines() if re.search(r"pip\S* (install|wheel) ", line)]
-    assert len(installs) == 6
-    for line in installs:
-        for command in re.findall(r"pip (?:install|wheel) [^&]+", line):
-            is_safe = "--require-hashes" in command or "--no-index" in command
-            assert is_safe or ("--no-deps" in command and "--no-build-isolation" in command), command
+    installs = re.findall(r"(?:pip\S* (?:install|wheel)|sync) [^&\n]+", setup + image)
+    assert len(installs) == 7
+    for command in installs:
+        is_locked = "--require-hashes" in command or ("--frozen" in command and "--no-install-project" in command)
+        is_ours = "--no-deps" in command and ("--no-build-isolation" in command or "/wheels/*.whl" in command)
+        assert is_locked or is_ours, command
 
 
 def test_every_package_of_the_frontend_has_its_hash():
