@@ -34,6 +34,11 @@ dev: setup  ## Serve the demo project and follow every change: open port 5173 (P
 hooks: setup  ## Check what you commit before it is committed
 	@$(BIN)/pre-commit install
 
+quick: setup .make/postgresql .make/librosa  ## Pass the test files nearest to what is not committed (SINCE=main: nearest to a branch's changes)
+	@files=$$($(BIN)/python -m tests.affected --since '$(SINCE)') || exit 1; \
+	  test -z "$$files" || $(BIN)/pytest -q -n $(WORKERS) --dist loadgroup -m 'not slow' $$files || test $$? = 5
+	@cd frontend && npx vitest run --changed $(SINCE) --passWithNoTests
+
 test: .make/s3  ## Set up and pass the fast tests, two parts at a time: 12 minutes on two cores
 	@$(call in_parallel,$(PARTS))
 
@@ -55,7 +60,7 @@ check: setup  ## Lint, types, import contracts, code that nobody calls, OpenAPI 
 	$(BIN)/ruff check . && $(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-cache
-	$(BIN)/pytest -q -n $(WORKERS) --dist loadgroup -m lint tests/house
+	$(BIN)/pytest -q -n $(WORKERS) --dist loadgroup -m lint tests/house tests/audio_checks/test_pages.py
 	@! $(BIN)/vulture | grep -E 'unused (class|function|import|method)|unreachable' || { echo "nobody calls these: remove them"; exit 1; }
 	$(BIN)/soundlist openapi .make/openapi.json && diff -u frontend/openapi.json .make/openapi.json >/dev/null || \
 	  { echo "frontend/openapi.json is not what the server says: run make openapi"; exit 1; }
