@@ -50,24 +50,22 @@ def house(server: RunningServer) -> House:
     return house
 
 
-@pytest.fixture(autouse=True)
-def _no_tries_yet(server: RunningServer) -> None:
-    server.forget_tries()
-
-
 def shows_the_project(operation: Operation) -> bool:
     names = names_in(operation)
     is_refused = operation.policy.audience is not Audience.ANYONE and operation.name not in BEFORE_NDA
     return is_refused and bool(names & OF_THE_PROJECT) and not names & CONTRACTS
 
 
-@pytest.mark.parametrize(
-    "operation", [pytest.param(one, id=one.name) for one in operations() if shows_the_project(one)]
-)
-def test_it_shows_nothing_of_the_project(house: House, operation: Operation) -> None:
-    answer = ask(house.designer, house, operation)
-    assert answer.status_code in (403, 404), answer.text
-    assert b"the bytes of a sound" not in answer.content
+def test_it_shows_nothing_of_the_project(house: House) -> None:
+    asked = [operation for operation in operations() if shows_the_project(operation)]
+    assert len(asked) > 100
+    shown = []
+    for operation in asked:
+        house.server.forget_tries()
+        answer = ask(house.designer, house, operation)
+        if answer.status_code not in (403, 404) or b"the bytes of a sound" in answer.content:
+            shown.append(f"{operation.name}: {answer.status_code} {answer.text[:200]}")
+    assert shown == []
 
 
 def test_the_same_requests_are_answered_once_it_is_accepted(house: House) -> None:
