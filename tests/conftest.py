@@ -1,5 +1,6 @@
 """Which database and store the tests of rooms and journeys run on; the others need none or bring their own."""
 
+import gc
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -75,6 +76,12 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
             found[-1].scope == "module" for found in item._fixtureinfo.name2fixturedefs.values() if found
         ):
             item.add_marker(pytest.mark.xdist_group(item.nodeid.split("::")[0]))
+
+
+def pytest_collection_finish() -> None:
+    """Keep what is imported by now out of garbage collection, which would go through all of it again and again."""
+    gc.collect()
+    gc.freeze()
 
 
 def needed(items: list[pytest.Item], folder: Path) -> list[pytest.Item]:

@@ -8,6 +8,8 @@ import pytest
 from tests.audio_checks.sound_fuzz import survive
 from tests.support.any_sound import any_sound
 
+pytestmark = pytest.mark.slow
+
 SOUNDS, TOGETHER = 300, 10
 WEEK = dt.datetime.now(dt.UTC).isocalendar()
 FIRST = 10_000_000 + (WEEK.year * 53 + WEEK.week) * 1_000

@@ -2,9 +2,13 @@
 
 from pathlib import Path
 
+import pytest
+
 from audio_checks.checks import all_checks
 from audio_checks.cli.pages import pages, write_pages
 from audio_checks.spec import check_names
+
+pytestmark = pytest.mark.lint
 
 DOCS = Path(__file__).parents[2] / "docs" / "checks"
 

@@ -15,6 +15,8 @@ from app.cli import cli
 from app.settings import Settings
 from audio_checks.version import TOOL_VERSION
 
+pytestmark = pytest.mark.lint
+
 ROOT = Path(__file__).resolve().parents[2]
 DOCUMENTS = [
     *sorted(ROOT.glob("*.md")),

@@ -19,6 +19,8 @@ from audio_checks.spec.delivery_spec import new_spec
 from audio_checks.spec.sound_list import AUDIO_SUFFIXES
 from tests.support.waves import sine, write_wav
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).resolve().parents[2]
 BIN = Path(sys.executable).parent
 GOOD = sine(hz=997, dbfs=-6, seconds=0.2)

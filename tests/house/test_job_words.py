@@ -4,8 +4,12 @@ import importlib
 import re
 from pathlib import Path
 
+import pytest
+
 from app import rooms, worker
 from app.kit.queue import job_names
+
+pytestmark = pytest.mark.lint
 
 WORDS = Path(__file__).parents[2] / "frontend/src/features/operations/words.ts"
 

@@ -12,6 +12,8 @@ from app.accounts.quotas import DEFAULTS, QuotaKind
 from app.accounts.rate_limits import Limit
 from app.settings import Settings
 
+pytestmark = pytest.mark.lint
+
 TEXT = (Path(__file__).resolve().parents[2] / "docs/limits.md").read_text()
 TABLE = TEXT.partition("\n## ")[0]
 ROWS = re.findall(r"^\| ([^|]+) \| ([^|]+) \| `([\w.]+)` \|$", TABLE, re.MULTILINE)

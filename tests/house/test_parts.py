@@ -17,7 +17,7 @@ def folder(tmp_path: Path) -> Path:
 
 def run_part(folder: Path, script: str) -> subprocess.CompletedProcess[str]:
     command = [str(PART), "unit", "sh", "-c", script]
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=30)
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=300)
 
 
 def test_each_line_carries_the_name_of_its_part(folder: Path):

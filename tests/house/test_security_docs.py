@@ -3,6 +3,10 @@
 import re
 from pathlib import Path
 
+import pytest
+
+pytestmark = pytest.mark.lint
+
 ROOT = Path(__file__).resolve().parents[2]
 TEXT = (ROOT / "docs/security.md").read_text()
 ROWS = re.findall(r"^\| ((?:V?\d)[^|]*) \| ([^|]+) \| ([^|]+) \|$", TEXT, re.MULTILINE)

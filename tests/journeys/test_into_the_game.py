@@ -65,7 +65,7 @@ class Game:
 def audio_checks_command(*arguments: str | Path, code: int = 0) -> str:
     """Run `audio-checks` as the game's CI does, and return what it printed."""
     program = Path(sys.executable).parent / "audio-checks"
-    done = subprocess.run([program, *arguments], capture_output=True, text=True, timeout=60)
+    done = subprocess.run([program, *arguments], capture_output=True, text=True, timeout=300)
     assert done.returncode == code, f"exit code {done.returncode}\n{done.stdout}{done.stderr}"
     return done.stdout
 

@@ -53,5 +53,5 @@ def run(folder: Path, *command: str) -> subprocess.CompletedProcess[str]:
     """Run Python with the copy of the library, and the server's code beside it."""
     environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(folder), str(ROOT)])}
     return subprocess.run(
-        [sys.executable, "-P", *command], cwd=folder, env=environment, capture_output=True, text=True, timeout=120
+        [sys.executable, "-P", *command], cwd=folder, env=environment, capture_output=True, text=True, timeout=300
     )

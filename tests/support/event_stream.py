@@ -39,7 +39,7 @@ class Listener:
 def listening_for_changes(address: str, cookies: Any, **headers: str) -> Iterator[Listener]:
     """Listen in a thread until the block ends, from the moment that the stream is open."""
     listener = Listener()
-    with httpx.Client(base_url=address, cookies=dict(cookies), headers=headers, timeout=30) as client:
+    with httpx.Client(base_url=address, cookies=dict(cookies), headers=headers, timeout=300) as client:
         request = client.build_request("GET", "/v1/events")
         answer = client.send(request, stream=True)
         assert answer.status_code == 200, answer.read()

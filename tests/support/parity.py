@@ -116,7 +116,7 @@ class WorldOverTcp(World):
         """Return a client that is signed in as this person."""
         browser = super().signed_in(person_id)
         headers = {CSRF_HEADER: browser.headers[CSRF_HEADER]}
-        return httpx.Client(base_url=self._address, cookies=dict(browser.cookies), headers=headers, timeout=60)
+        return httpx.Client(base_url=self._address, cookies=dict(browser.cookies), headers=headers, timeout=300)
 
 
 @contextmanager

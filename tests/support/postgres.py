@@ -17,8 +17,8 @@ from psycopg import sql
 
 OWNER = "soundlist"  # the login that the application uses: it owns its database and is not a superuser
 SUPERUSER = "postgres"
-START_WITHIN_S = 30.0
-MADE_WITHIN_S = 120.0
+START_WITHIN_S = 240.0
+MADE_WITHIN_S = 300.0
 
 
 class PostgresMissing(Exception):

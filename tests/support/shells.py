@@ -81,7 +81,7 @@ def complete(terminal: int, typed: str, wanted: str) -> None:
 
 def until(terminal: int, wanted: str) -> None:
     """Read a terminal until it shows what is wanted."""
-    shown, deadline = "", time.monotonic() + 120
+    shown, deadline = "", time.monotonic() + 300
     while time.monotonic() < deadline:
         if select.select([terminal], [], [], 0.1)[0]:
             shown += os.read(terminal, 4096).decode(errors="replace")

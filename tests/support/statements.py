@@ -11,6 +11,7 @@ import re
 import threading
 from collections.abc import Hashable, Iterable, Iterator, Mapping
 from collections.abc import Set as AbstractSet
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -27,6 +28,12 @@ NAMED = re.compile(r"/(?!(?:v1|[a-z-]+)(?:/|$))[^/]+")  # a part of a path that 
 BACKGROUND = ("heartbeat", "looking for work")  # threads of the worker: they send the same at any time
 
 
+@lru_cache(maxsize=20_000)
+def without_values(statement: str) -> str:
+    """Return a statement the same whatever the number of its parameters and rows."""
+    return ROWS.sub("(?)", PARAMETERS.sub("?", statement))
+
+
 class Recorder:
     """Writes a line for each test: its id, and everything it sent."""
 
@@ -40,7 +47,7 @@ class Recorder:
 
         def note(_connection: Any, _cursor: Any, statement: str, *_more: Any) -> None:
             if threading.current_thread().name not in BACKGROUND:
-                self.sent.add(ROWS.sub("(?)", PARAMETERS.sub("?", statement)))
+                self.sent.add(without_values(statement))
 
         event.listen(engine, "before_cursor_execute", note)
 

@@ -4,7 +4,7 @@ import time
 from collections.abc import Callable
 
 
-def until(condition: Callable[[], object], within_s: float = 120.0) -> None:
+def until(condition: Callable[[], object], within_s: float = 300.0) -> None:
     """Return once a condition holds; fail where it does not come about."""
     deadline = time.monotonic() + within_s
     while not condition():

@@ -9,6 +9,8 @@ from tests.support.waves import write_wav
 from training import recorded
 from training.dataset import RATE
 
+pytestmark = pytest.mark.slow
+
 
 def dying(rt60_s, seconds=1.0, seed=1):
     times_s = np.arange(int(seconds * RATE)) / RATE

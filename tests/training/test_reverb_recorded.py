@@ -8,6 +8,8 @@ from training.dataset import Known
 from training.reverb_recorded import as_table, by_repository, figures_on, left_out, said_by_others
 from training.sets import Set
 
+pytestmark = pytest.mark.slow
+
 KNOWN = [
     Known("a", "event", True, is_wet, "hall", 1.0, wet_db, 1)
     for is_wet, wet_db in ((False, -np.inf), (False, -np.inf), (True, -5.0), (True, -5.0), (True, -15.0))

@@ -14,6 +14,8 @@ from training.rooms import ROOMS
 from training.sets import Set
 from training.sources import FAMILIES
 
+pytestmark = pytest.mark.slow
+
 
 def test_families_of_both_sides_are_there_and_none_is_on_both():
     for some in (FAMILIES, ROOMS):

@@ -5,6 +5,7 @@ import random
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
+from datetime import timedelta
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
@@ -175,8 +176,8 @@ def given(world: World, tmp_path: Path) -> Iterator[str]:
         .issuer_name(name)
         .public_key(key.public_key())
         .serial_number(7)
-        .not_valid_before(clock.now().replace(year=2025))
-        .not_valid_after(clock.now().replace(year=2035))
+        .not_valid_before(clock.now() - timedelta(days=365))
+        .not_valid_after(clock.now() + timedelta(days=3650))
         .sign(key, hashes.SHA256())
     )
     settings = world.server.runtime.settings
@@ -255,8 +256,8 @@ def timestamp_server() -> Iterator[str]:
         .issuer_name(name)
         .public_key(key.public_key())
         .serial_number(9)
-        .not_valid_before(clock.now().replace(year=2025))
-        .not_valid_after(clock.now().replace(year=2035))
+        .not_valid_before(clock.now() - timedelta(days=365))
+        .not_valid_after(clock.now() + timedelta(days=3650))
         .add_extension(x509.ExtendedKeyUsage([x509.ExtendedKeyUsageOID.TIME_STAMPING]), critical=True)
         .sign(key, hashes.SHA256())
     )

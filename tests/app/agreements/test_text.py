@@ -79,7 +79,7 @@ def test_the_same_text_is_the_same_pdf_in_another_process():
         "print(hashlib.sha256(pdf_of('Effects', sys.stdin.read())).hexdigest())"
     )
     elsewhere = subprocess.run(
-        [sys.executable, "-c", code], input=TEXT, capture_output=True, text=True, check=True, timeout=30
+        [sys.executable, "-c", code], input=TEXT, capture_output=True, text=True, check=True, timeout=300
     )
     first, second = pdf_of("Effects", TEXT), pdf_of("Effects", TEXT)
     assert first == second

@@ -176,7 +176,7 @@ def test_the_lines_for_ci_do_what_they_say(world: World, tmp_path: Path) -> None
             path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
             environment = {"PATH": path, "SOUNDLIST_TOKEN": secret, "BUILD": "nightly 7", "COMMIT": "abc"}
             done = subprocess.run(
-                ["/bin/bash", "-c", script], cwd=tmp_path, env=environment, capture_output=True, timeout=60
+                ["/bin/bash", "-c", script], cwd=tmp_path, env=environment, capture_output=True, timeout=300
             )
             print(done.stdout.decode(), done.stderr.decode())  # noqa: T201  shown when the test fails
             return done.returncode

@@ -29,7 +29,7 @@ def unpack(folder: Path, cues: list[HandedCue]) -> Path:
 
 def run(folder: Path, *more: str) -> dict[str, Any]:
     script = str(folder / "Scripts" / "soundlist_import.js")
-    done = subprocess.run([NODE, str(STUDIO), script, str(folder), *more], capture_output=True, text=True, timeout=60)
+    done = subprocess.run([NODE, str(STUDIO), script, str(folder), *more], capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stderr
     found: dict[str, Any] = json.loads(done.stdout)
     return found

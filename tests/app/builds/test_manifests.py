@@ -322,7 +322,7 @@ def test_an_audit_of_the_pack_says_all_the_same_and_names_what_was_raised(world:
     def audit() -> tuple[int, dict[str, Any]]:
         program = Path(sys.executable).parent / "audio-checks"
         command = [program, "audit", "--manifest", "manifest.json", "--format", "json", "build"]
-        done = subprocess.run(command, cwd=tmp_path, capture_output=True, timeout=60)
+        done = subprocess.run(command, cwd=tmp_path, capture_output=True, timeout=300)
         reported: dict[str, Any] = json.loads(done.stdout)
         return done.returncode, {one["path"]: one for one in reported["files"]}
 

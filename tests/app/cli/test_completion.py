@@ -12,6 +12,8 @@ from app.cli.command_tree import command_tree
 from app.cli.completion import Shell
 from tests.support import shells
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).parents[3]
 
 

@@ -101,6 +101,7 @@ def test_sight_names_rooms_that_exist():
     assert {mapper.class_.__module__.split(".")[1] for mapper in Base.registry.mappers} >= named
 
 
+@pytest.mark.slow  # the time in which a stream looks again at what its viewer may see
 def test_an_engaged_designer_is_notified_at_once_and_one_who_left_is_not(server: RunningServer, web: str, world: World):
     def engage(session: Any) -> None:
         facts = {"studio_id": world.studio_id, "project_id": world.project_id, "designer_id": world.other_designer_id}

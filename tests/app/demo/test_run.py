@@ -77,7 +77,7 @@ def demo(data: Path, port: int, started_within_s: float) -> Iterator[httpx.Clien
     before = log.read_text().count("Soundlist is at")
 
     try:
-        with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=30) as client:
+        with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=300) as client:
             until(
                 lambda: log.read_text().count("Soundlist is at") > before or process.poll() is not None,
                 started_within_s,

@@ -24,7 +24,9 @@ from app.kit.runtime import Runtime
 from app.migrate import migrate
 from app.settings import Settings
 
-WITHIN_S = 60.0
+pytestmark = pytest.mark.slow
+
+WITHIN_S = 240.0
 STOPS_WITH_INPUT = """
 import signal, sys, threading
 from app.kit import processes

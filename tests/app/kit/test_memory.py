@@ -59,7 +59,7 @@ del blocks
 free = mib() - before
 memory.COLLECT_EVERY_S = 0.05
 memory.collect_garbage(until=threading.Event())
-deadline = time.monotonic() + 30
+deadline = time.monotonic() + 240
 while mib() - before > free / 2 and time.monotonic() < deadline:
     time.sleep(0.05)
 print(json.dumps([free, mib() - before]))
@@ -70,7 +70,7 @@ print(json.dumps([free, mib() - before]))
 def test_free_memory_of_many_threads_returns():
     def left_mib(how: str) -> float:
         done = subprocess.run(
-            [sys.executable, "-c", MEASURE, how], capture_output=True, text=True, check=True, timeout=60
+            [sys.executable, "-c", MEASURE, how], capture_output=True, text=True, check=True, timeout=300
         )
         return float(json.loads(done.stdout))
 
@@ -80,7 +80,7 @@ def test_free_memory_of_many_threads_returns():
 
 @pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="other allocators return memory by themselves")
 def test_what_is_free_between_blocks_in_use_returns():
-    done = subprocess.run([sys.executable, "-c", BETWEEN], capture_output=True, text=True, check=True, timeout=60)
+    done = subprocess.run([sys.executable, "-c", BETWEEN], capture_output=True, text=True, check=True, timeout=300)
     free_mib, left_mib = json.loads(done.stdout)
     assert free_mib > 60, "glibc keeps it: without this there is nothing to return"
     assert left_mib < 30
@@ -96,7 +96,7 @@ def test_what_refers_to_itself_is_freed_while_nothing_else_happens(monkeypatch):
     memory.collect_garbage(until=over)
     try:
         del refused
-        deadline = time.monotonic() + 30
+        deadline = time.monotonic() + 240
         while freed() is not None and time.monotonic() < deadline:
             time.sleep(0.01)
         assert freed() is None

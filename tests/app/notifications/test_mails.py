@@ -262,6 +262,6 @@ def test_two_jobs_that_notify_at_the_same_moment_write_one_mail(world: World):
             notify(session, "first")
             sending = other.submit(second)
             time.sleep(0.3)  # the second looks for an open mail, and finds none that is committed
-        sending.result(timeout=20)
+        sending.result(timeout=300)
     (mail,) = [each for each in outbox(world) if each["recipient"] == "maker@example.test"]
     assert str(mail["text"]).startswith("first\n\nsecond")

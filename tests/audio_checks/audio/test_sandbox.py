@@ -249,7 +249,7 @@ def test_nothing_stays_behind(own_sandbox):
     for code in ("0", "import os; os._exit(1)", breed, breed + "\nos._exit(2)", breed + "\ntime.sleep(30)"):
         with contextlib.suppress(SandboxCrashed, SandboxTimedOut):
             own_sandbox.call(exec, code)
-    deadline = time.monotonic() + 60
+    deadline = time.monotonic() + 240
     while descendants() - before and time.monotonic() < deadline:
         time.sleep(0.01)
     assert not descendants() - before
@@ -299,9 +299,9 @@ def test_the_server_ends_with_its_caller():
         "box = Sandbox()\nprint(box.call(os.getppid), flush=True)\n"
         "os.kill(os.getpid(), 9)"
     )
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=30)
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=300)
     server = Path(f"/proc/{int(done.stdout)}")
-    deadline = time.monotonic() + 60
+    deadline = time.monotonic() + 240
     while server.exists() and time.monotonic() < deadline and " Z " not in (server / "stat").read_text():
         time.sleep(0.01)
     assert not server.exists() or " Z " in (server / "stat").read_text()

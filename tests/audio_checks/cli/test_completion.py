@@ -10,6 +10,8 @@ from audio_checks.checks import all_checks
 from audio_checks.cli import COMMANDS, main, reporters
 from tests.support import shells
 
+pytestmark = pytest.mark.slow
+
 BIN = str(Path(sys.executable).parent)
 
 

@@ -95,7 +95,7 @@ def run_in(tree, command):
     """Run a command as a CI does: in the tree, with the tree's folder first on PATH as `.`."""
     environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
     environment |= {"PATH": f".:{os.environ['PATH']}", "HOME": str(tree)}
-    return subprocess.run(command, cwd=tree, env=environment, capture_output=True, text=True, timeout=120)
+    return subprocess.run(command, cwd=tree, env=environment, capture_output=True, text=True, timeout=300)
 
 
 def test_every_command_is_tried():

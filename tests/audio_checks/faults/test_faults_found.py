@@ -10,6 +10,8 @@ from benchmarks.faults.promise import BEYOND, PROMISED
 from benchmarks.faults.thresholds import thresholds
 from benchmarks.faults.trial import CHECKS, Trial, counts, false_alarms, trials
 
+pytestmark = pytest.mark.slow
+
 MOST_MISSED = 0.1  # of so few: with the whole trial's 5 % a single miss more would not show
 
 

@@ -3,6 +3,8 @@ import pytest
 from benchmarks.faults.masters import MOST, NAMED, flagged_masters, masters_folder
 from benchmarks.faults.trial import CHECKS
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def flagged() -> dict[str, set[str]]:

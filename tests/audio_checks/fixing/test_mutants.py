@@ -8,6 +8,8 @@ import pytest
 from audio_checks import FixRefused, fix_master, parse_spec, repair_spots, wav
 from tests.support.mutants import mutant
 
+pytestmark = pytest.mark.slow
+
 SPEC = parse_spec("""
 format = 1
 [accept]

@@ -17,6 +17,8 @@ from audio_checks.measure.loudness import _recursion
 from audio_checks.measure.window_powers import turns_of
 from audio_checks.render import resample, resample_plan
 
+pytestmark = pytest.mark.slow
+
 SOURCES = sorted(str(path) for path in Path(audio_checks.kernel.__file__).parent.glob("*.c"))
 KEPT = ["-std=c11", "-ffp-contract=off", "-shared", "-fPIC", "-I", sysconfig.get_path("include")]
 BUILDS = {

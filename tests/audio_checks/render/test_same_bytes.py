@@ -20,6 +20,8 @@ import audio_checks.kernel
 from audio_checks.kernel.sources import digest_of
 from tests.support.waves import noise, sine, smpl, swelling, write_wav
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).resolve().parents[3]
 KERNEL = Path(audio_checks.kernel.__file__).parent
 PLAIN = {
@@ -80,7 +82,7 @@ def renders(masters, out, *, kernel="", environment=None):
         env={**os.environ, **(environment or {}), "PYTHONPATH": str(ROOT)},
         capture_output=True,
         text=True,
-        timeout=30,
+        timeout=300,
     )
     assert reported.returncode == 0, reported.stderr
     return json.loads(reported.stdout)
@@ -101,7 +103,7 @@ def compiled(folder, compiler, *flags):
     kept = ["-std=c11", "-ffp-contract=off", "-shared", "-fPIC", "-I", sysconfig.get_path("include")]
     kept.append(f'-DSOURCES_SHA256="{digest_of(KERNEL)}"')
     sources = sorted(map(str, KERNEL.glob("*.c")))
-    subprocess.run([compiler, *kept, *flags, *sources, "-o", str(kernel), "-lm"], check=True, timeout=60)
+    subprocess.run([compiler, *kept, *flags, *sources, "-o", str(kernel), "-lm"], check=True, timeout=300)
     return kernel
 
 
