@@ -93,11 +93,11 @@ e2e: setup .make/browser .make/postgresql  ## Walk the product in a real browser
 	@cd frontend && npm run --silent e2e
 
 slow-e2e: setup .make/browser .make/postgresql  ## Long walks in a real browser, and those that take time
-	@cd frontend && npm run --silent --if-present e2e:slow
+	@cd frontend && npm run --silent e2e:slow
 
 firefox: setup .make/browser .make/postgresql  ## Walk the first minute of each role in Firefox too
 	@command -v firefox-esr >/dev/null && command -v pulseaudio >/dev/null || sh .ci/install firefox-esr pulseaudio
-	@cd frontend && FIREFOX=$$(command -v firefox-esr) npm run --silent e2e -- firefox
+	@cd frontend && FIREFOX=$$(command -v firefox-esr) npm run --silent e2e:firefox
 
 kill: setup .make/postgresql .make/caddy  ## Kill real processes at every named point, 20 times each
 	$(BIN)/pytest -n 3 tests/kill --kill-runs 20

@@ -1,52 +1,29 @@
 import { defineConfig } from '@playwright/test'
 
+/** What takes minutes, measures time, or repeats another test on another database, in another role or size. */
+const SLOW = /@slow/
+/** The demo makes itself while the other tests run. */
+const ON_DEMO = ['pages.spec.ts', 'demo.spec.ts', 'docs.spec.ts', 'speed.spec.ts']
+const ON_FIREFOX = 'firefox.spec.ts'
+
 export default defineConfig({
   testDir: 'e2e',
   globalSetup: './e2e/setup.ts',
   workers: 2,
-  timeout: 180_000, // of a whole walk, while other parts of the tests run beside it; what it waits for has bounds of its own
-  // A shared machine stalls now and then; what needed a second try is listed as flaky.
-  retries: process.env.CI ? 2 : 0,
-  expect: { timeout: 20_000 },
+  timeout: 600_000, // of a whole walk on a busy machine: it only ends what hangs
+  expect: { timeout: 60_000 },
   forbidOnly: true,
   reporter: [['list']],
-  // The demo makes itself while the first ones run.
+  // `npm run e2e` runs the first two, `npm run e2e:slow` the third, `npm run e2e:firefox` the last.
   projects: [
-    {
-      name: 'job',
-      testMatch: [
-        'main-job.spec.ts',
-        'contract.spec.ts',
-        'fix.spec.ts',
-        'resume.spec.ts',
-        'tray.spec.ts',
-        'live.spec.ts',
-        'clipInTime.spec.ts',
-        'sessionInTime.spec.ts',
-        'hiring.spec.ts',
-        'nda.spec.ts',
-        'offline.spec.ts',
-        'spotting.spec.ts',
-        'team.spec.ts',
-        'walk.spec.ts',
-        // Minutes each, beside other tests: `make test-all` walks them.
-        ...(process.env.LONG_WALKS ? ['judging.spec.ts', 'leaving.spec.ts', 'worked-example.spec.ts'] : []),
-      ],
-    },
-    { name: 'parts', testMatch: ['parts.spec.ts', 'heard.spec.ts', 'atOnce.spec.ts'] },
-    {
-      name: 'demo',
-      testMatch: [
-        'pages.spec.ts',
-        'demo.spec.ts',
-        'docs.spec.ts',
-        'speed.spec.ts',
-        ...(process.env.FIREFOX ? ['firefox.spec.ts'] : []),
-      ],
-    },
+    { name: 'journeys', testIgnore: [...ON_DEMO, ON_FIREFOX], grepInvert: SLOW },
+    { name: 'demo', testMatch: ON_DEMO, grepInvert: SLOW },
+    { name: 'slow', testIgnore: ON_FIREFOX, grep: SLOW, retries: 1 }, // some of them measure time
+    { name: 'firefox', testMatch: ON_FIREFOX },
   ],
   use: {
-    actionTimeout: 15_000,
+    contextOptions: { reducedMotion: 'reduce' }, // an animation that nobody watches is drawn all the same
+    actionTimeout: 60_000,
     screenshot: 'only-on-failure',
     launchOptions: {
       executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',

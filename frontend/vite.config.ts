@@ -4,16 +4,19 @@ import react from '@vitejs/plugin-react'
 import { defineConfig } from 'vitest/config'
 
 import { chunkNames } from './scripts/chunks.ts'
-import { early } from './scripts/early.ts'
+import { early, PAGES } from './scripts/early.ts'
+import { limitPageSizes } from './scripts/pageSizes.ts'
 import { precompress } from './scripts/precompress.ts'
 
 const server = process.env.SOUNDLIST_SERVER ?? 'http://127.0.0.1:8000'
+
+const ARRIVALS = PAGES.map(({ modules: [page = ''] }) => page)
 
 // Tests with vi.mock: a module that another file has loaded is no longer replaced.
 const REPLACES_MODULES = ['src/features/take/DryStem.test.tsx']
 
 export default defineConfig({
-  plugins: [react(), early(), precompress()],
+  plugins: [react(), early(), precompress(), limitPageSizes(ARRIVALS)],
   resolve: { alias: { '@': fileURLToPath(new URL('./src', import.meta.url)) } },
   server: {
     host: '127.0.0.1',

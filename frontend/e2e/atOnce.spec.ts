@@ -180,7 +180,7 @@ function apart(samples: readonly number[], topHz: number, from: number, to: numb
   return { first, last }
 }
 
-test('a sound that is next plays at once over 5 Mbit/s and 80 ms, and the exact one takes over without a gap', async ({
+test('a sound that is next plays at once over 5 Mbit/s and 80 ms, and the exact one takes over without a gap @slow', async ({
   page,
 }) => {
   await open(page, 5, 80)
@@ -211,7 +211,7 @@ test('a sound that is next plays at once over 5 Mbit/s and 80 ms, and the exact 
   expect(20 * Math.log10(least / middle)).toBeGreaterThan(-3)
 })
 
-test('a switch between alternates takes 5 ms of what is heard, to the sample', async ({ page }) => {
+test('a switch between alternates takes 5 ms of what is heard, to the sample @slow', async ({ page }) => {
   await open(page)
   await page.evaluate(async () => {
     output.player.previews.release()
@@ -264,7 +264,7 @@ async function playCold(page: Page, isBegun: boolean): Promise<number> {
 
 for (const isBegun of [false, true]) {
   const here = isBegun ? 'the first bytes are' : 'nothing is'
-  test(`a sound of which ${here} here plays before the rest of it comes, and each longer piece goes on without a gap`, async ({
+  test(`a sound of which ${here} here plays before the rest of it comes, and each longer piece goes on without a gap @slow`, async ({
     page,
   }) => {
     const firstMs: number[] = []

@@ -1,9 +1,7 @@
 import { type Browser, expect, type Page } from '@playwright/test'
 
 import { ask } from './api'
-
-const PASSWORD = 'quiet reactor hum'
-const DESIGNER = 'designer@tones.example'
+import { addressOf, PASSWORD } from './party'
 
 /** A browser of somebody's own. */
 export const visit = async (browser: Browser): Promise<Page> =>
@@ -14,7 +12,7 @@ export async function atWork(producer: Page, designer: Page, url: string, cues: 
   await producer.goto(`${url}/sign-up`)
   await producer.getByLabel('Studio name').fill('Lantern Games')
   await producer.getByLabel('Your name').fill('Producer')
-  await producer.getByLabel('Email').fill('producer@lantern.example')
+  await producer.getByLabel('Email').fill(addressOf('producer'))
   await producer.getByLabel('Password', { exact: true }).fill(PASSWORD)
   await producer.keyboard.press('Enter')
   await expect(producer.getByRole('heading', { name: 'New project' })).toBeVisible()
@@ -29,14 +27,14 @@ export async function atWork(producer: Page, designer: Page, url: string, cues: 
     preset: '44k1',
   })
   await ask(asProducer, `${url}/v1/projects/${id}/cues`, 'POST', { cues })
-  await ask(asProducer, `${url}/v1/projects/${id}/invitations`, 'POST', { email: DESIGNER })
+  await ask(asProducer, `${url}/v1/projects/${id}/invitations`, 'POST', { email: addressOf('designer') })
   let link = ''
   await expect(async () => {
     const { mails } = await ask<{ mails: { recipient: string; link: string | null }[] }>(
       asProducer,
       `${url}/v1/studios/${studioId}/outbox`,
     )
-    link = mails.find(({ recipient }) => recipient === DESIGNER)?.link ?? ''
+    link = mails.find(({ recipient }) => recipient === addressOf('designer'))?.link ?? ''
     expect(link).not.toBe('')
   }).toPass()
 

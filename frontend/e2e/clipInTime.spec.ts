@@ -98,7 +98,7 @@ function aheadMs(piece: readonly HeardClick[], frames: readonly SeenFrame[]): nu
 // What is compared: the time in the clip of each frame that is presented, at the time at which the browser puts it on
 // the screen, and the place in the sound that leaves the page to the device at that time. A screen of 60 Hz shows a
 // frame up to 17 ms after its time: that counts as late.
-test('a clip and its sound are in time, when it begins, at a switch, after 20 s, round the loop, after a jump and a pause', async ({
+test('a clip and its sound are in time, when it begins, at a switch, after 20 s, round the loop, after a jump and a pause @slow', async ({
   server: { url },
   browser,
 }) => {

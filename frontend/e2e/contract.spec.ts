@@ -1,8 +1,8 @@
 import { type Browser, expect, type Page } from '@playwright/test'
 
 import { test } from './fixtures'
-import { Party, PASSWORD } from './party'
-import type { Server } from './server'
+import { addressOf, Party, PASSWORD } from './party'
+import type { SharedServer } from './server'
 import { wav } from './sounds'
 
 const CUES = ['radar_ping', 'mine_arm', 'missile_launch']
@@ -17,10 +17,9 @@ const JOURNEY = 'a contract from the template to the last payment, in two browse
 
 test(JOURNEY, ({ server, browser }) => journey(server, browser))
 
-test(`${JOURNEY}, on PostgreSQL`, ({ onPostgres, browser }) => journey(onPostgres, browser))
+test(`${JOURNEY}, on PostgreSQL @slow`, ({ onPostgres, browser }) => journey(onPostgres, browser))
 
-async function journey(server: Server, browser: Browser): Promise<void> {
-  test.setTimeout(240_000) // five sounds are checked and rendered meanwhile
+async function journey(server: SharedServer, browser: Browser): Promise<void> {
   const viewport = { width: 1440, height: 900 }
   const producer = await Party.arrive(server.url, await browser.newContext({ baseURL: server.url, viewport }))
   const designer = await Party.arrive(server.url, await browser.newContext({ baseURL: server.url, viewport }))
@@ -29,7 +28,7 @@ async function journey(server: Server, browser: Browser): Promise<void> {
   let cues: Record<string, string> = {}
 
   await test.step('a producer and a designer are on one project', async () => {
-    const signUp = { email: 'producer@lantern.example', name: 'Producer', password: PASSWORD, studio_name: 'Lantern' }
+    const signUp = { email: addressOf('producer'), name: 'Producer', password: PASSWORD, studio_name: 'Lantern' }
     await producer.ask('POST', '/sign-up', signUp)
     const me = await producer.ask<{ studios: { id: string }[] }>('GET', '/me')
     const studio = me.studios[0]?.id ?? ''
@@ -38,7 +37,7 @@ async function journey(server: Server, browser: Browser): Promise<void> {
     const wanted = { cues: CUES.map((name) => ({ name, state: 'locked' })) }
     const added = await producer.ask<{ id: string; name: string }[]>('POST', `/projects/${project}/cues`, wanted)
     cues = Object.fromEntries(added.map(({ id, name }) => [name, id]))
-    const invitation = { email: 'designer@sounds.example', kind: 'contract' }
+    const invitation = { email: addressOf('designer'), kind: 'contract' }
     await producer.ask('POST', `/projects/${project}/invitations`, invitation)
     let link = ''
     await expect(async () => {
@@ -84,7 +83,7 @@ async function journey(server: Server, browser: Browser): Promise<void> {
     const { id } = await designer.ask<Take>('POST', `/deliveries/${delivery}/takes`, body)
     await expect(async () => {
       expect((await designer.ask<Take>('GET', `/takes/${id}`)).state).toBe('conforming')
-    }).toPass({ timeout: 30_000 })
+    }).toPass()
     return id
   }
   const askChange = async (take: string) => {

@@ -4,10 +4,10 @@ import { test as base } from '@playwright/test'
 import { Bucket } from './bucket'
 import { Database } from './database'
 import { Line } from './line'
-import { type Demo, demoReady, freePort, Server } from './server'
+import { type Demo, DEMO_MADE_WITHIN_MS, demoReady, freePort, Server, type SharedServer, sharedServer } from './server'
 
 interface Fixtures {
-  server: Server
+  server: SharedServer
   onPostgres: Server
   severalWeb: Server
   behindLine: { line: Line; server: Server }
@@ -15,13 +15,11 @@ interface Fixtures {
 }
 
 export const test = base.extend<Fixtures, { demo: Demo }>({
-  /** A server of the test's own, with nobody on it yet. */
+  /** The server that tests share: each makes a studio of its own on it, with addresses of its own. */
   server: async ({}, use) => {
-    const server = await Server.start()
-    await use(server)
-    await server.stop()
+    await use(sharedServer())
   },
-  /** Such a server on PostgreSQL. */
+  /** A server of the test's own on PostgreSQL. */
   onPostgres: async ({}, use) => {
     const database = await Database.start()
     const server = await Server.start({ more: { SOUNDLIST_DATABASE_URL: database.url } })
@@ -60,6 +58,6 @@ export const test = base.extend<Fixtures, { demo: Demo }>({
     async ({}, use) => {
       await use(await demoReady())
     },
-    { scope: 'worker', timeout: 160_000 },
+    { scope: 'worker', timeout: DEMO_MADE_WITHIN_MS + 10_000 },
   ],
 })

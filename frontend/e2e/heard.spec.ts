@@ -104,7 +104,7 @@ const levelsDb = (page: Page, id: string, hz: number[], channels: number[] = [1,
     [id, hz, channels] as const,
   )
 
-test('each edge lies where it is stated, and falls as steeply', async ({ page }) => {
+test('each edge lies where it is stated, and falls as steeply @slow', async ({ page }) => {
   for (const { id, stages } of await conditionsOf(page)) {
     for (const stage of stages) {
       if (stage.kind !== 'highpass' && stage.kind !== 'lowpass') continue
@@ -123,7 +123,7 @@ test('each edge lies where it is stated, and falls as steeply', async ({ page })
   }
 })
 
-test('mono is half of both: what only one has is 6.02 dB down in both ears, and what is opposite cancels', async ({
+test('mono is half of both: what only one has is 6.02 dB down in both ears, and what is opposite cancels @slow', async ({
   page,
 }) => {
   for (const id of ['mono', 'phone', 'small']) {
@@ -136,7 +136,9 @@ test('mono is half of both: what only one has is 6.02 dB down in both ears, and 
   }
 })
 
-test('headphones hear the other side 4.5 dB lower and 0.26 ms later, and the middle as before', async ({ page }) => {
+test('headphones hear the other side 4.5 dB lower and 0.26 ms later, and the middle as before @slow', async ({
+  page,
+}) => {
   const [own, other] = await levelsDb(page, 'headphones', [20, 10_000], [1, 0])
   expect(Math.abs((other?.[0] ?? 0) - (own?.[0] ?? 0) + 4.5)).toBeLessThan(0.5)
   expect(own?.[1]).toBeCloseTo(0, 0)
@@ -151,7 +153,7 @@ test('headphones hear the other side 4.5 dB lower and 0.26 ms later, and the mid
   for (const db of middle) expect(Math.abs(db)).toBeLessThan(0.5)
 })
 
-test('noise has its octave levels in both ears, differs between them, and leaves room for the sound', async ({
+test('noise has its octave levels in both ears, differs between them, and leaves room for the sound @slow', async ({
   page,
 }) => {
   for (const { id, noise, headroomDb } of await conditionsOf(page)) {
@@ -184,7 +186,7 @@ test('noise has its octave levels in both ears, differs between them, and leaves
   }
 })
 
-test('noise is silent until something sounds', async ({ page }) => {
+test('noise is silent until something sounds @slow', async ({ page }) => {
   const top = await page.evaluate(async () => {
     const [left] = await measure.render('train', [Float32Array.from([0])], 1)
     return left?.reduce((most, value) => Math.max(most, Math.abs(value)), 0)
@@ -228,7 +230,7 @@ const played = (page: Page, chosen: [number, string | null][]) =>
     [chosen, RATE_HZ, WAIT] as const,
   )
 
-test('choosing while it plays makes no gap and no click, keeps the place, and full range is bit-equal again', async ({
+test('choosing while it plays makes no gap and no click, keeps the place, and full range is bit-equal again @slow', async ({
   page,
 }) => {
   const { out, tone } = await played(page, [
@@ -245,7 +247,7 @@ test('choosing while it plays makes no gap and no click, keeps the place, and fu
   expect(out.slice(after)).toEqual(tone.slice(after))
 })
 
-test('from one device to another the tone bends no more sharply than it does by itself', async ({ page }) => {
+test('from one device to another the tone bends no more sharply than it does by itself @slow', async ({ page }) => {
   const { out, tone } = await played(page, [
     [0.256, 'phone'],
     [0.512, 'television'],

@@ -3,8 +3,7 @@ import { type Browser, expect, type Page } from '@playwright/test'
 import { ask } from './api'
 import { visit } from './atWork'
 import { test } from './fixtures'
-
-const PASSWORD = 'quiet reactor hum'
+import { addressOf, PASSWORD } from './party'
 
 /** The link that was mailed to somebody; without a mail server it is in the studio's outbox. */
 async function linkTo(producer: Page, url: string, recipient: string, subject: RegExp): Promise<string> {
@@ -18,7 +17,7 @@ async function linkTo(producer: Page, url: string, recipient: string, subject: R
     )
     link = mails.find((mail) => mail.recipient === recipient && subject.test(mail.subject))?.link ?? ''
     expect(link).not.toBe('')
-  }).toPass({ timeout: 30_000 })
+  }).toPass()
   return link
 }
 
@@ -49,7 +48,7 @@ async function hire(browser: Browser, url: string): Promise<void> {
     await producer.goto(`${url}/sign-up`)
     await producer.getByLabel('Studio name').fill('Lantern Games')
     await producer.getByLabel('Your name').fill('Producer')
-    await producer.getByLabel('Email').fill('producer@lantern.example')
+    await producer.getByLabel('Email').fill(addressOf('producer'))
     await producer.getByLabel('Password', { exact: true }).fill(PASSWORD)
     await producer.keyboard.press('Enter')
     await producer.getByLabel('Game title').fill('Deep Field')
@@ -95,7 +94,7 @@ async function hire(browser: Browser, url: string): Promise<void> {
     await producer.getByLabel('Work to').fill('2027-03-31')
     await producer.getByRole('button', { name: 'Save', exact: true }).click()
     await expect(producer.getByText('Posting saved.')).toBeVisible()
-    await producer.getByLabel('Email of a designer').fill('ada@tones.example')
+    await producer.getByLabel('Email of a designer').fill(addressOf('ada'))
     await producer.keyboard.press('Enter')
     await expect(producer.getByText('mailed when it opens')).toBeVisible()
     await producer.getByRole('button', { name: 'Open for bids' }).click()
@@ -103,16 +102,16 @@ async function hire(browser: Browser, url: string): Promise<void> {
     await producer.getByRole('button', { name: 'Make a link for everyone' }).click()
     const link = await producer.getByLabel('Link, shown this once').inputValue()
 
-    const asked = await linkTo(producer, url, 'ada@tones.example', /asks you for a bid/)
+    const asked = await linkTo(producer, url, addressOf('ada'), /asks you for a bid/)
     await arriveBy(ada, asked, 'Ada Tones')
     await bid(ada, '60', '90')
 
     await ben.goto(link)
     await expect(ben.getByRole('heading', { name: 'All sounds of Deep Field' })).toBeVisible()
-    await ben.getByLabel('Email').fill('ben@waves.example')
+    await ben.getByLabel('Email').fill(addressOf('ben'))
     await ben.getByRole('button', { name: 'Email me a link' }).click()
-    await expect(ben.getByText(/^We have sent an email to ben@waves.example/)).toBeVisible()
-    const own = await linkTo(producer, url, 'ben@waves.example', /asks you for a bid/)
+    await expect(ben.getByText(`We have sent an email to ${addressOf('ben')}`)).toBeVisible()
+    const own = await linkTo(producer, url, addressOf('ben'), /asks you for a bid/)
     await arriveBy(ben, own, 'Ben Waves')
     await bid(ben, '75', '80')
   })
@@ -133,7 +132,7 @@ async function hire(browser: Browser, url: string): Promise<void> {
   })
 
   await test.step('both hear of it, the draft has the figures, and the chosen one has a desk', async () => {
-    await linkTo(producer, url, 'ada@tones.example', /another bid was chosen/)
+    await linkTo(producer, url, addressOf('ada'), /another bid was chosen/)
     const contractId = /contracts\/([0-9a-f-]{36})/.exec(producer.url())?.[1] ?? ''
     const { milestones } = await ask<{ milestones: { amount_minor: number }[] }>(
       producer.context(),
@@ -151,11 +150,9 @@ async function hire(browser: Browser, url: string): Promise<void> {
 }
 
 test('a producer hires by a posting, on SQLite', async ({ server, browser }) => {
-  test.setTimeout(240_000)
   await hire(browser, server.url)
 })
 
-test('a producer hires by a posting, on PostgreSQL', async ({ onPostgres, browser }) => {
-  test.setTimeout(240_000)
+test('a producer hires by a posting, on PostgreSQL @slow', async ({ onPostgres, browser }) => {
   await hire(browser, onPostgres.url)
 })

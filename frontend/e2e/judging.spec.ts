@@ -96,7 +96,7 @@ async function timeWaves(page: Page): Promise<() => Promise<Wave[]>> {
 const quantile = (sorted: readonly number[], share: number) =>
   sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))] ?? Infinity
 
-test('an approver judges 200 versions by keys alone', async ({ server: { url }, browser }, testInfo) => {
+test('an approver judges 200 versions by keys alone @slow', async ({ server: { url }, browser }) => {
   test.setTimeout(900_000)
   const [page, designer] = await Promise.all([visit(browser), visit(browser)])
   const cues = [...SINGLE, ...DOUBLE].map((name) => ({ name }))
@@ -180,11 +180,9 @@ test('an approver judges 200 versions by keys alone', async ({ server: { url }, 
     await judgeUntil(() => noted() === 2)
     await page.setViewportSize({ width: 390, height: 844 })
     await expect(page.getByRole('button', { name: '2 changes to send' }).first()).toBeInViewport({ ratio: 1 })
-    await page.screenshot({ path: testInfo.outputPath('drafts-narrow.png') })
     await approver.press('s')
     await expect(page.getByLabel(/^Message to the designer/)).toBeInViewport({ ratio: 1 })
     await expect(page.getByRole('button', { name: 'Send 2 changes to the designer' })).toBeInViewport({ ratio: 1 })
-    await page.screenshot({ path: testInfo.outputPath('sending-narrow.png') })
     await expect(page.getByLabel(/^Message to the designer/)).toBeFocused()
     await approver.press('Enter')
     await toast('2 changes sent.')
@@ -195,7 +193,6 @@ test('an approver judges 200 versions by keys alone', async ({ server: { url }, 
   await test.step('the others follow, and none is judged twice', async () => {
     await judgeUntil(() => noted() === CHANGED - 1)
     await expect(page.getByRole('button', { name: /^\d+ changes to send/ }).last()).toBeInViewport({ ratio: 1 })
-    await page.screenshot({ path: testInfo.outputPath('drafts-wide.png') })
     await judgeUntil(() => false)
     expect([...judged].sort()).toEqual(cues.map(({ name }) => name).sort())
     await approver.press('s')

@@ -3,9 +3,8 @@ import { expect, type Locator, type Page } from '@playwright/test'
 import { ask } from './api'
 import { atWork, visit } from './atWork'
 import { test } from './fixtures'
+import { PASSWORD } from './party'
 import { wav } from './sounds'
-
-const PASSWORD = 'quiet reactor hum'
 
 /** A form that people fill in, and what shows that it was sent. */
 interface Typed {
@@ -85,8 +84,7 @@ async function leaveAndSend(page: Page, form: Typed): Promise<void> {
   if (!form.keeps) await expect(form.field, `${form.name} starts empty`).not.toHaveValue(form.then)
 }
 
-test('whatever is typed is there again, however a form is left', async ({ server: { url }, browser }) => {
-  test.setTimeout(300_000)
+test('whatever is typed is there again, however a form is left @slow', async ({ server: { url }, browser }) => {
   const [page, designer] = await Promise.all([visit(browser), visit(browser)])
   const project = await atWork(page, designer, url, [{ name: 'airlock' }])
   const at = `${url}/projects/${project}`

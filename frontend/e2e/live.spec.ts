@@ -2,16 +2,16 @@ import { expect, type Page } from '@playwright/test'
 
 import { ask } from './api'
 import { test } from './fixtures'
+import { Line } from './line'
+import { addressOf, PASSWORD } from './party'
 
-const EMAIL = 'producer@lantern.example'
-const PASSWORD = 'quiet reactor hum'
 const SOON_MS = 2_000 // a second, and the browser's own time on a busy machine
 
 async function openProject(page: Page, url: string): Promise<string> {
   await page.goto(`${url}/sign-up`)
   await page.getByLabel('Studio name').fill('Lantern Games')
   await page.getByLabel('Your name').fill('Producer')
-  await page.getByLabel('Email').fill(EMAIL)
+  await page.getByLabel('Email').fill(addressOf('producer'))
   await page.getByLabel('Password', { exact: true }).fill(PASSWORD)
   await page.keyboard.press('Enter')
   await expect(page.getByRole('heading', { name: 'New project' })).toBeVisible()
@@ -22,13 +22,13 @@ async function openProject(page: Page, url: string): Promise<string> {
 
 async function signIn(page: Page, url: string): Promise<void> {
   await page.goto(`${url}/sign-in`)
-  await page.getByLabel('Email').fill(EMAIL)
+  await page.getByLabel('Email').fill(addressOf('producer'))
   await page.getByLabel('Password', { exact: true }).fill(PASSWORD)
   await page.keyboard.press('Enter')
   await expect(page.getByRole('heading', { name: 'Sign in' })).toBeHidden()
 }
 
-test('a cue stands in another browser and in another tab at once, whichever process answers', async ({
+test('a cue stands in another browser and in another tab at once, whichever process answers @slow', async ({
   severalWeb: { url },
   page,
   browser,
@@ -56,7 +56,9 @@ test('a cue stands in another browser and in another tab at once, whichever proc
 })
 
 test('nothing typed is lost', async ({ server, page }) => {
-  const { url } = server
+  const line = await Line.open()
+  line.leadTo(server.port)
+  const { url } = line
   const projectId = await openProject(page, url)
   const list = `${url}/projects/${projectId}/sound-list`
   const note = page.getByLabel('Message (optional)')
@@ -68,21 +70,19 @@ test('nothing typed is lost', async ({ server, page }) => {
     await page.reload()
     await expect(note).toHaveValue('You know the engine room.')
     await expect(page.getByText('Draft restored')).toBeVisible()
-    await page.screenshot({ path: test.info().outputPath('restored.png') })
   })
 
   await test.step('a session that ended is opened again in place, and the request sent again', async () => {
     await page.context().clearCookies({ name: 'soundlist_session' })
     const form = page.getByRole('form', { name: 'Invite a designer' })
-    await form.getByLabel('Email').fill('designer@tones.example')
+    await form.getByLabel('Email').fill(addressOf('designer'))
     // A read of the page may have opened the dialog already; the request waits for it all the same.
     await form.getByRole('button', { name: 'Send invitation' }).dispatchEvent('click')
     const dialog = page.getByRole('dialog', { name: 'Sign in to go on' })
-    await expect(dialog.getByLabel('Email')).toHaveValue(EMAIL)
-    await page.screenshot({ path: test.info().outputPath('sign-in.png') })
+    await expect(dialog.getByLabel('Email')).toHaveValue(addressOf('producer'))
     await dialog.getByLabel('Password', { exact: true }).fill(PASSWORD)
     await page.keyboard.press('Enter')
-    await expect(page.getByText('Invitation sent to designer@tones.example.')).toBeVisible()
+    await expect(page.getByText(`Invitation sent to ${addressOf('designer')}.`)).toBeVisible()
     await expect(dialog).toBeHidden()
     await expect(note).toHaveValue('')
   })
@@ -90,15 +90,12 @@ test('nothing typed is lost', async ({ server, page }) => {
   await test.step('while the server is away the page keeps what it shows, and then goes on', async () => {
     await page.goto(list)
     await expect(page.getByText('second_cue').first()).toBeVisible()
-    await server.killWeb()
+    line.cut()
     await expect(page.getByText('Can’t reach Soundlist. Retrying…')).toBeVisible()
     await expect(page.getByText('second_cue').first()).toBeVisible()
     await expect(page.getByRole('alert')).toHaveCount(0)
-    await page.screenshot({ path: test.info().outputPath('away.png') })
-    await page.setViewportSize({ width: 390, height: 800 })
-    await page.emulateMedia({ colorScheme: 'dark' })
-    await page.screenshot({ path: test.info().outputPath('away-narrow-dark.png') })
-    await server.startWeb()
+    line.fix()
     await expect(page.getByText('Can’t reach Soundlist. Retrying…')).toBeHidden()
   })
+  line.close()
 })

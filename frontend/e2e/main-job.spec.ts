@@ -5,12 +5,13 @@ import { promisify } from 'node:util'
 
 import { type Browser, expect, type Page } from '@playwright/test'
 
+import { ask } from './api'
 import { expectAccessible } from './axe'
 import { test } from './fixtures'
+import { addressOf, PASSWORD } from './party'
 import { ROOT } from './server'
 import { unzip, wav, wavFacts, zip } from './sounds'
 
-const PASSWORD = 'quiet reactor hum'
 const SHEET = [
   'name\tcategory\tuse in the game\tlength\tvariations\tdescription',
   'shield_hit\tweapon\tEnemy shot meets the shield\t0.8\t1\tMust read over laser fire',
@@ -84,16 +85,15 @@ const playhead = (page: Page) =>
     .first()
     .evaluate((slider) => Number(getComputedStyle(slider).getPropertyValue('--at')))
 
-/** Open the review room until so many cues wait there: game files are made after the check. */
-async function openQueue(page: Page, project: string, waiting: number): Promise<void> {
-  await expect(async () => {
-    await page.goto(`${project}/review`)
-    await expect(page.getByText(`${waiting} waiting`).first()).toBeAttached({ timeout: 3_000 })
-  }).toPass({ timeout: 40_000 })
+/** Open Review once so many cues wait there: game files are made after the check. */
+async function openQueue(page: Page, url: string, project: string, waiting: number): Promise<void> {
+  const queue = `${url}/v1/review-queue?project_id=${project.split('/').at(-1)}`
+  await expect.poll(async () => (await ask<{ items: [] }>(page.context(), queue)).items.length).toBe(waiting)
+  await page.goto(`${project}/review`)
+  await expect(page.getByText(`${waiting} waiting`).first()).toBeAttached()
 }
 
 test('the main job, from an empty studio to a build that passed', async ({ server, browser }, testInfo) => {
-  test.setTimeout(180_000)
   const [producer, approver, designer] = await Promise.all([
     arrive(browser, server.url),
     arrive(browser, server.url),
@@ -106,7 +106,7 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
     await producer.getByRole('link', { name: 'Create a studio' }).click()
     await producer.getByLabel('Studio name').fill('Lantern Games')
     await producer.getByLabel('Your name').fill('Producer')
-    await producer.getByLabel('Email').fill('producer@lantern.example')
+    await producer.getByLabel('Email').fill(addressOf('producer'))
     await producer.getByLabel('Password', { exact: true }).fill(PASSWORD)
     await producer.keyboard.press('Enter')
     await expect(producer.getByRole('heading', { name: 'New project' })).toBeVisible()
@@ -135,10 +135,10 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
   await test.step('the audio director joins by the link from the outbox and is the approver now', async () => {
     await producer.goto('/studio')
     const invite = card(producer, 'Invite a team member')
-    await invite.getByLabel('Email').fill('director@lantern.example')
+    await invite.getByLabel('Email').fill(addressOf('director'))
     await invite.getByRole('checkbox', { name: /Audio lead/ }).check()
     await invite.getByRole('button', { name: 'Invite', exact: true }).click()
-    await producer.getByRole('button', { name: /Copy link of .+ to director@lantern\.example/ }).click()
+    await producer.getByRole('button', { name: new RegExp(`Copy link of .+ to ${addressOf('director')}`) }).click()
     await toast(producer, 'Link copied.')
     await approver.goto(await copied(producer))
     await approver.getByLabel('Your name').fill('Audio director')
@@ -158,10 +158,10 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
 
   await test.step('the designer sees the list by the link alone, and makes an account to deliver', async () => {
     const invite = producer.getByRole('form', { name: 'Invite a designer' })
-    await invite.getByLabel('Email').fill('designer@tones.example')
+    await invite.getByLabel('Email').fill(addressOf('designer'))
     await invite.getByLabel(/^Message/).fill('Start with the shield.')
     await invite.getByRole('button', { name: 'Send invitation' }).click()
-    await producer.getByRole('button', { name: /^Copy link.*designer@tones.example/ }).click()
+    await producer.getByRole('button', { name: new RegExp(`^Copy link.*${addressOf('designer')}`) }).click()
     await toast(producer, 'Link copied.')
     await designer.goto(await copied(producer))
     await expect(designer.getByText('Start with the shield.')).toBeVisible()
@@ -179,7 +179,7 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
     await mkdir(folder, { recursive: true })
     const files = { ...GOOD, 'laser_fire.wav': wav({ peak: 1, pitchHz: 1_400 }), 'ui_confirm.wav': MP3_AS_WAV }
     for (const [name, bytes] of Object.entries(files)) await writeFile(join(folder, name), bytes)
-    await brake(designer, 200_000)
+    await brake(designer, 20_000)
     await dropFiles(
       designer,
       Object.keys(files).map((name) => join(folder, name)),
@@ -223,7 +223,7 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
   })
 
   await test.step('the approver hears two alternates and picks the second, by keys alone', async () => {
-    await openQueue(approver, project, 4)
+    await openQueue(approver, server.url, project, 4)
     await approver.getByRole('link', { name: /shield_hit/ }).click()
     await expect(approver.getByRole('heading', { level: 1, name: 'shield_hit' })).toBeVisible()
     await expect(approver.getByText('Your call. No revision round yet.')).toBeVisible()
@@ -266,7 +266,7 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
   })
 
   await test.step('the approver approves what is left', async () => {
-    await openQueue(approver, project, 3)
+    await openQueue(approver, server.url, project, 3)
     for (const [name, done] of [
       ['victory_sting', 'victory_sting version 2 approved.'],
       ['laser_fire', 'laser_fire version 2 approved.'],

@@ -3,16 +3,15 @@ import { type Browser, expect } from '@playwright/test'
 import { ask } from './api'
 import { atWork, visit } from './atWork'
 import { test } from './fixtures'
-import type { Server } from './server'
+import type { SharedServer } from './server'
 
 const JOURNEY = 'a reference is opened only after the NDA, and the log says who opened which version'
 
-test(JOURNEY, ({ server, browser }) => journey(server, browser))
+test(`${JOURNEY} @slow`, ({ server, browser }) => journey(server, browser))
 
-test(`${JOURNEY}, on PostgreSQL`, ({ onPostgres, browser }) => journey(onPostgres, browser))
+test(`${JOURNEY}, on PostgreSQL @slow`, ({ onPostgres, browser }) => journey(onPostgres, browser))
 
-async function journey({ url }: Server, browser: Browser): Promise<void> {
-  test.setTimeout(300_000) // two people, an account each, and an NDA with two signatures
+async function journey({ url }: SharedServer, browser: Browser): Promise<void> {
   const [producer, designer] = await Promise.all([visit(browser), visit(browser)])
   const project = await atWork(producer, designer, url, [{ name: 'Hull door open', category: 'ship' }])
   const board = `${url}/projects/${project}/references`

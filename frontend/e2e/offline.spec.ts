@@ -12,7 +12,7 @@ interface Review {
 
 const NAMES = ['Hull door open', 'Hull door shut', 'Airlock cycle']
 
-test('verdicts and comments given without a line are sent later, in order, once', async ({ server, browser }) => {
+test('verdicts and comments given without a line are sent later, in order, once @slow', async ({ server, browser }) => {
   const { url } = server
   const [producer, designer] = await Promise.all([visit(browser), visit(browser)])
   const project = await atWork(
@@ -61,10 +61,6 @@ test('verdicts and comments given without a line are sent later, in order, once'
     await producer.keyboard.press('Control+Enter')
     await expect(producer.getByText('waits for the connection')).toBeVisible()
     await expect(producer.getByText('3 verdicts and comments kept in this browser until it is back.')).toBeVisible()
-    await producer.screenshot({ path: test.info().outputPath('offline.png') })
-    await producer.emulateMedia({ colorScheme: 'dark' })
-    await producer.setViewportSize({ width: 390, height: 844 })
-    await producer.screenshot({ path: test.info().outputPath('offline-narrow-dark.png') })
   })
 
   await test.step('the page is closed, and the next one sends them once the line is back', async () => {

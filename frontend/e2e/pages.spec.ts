@@ -169,28 +169,64 @@ function troubles(page: Page): string[] {
   return found
 }
 
+/** Sign in to the demo as whoever looks; returns what goes wrong from then on. */
+async function enter(page: Page, demo: Demo, part: Part): Promise<string[]> {
+  await page.context().addCookies([{ name: 'soundlist_demo_part', value: LOOKS[part], url: demo.url }])
+  await page.goto(`${demo.url}/sign-in`)
+  await expect(page.getByText('This is the demo. You need no account:')).toBeVisible()
+  return troubles(page)
+}
+
+async function open(page: Page, demo: Demo, { path, shows }: Place): Promise<void> {
+  await page.goto(demo.url + path)
+  await expect(page.getByRole('heading', { level: 1 })).toHaveCount(1)
+  await expect(page.getByText(shows).first()).toBeAttached()
+}
+
+async function expectNoSidewaysScroll(page: Page, name: string): Promise<void> {
+  const sideways = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)
+  expect.soft(sideways, `${name} scrolls sideways`).toBeLessThanOrEqual(0)
+}
+
+/** The pages that a part alone shows; the others are the same for two roles, and the producer's walk has them. */
+const ONLY: Partial<Record<Part, string[]>> = { designer: ['desk', 'work'] }
+
+for (const part of ['producer', 'rooms', 'designer', 'guest'] as const) {
+  test(`each page once: those of the ${part}`, async ({ demo, page }) => {
+    await page.setViewportSize(SIZES.wide)
+    await page.emulateMedia({ colorScheme: 'light', reducedMotion: 'reduce' })
+    const broken = await enter(page, demo, part)
+    const places = await placesOf(part, page.context(), demo, 'once')
+    for (const place of places.filter(({ name }) => ONLY[part]?.includes(name) ?? true)) {
+      await test.step(place.name, async () => {
+        await open(page, demo, place)
+        // Contrast is compared by src/test/contrast.test.ts for all pages, and on each page in the slow part.
+        await expectAccessible(page, place.name, 'structure')
+        await page.setViewportSize(SIZES.narrow)
+        await expectNoSidewaysScroll(page, place.name)
+        await page.setViewportSize(SIZES.wide)
+        expect.soft(broken.splice(0), `${place.name}: errors in the console`).toEqual([])
+      })
+    }
+  })
+}
+
 for (const part of ['producer', 'rooms', 'approver', 'designer', 'guest'] as const) {
   for (const size of ['wide', 'narrow'] as const) {
     test.describe(() => {
       test.describe.configure({ mode: 'parallel' })
-      test(`pages of the ${part}, ${size}`, async ({ demo, context, page }) => {
-        await context.addCookies([{ name: 'soundlist_demo_part', value: LOOKS[part], url: demo.url }])
+      test(`pages of the ${part}, ${size}, light and dark @slow`, async ({ demo, page }) => {
         await page.setViewportSize(SIZES[size])
-        await page.goto(`${demo.url}/sign-in`)
-        await expect(page.getByText('This is the demo. You need no account:')).toBeVisible()
-        const broken = troubles(page)
-        for (const { name, path, shows } of await placesOf(part, context, demo, size)) {
+        const broken = await enter(page, demo, part)
+        for (const place of await placesOf(part, page.context(), demo, size)) {
+          const { name } = place
           await test.step(name, async () => {
             await page.emulateMedia({ colorScheme: 'light', reducedMotion: 'reduce' })
-            await page.goto(demo.url + path)
-            await expect(page.getByRole('heading', { level: 1 })).toHaveCount(1)
-            await expect(page.getByText(shows).first()).toBeAttached()
+            await open(page, demo, place)
             for (const scheme of SCHEMES) {
               await page.emulateMedia({ colorScheme: scheme, reducedMotion: 'reduce' })
               await expectAccessible(page, `${name}, ${scheme}`, scheme === 'light' ? 'everything' : 'contrast')
-              const sideways = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)
-              expect.soft(sideways, `${name} scrolls sideways`).toBeLessThanOrEqual(0)
-              await page.screenshot({ path: `test-results/pages/${part}-${name}-${size}-${scheme}.png` })
+              await expectNoSidewaysScroll(page, name)
             }
             expect.soft(broken.splice(0), `${name}: errors in the console`).toEqual([])
           })

@@ -1,14 +1,24 @@
 import { expect, type Page, test } from '@playwright/test'
 
 import { expectAccessible } from './axe'
+import { servePartsPage } from './partsPage'
 
 const WIDE = { width: 1440, height: 900 }
 const NARROW = { width: 390, height: 844 }
 
+let parts: Awaited<ReturnType<typeof servePartsPage>>
+
+test.beforeAll(async () => {
+  test.setTimeout(300_000) // the page is built first
+  parts = await servePartsPage()
+})
+
+test.afterAll(() => parts.stop())
+
 async function open(page: Page, scheme: 'light' | 'dark', size: { width: number; height: number }): Promise<void> {
   await page.setViewportSize(size)
   await page.emulateMedia({ colorScheme: scheme })
-  await page.goto(`${process.env.E2E_PARTS_URL}/parts`)
+  await page.goto(`${parts.url}/parts`)
   await expect(page.getByRole('heading', { level: 1, name: 'Parts' })).toBeVisible({ timeout: 15_000 })
 }
 
@@ -17,7 +27,7 @@ for (const scheme of ['light', 'dark'] as const) {
     ['wide', WIDE],
     ['narrow', NARROW],
   ] as const) {
-    test(`every part, ${scheme}, ${name}`, async ({ page }) => {
+    test(`every part, ${scheme}, ${name} @slow`, async ({ page }) => {
       const broken: string[] = []
       page.on('pageerror', (error) => broken.push(error.message))
       page.on('request', (request) => {
@@ -27,13 +37,12 @@ for (const scheme of ['light', 'dark'] as const) {
       await expectAccessible(page)
       const sideways = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)
       expect(sideways).toBeLessThanOrEqual(0)
-      await page.screenshot({ path: `test-results/parts-${scheme}-${name}.png`, fullPage: true })
       expect(broken).toEqual([])
     })
   }
 }
 
-test('the palette opens by its key, finds a sound and does without a mouse', async ({ page }) => {
+test('the palette opens by its key, finds a sound and does without a mouse @slow', async ({ page }) => {
   await open(page, 'light', WIDE)
   await page.keyboard.press('Control+k')
   await expect(page.getByRole('combobox', { name: 'Search or run a command' })).toBeFocused()
@@ -44,7 +53,7 @@ test('the palette opens by its key, finds a sound and does without a mouse', asy
   await expect(page.getByRole('status').filter({ hasText: 'shield_hit opened.' })).toBeVisible()
 })
 
-test('the sheet of keys opens by ?, and single keys can be turned off', async ({ page }) => {
+test('the sheet of keys opens by ?, and single keys can be turned off @slow', async ({ page }) => {
   await open(page, 'dark', WIDE)
   await page.keyboard.press('?')
   const sheet = page.getByRole('dialog', { name: 'Keyboard shortcuts' })
@@ -57,7 +66,7 @@ test('the sheet of keys opens by ?, and single keys can be turned off', async ({
   await expect(page.getByText('shield_hit A approved.')).toBeHidden()
 })
 
-test('what was done is taken back by u', async ({ page }) => {
+test('what was done is taken back by u @slow', async ({ page }) => {
   await open(page, 'light', WIDE)
   await page.keyboard.press('a')
   await expect(page.getByText('shield_hit A approved. Alpha is 4 of 10.')).toBeVisible()
@@ -66,7 +75,7 @@ test('what was done is taken back by u', async ({ page }) => {
   await expect(page.getByText('shield_hit A approved. Alpha is 4 of 10.')).toBeHidden()
 })
 
-test('the scheme is chosen in the menu, and kept', async ({ page }) => {
+test('the scheme is chosen in the menu, and kept @slow', async ({ page }) => {
   await open(page, 'light', WIDE)
   const scheme = () => page.evaluate(() => document.documentElement.dataset.mantineColorScheme)
   await page.getByRole('button', { name: 'Settings' }).click()
@@ -76,7 +85,7 @@ test('the scheme is chosen in the menu, and kept', async ({ page }) => {
   expect(await scheme()).toBe('dark')
 })
 
-test('a sound plays, moves its playhead, and another takes over where it stands', async ({ page }) => {
+test('a sound plays, moves its playhead, and another takes over where it stands @slow', async ({ page }) => {
   await open(page, 'light', WIDE)
   const stage = page.getByRole('region', { name: 'Stage' })
   const slider = stage.getByRole('slider').first()

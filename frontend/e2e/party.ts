@@ -1,9 +1,15 @@
-import { type BrowserContext, expect, type Page } from '@playwright/test'
+import { type BrowserContext, expect, type Page, test } from '@playwright/test'
 
 import { ask } from './api'
 
 /** Of every account that the walks make. */
 export const PASSWORD = 'quiet reactor hum'
+
+/** An address of this test alone: on the server that tests share, an address has one account. */
+export function addressOf(name: string): string {
+  const { testId, retry } = test.info()
+  return `${name}@${testId.slice(-8)}-${retry}.example`
+}
 
 /** One party's browser; what has no page of its own here is asked as its pages ask. */
 export class Party {

@@ -12,6 +12,9 @@ import { fileURLToPath } from 'node:url'
 export const ROOT = fileURLToPath(new URL('../..', import.meta.url))
 export const PYTHON = join(ROOT, '.venv/bin/python')
 const POLL_MS = 100
+/** Seconds on a free machine: these bounds are for one that does much else. */
+const STARTED_WITHIN_MS = 400_000
+export const DEMO_MADE_WITHIN_MS = 600_000
 
 /** A port of 127.0.0.1 that nobody listens on. */
 export async function freePort(): Promise<number> {
@@ -27,7 +30,7 @@ export async function freePort(): Promise<number> {
 export async function until(
   what: string,
   condition: () => Promise<boolean> | boolean,
-  withinMs = 120_000,
+  withinMs = STARTED_WITHIN_MS,
 ): Promise<void> {
   const deadline = Date.now() + withinMs
   while (!(await condition())) {
@@ -134,6 +137,17 @@ export class Server {
   }
 }
 
+/** The server that the tests of a run share. */
+export interface SharedServer {
+  url: string
+  port: number
+}
+
+export function sharedServer(): SharedServer {
+  const port = Number(process.env.E2E_SERVER_PORT)
+  return { url: `http://127.0.0.1:${port}`, port }
+}
+
 /** The demo, which makes its project while other tests run. */
 export interface Demo {
   url: string
@@ -159,7 +173,7 @@ export async function startDemo(): Promise<{ url: string; folder: string; stop: 
 export async function demoReady(): Promise<Demo> {
   const { E2E_DEMO_URL: url = '', E2E_DEMO_FOLDER: folder = '' } = process.env
   const made = join(folder, 'demo.json')
-  await until('the demo project is made', () => existsSync(made), 150_000)
+  await until('the demo project is made', () => existsSync(made), DEMO_MADE_WITHIN_MS)
   const { project, token } = JSON.parse(await readFile(made, 'utf8')) as { project: string; token: string }
   return { url, projectId: project, token }
 }

@@ -5,6 +5,7 @@ import { atWork, deliver, visit } from './atWork'
 import { CLICK_EVERY_S, clicksAt } from './clicks'
 import { test } from './fixtures'
 import { Line } from './line'
+import { addressOf, PASSWORD } from './party'
 import { clicksOf, type HeardClick, recordOutput, visitRecorded } from './recorder'
 import { wav } from './sounds'
 import { distribution } from './statistics'
@@ -15,21 +16,19 @@ const TOGETHER_MS = 30
 const FOLLOWED_MS = 500
 const SOUND_S = 30
 const LINE = { latencyMs: 40, bytesPerS: 5e6 / 8, bytesDownPerS: 5e6 / 8 }
-const PASSWORD = 'quiet reactor hum'
-const LISTENER = 'director@lantern.example'
 
 /** Somebody of the team, who comes by a line of their own. */
 async function joinTeam(browser: Browser, producer: Page, url: string, lineUrl: string): Promise<Page> {
   const { studios } = await ask<{ studios: { id: string }[] }>(producer.context(), `${url}/v1/me`)
   const studio = `${url}/v1/studios/${studios[0]?.id}`
-  await ask(producer.context(), `${studio}/invitations`, 'POST', { email: LISTENER, roles: ['reviewer'] })
+  await ask(producer.context(), `${studio}/invitations`, 'POST', { email: addressOf('director'), roles: ['reviewer'] })
   let link = ''
   await expect(async () => {
     const outbox = await ask<{ mails: { recipient: string; link: string | null }[] }>(
       producer.context(),
       `${studio}/outbox`,
     )
-    link = outbox.mails.find(({ recipient }) => recipient === LISTENER)?.link ?? ''
+    link = outbox.mails.find(({ recipient }) => recipient === addressOf('director'))?.link ?? ''
     expect(link).not.toBe('')
   }).toPass()
   const page = await visitRecorded(browser)
@@ -85,7 +84,7 @@ async function followed(leader: Page, listener: Page, forS: number): Promise<() 
 
 // What is compared: the place in the sound that leaves each page to its device at one time of the wall clock, which both
 // read from the same machine. Each has a line of 5 Mbit/s and 80 ms to the server and back.
-test('two people of a session hear the same place, at once, after 10 s, after a seek and after a pause', async ({
+test('two people of a session hear the same place, at once, after 10 s, after a seek and after a pause @slow', async ({
   server,
   browser,
 }) => {

@@ -4,6 +4,7 @@ import { type CDPSession, expect, type Page, test as base } from '@playwright/te
 
 import { ask } from './api'
 import { test } from './fixtures'
+import { addressOf, PASSWORD } from './party'
 import { wav } from './sounds'
 
 /** A slow connection off-site: 1.6 Mbit/s and 150 ms. */
@@ -106,10 +107,10 @@ for (const { name, part, path, shows } of [
   { name: 'Review', part: 'approver', path: (project: string) => `${project}/review`, shows: 'Match level' },
   { name: 'desk', part: 'designer', path: (project: string) => `${project}/desk`, shows: 'Your desk' },
 ]) {
-  test(`${name} over a slow connection`, async ({ demo, context, page }) => {
+  test(`${name} over a slow connection @slow`, async ({ demo, context, page }) => {
     await context.addCookies([{ name: 'soundlist_demo_part', value: part, url: demo.url }])
     const loaded = await load(page, demo.url + path(`/projects/${demo.projectId}`), () =>
-      expect(page.getByText(shows).first()).toBeAttached({ timeout: 30_000 }),
+      expect(page.getByText(shows).first()).toBeAttached(),
     )
     report(name, loaded)
     const base = loaded.requests.find(({ path: at }) => at.startsWith('/assets/base-') && at.endsWith('.js'))
@@ -121,10 +122,14 @@ for (const { name, part, path, shows } of [
   })
 }
 
-test('Review asks for no sound before its peaks are here, and for one at a time', async ({ demo, context, page }) => {
+test('Review asks for no sound before its peaks are here, and for one at a time @slow', async ({
+  demo,
+  context,
+  page,
+}) => {
   await context.addCookies([{ name: 'soundlist_demo_part', value: 'approver', url: demo.url }])
   const { requests } = await load(page, `${demo.url}/projects/${demo.projectId}/review`, () =>
-    expect(page.getByText('Match level').first()).toBeAttached({ timeout: 30_000 }),
+    expect(page.getByText('Match level').first()).toBeAttached(),
   )
   const sounds = () => requests.filter(({ kind }) => kind === 'preview')
   await expect.poll(() => sounds().filter(({ endedAtS }) => endedAtS < Infinity).length).toBeGreaterThan(2)
@@ -135,10 +140,10 @@ test('Review asks for no sound before its peaks are here, and for one at a time'
   expect(overlapping).toEqual([])
 })
 
-test('Today asks for no sound before one is played', async ({ demo, context, page }) => {
+test('Today asks for no sound before one is played @slow', async ({ demo, context, page }) => {
   await context.addCookies([{ name: 'soundlist_demo_part', value: 'approver', url: demo.url }])
   const { requests } = await load(page, `${demo.url}/projects/${demo.projectId}/today`, () =>
-    expect(page.getByText('Waiting on others').first()).toBeAttached({ timeout: 30_000 }),
+    expect(page.getByText('Waiting on others').first()).toBeAttached(),
   )
   const sounds = () => requests.filter(({ kind }) => kind === 'preview')
   expect(sounds()).toEqual([])
@@ -146,32 +151,31 @@ test('Today asks for no sound before one is played', async ({ demo, context, pag
   await expect.poll(() => sounds().length).toBeGreaterThan(0)
 })
 
-test('small files take one request each, and the lists few', async ({ server, page }, testInfo) => {
-  test.setTimeout(300_000)
+test('small files take one request each, and the lists few @slow', async ({ server, page }, testInfo) => {
   const context = page.context()
   await page.goto(`${server.url}/sign-up`)
   await page.getByLabel('Studio name').fill('Lantern Games')
   await page.getByLabel('Your name').fill('Producer')
-  await page.getByLabel('Email').fill('producer@lantern.example')
-  await page.getByLabel('Password', { exact: true }).fill('quiet reactor hum')
+  await page.getByLabel('Email').fill(addressOf('producer'))
+  await page.getByLabel('Password', { exact: true }).fill(PASSWORD)
   await page.keyboard.press('Enter')
   await expect(page.getByRole('heading', { name: 'New project' })).toBeVisible()
   const me = await ask<{ studios: { id: string }[] }>(context, `${server.url}/v1/me`)
   const opened = { studio_id: me.studios[0]?.id, name: 'Deep Field', cue_prefix: 'DF', preset: '44k1' }
   const { id } = await ask<{ id: string }>(context, `${server.url}/v1/projects`, 'POST', opened)
-  await ask(context, `${server.url}/v1/projects/${id}/invitations`, 'POST', { email: 'designer@tones.example' })
+  await ask(context, `${server.url}/v1/projects/${id}/invitations`, 'POST', { email: addressOf('designer') })
   let link = ''
   await expect(async () => {
     const outbox = `${server.url}/v1/studios/${opened.studio_id}/outbox`
     const { mails } = await ask<{ mails: { recipient: string; link: string | null }[] }>(context, outbox)
-    link = mails.find(({ recipient }) => recipient === 'designer@tones.example')?.link ?? ''
+    link = mails.find(({ recipient }) => recipient === addressOf('designer'))?.link ?? ''
     expect(link).not.toBe('')
   }).toPass()
   await context.clearCookies()
   await page.goto(link)
   await page.getByRole('button', { name: 'Start delivering' }).click()
   await page.getByLabel('Your name').fill('Sound designer')
-  await page.getByLabel('New password', { exact: true }).fill('quiet reactor hum')
+  await page.getByLabel('New password', { exact: true }).fill(PASSWORD)
   await page.keyboard.press('Enter')
   await expect(page.getByRole('heading', { name: 'Your desk' })).toBeVisible()
 

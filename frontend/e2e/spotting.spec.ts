@@ -139,6 +139,6 @@ async function spot(browser: Browser, url: string): Promise<void> {
   })
 }
 
-test('a clip is spotted, and a placeholder said at one of its cues', async ({ server, browser }) => {
+test('a clip is spotted, and a placeholder said at one of its cues @slow', async ({ server, browser }) => {
   await spot(browser, server.url)
 })

@@ -3,6 +3,7 @@ import { type Browser, expect } from '@playwright/test'
 import { ask } from './api'
 import { atWork, visit } from './atWork'
 import { test } from './fixtures'
+import { addressOf } from './party'
 import { wav } from './sounds'
 
 const SCRIPT = [
@@ -67,7 +68,7 @@ async function asks(browser: Browser, url: string): Promise<void> {
   await test.step('a designer is put on file', async () => {
     await producer.goto(`${url}/roster`)
     await producer.getByRole('textbox', { name: 'Name' }).fill('Ada Tones')
-    await producer.getByRole('textbox', { name: 'Email' }).fill('ada@tones.example')
+    await producer.getByRole('textbox', { name: 'Email' }).fill(addressOf('ada'))
     await producer.getByRole('button', { name: 'Put on file' }).click()
     await expect(producer).toHaveURL(/\/roster\/[0-9a-f-]{36}$/)
   })
@@ -87,17 +88,17 @@ async function asks(browser: Browser, url: string): Promise<void> {
         producer.context(),
         `${url}/v1/studios/${studios[0]?.id}/outbox`,
       )
-      expect(mails.filter(({ recipient }) => recipient === 'ada@tones.example').map(({ subject }) => subject)).toEqual([
+      expect(mails.filter(({ recipient }) => recipient === addressOf('ada')).map(({ subject }) => subject)).toEqual([
         expect.stringMatching(/asks you for a bid/),
       ])
     }).toPass()
   })
 }
 
-test('a script is imported, delivered and changed', async ({ server, browser }) => {
+test('a script is imported, delivered and changed @slow', async ({ server, browser }) => {
   await records(browser, server.url)
 })
 
-test('a designer on file is asked for a bid', async ({ server, browser }) => {
+test('a designer on file is asked for a bid @slow', async ({ server, browser }) => {
   await asks(browser, server.url)
 })

@@ -7,9 +7,9 @@ import { ask } from './api'
 import { visit } from './atWork'
 import { test } from './fixtures'
 import { Hand } from './hand'
+import { addressOf, PASSWORD } from './party'
 import { wav } from './sounds'
 
-const PASSWORD = 'quiet reactor hum'
 const CUES = 60
 
 /** Figures of the walk that a change may not exceed. */
@@ -57,11 +57,10 @@ async function linkFor(page: Page, url: string, recipient: string): Promise<stri
   return link
 }
 
-test('from sign-up to a signed contract, a messy delivery and the verdicts, counted', async ({
+test('from sign-up to a signed contract, a messy delivery and the verdicts, counted @slow', async ({
   server: { url },
   browser,
 }, testInfo) => {
-  test.setTimeout(400_000)
   const producer = new Hand(await visit(browser))
   const designer = new Hand(await visit(browser))
   const { page } = producer
@@ -70,7 +69,7 @@ test('from sign-up to a signed contract, a messy delivery and the verdicts, coun
     await page.goto(`${url}/sign-up`)
     await producer.type(page.getByLabel('Studio name'), 'Lantern Games')
     await producer.type(page.getByLabel('Your name'), 'Producer')
-    await producer.type(page.getByLabel('Email'), 'producer@lantern.example')
+    await producer.type(page.getByLabel('Email'), addressOf('producer'))
     await producer.type(page.getByLabel('Password', { exact: true }), PASSWORD)
     await producer.press('Enter')
     await producer.type(page.getByLabel('Game title'), 'Deep Field')
@@ -87,10 +86,10 @@ test('from sign-up to a signed contract, a messy delivery and the verdicts, coun
     await producer.click(badge(page, 'Today'))
     await producer.click(next(page, 'Invite a sound designer').getByRole('link').first())
     const invite = page.getByRole('form', { name: 'Invite a designer' })
-    await producer.type(invite.getByLabel('Email'), 'designer@tones.example')
+    await producer.type(invite.getByLabel('Email'), addressOf('designer'))
     await producer.press('Enter')
-    await expect(page.getByText('Invitation sent to designer@tones.example.')).toBeVisible()
-    const link = await linkFor(page, url, 'designer@tones.example')
+    await expect(page.getByText(`Invitation sent to ${addressOf('designer')}.`)).toBeVisible()
+    const link = await linkFor(page, url, addressOf('designer'))
     await designer.page.goto(link)
     await designer.click(designer.page.getByRole('button', { name: 'Start delivering' }))
     await designer.type(designer.page.getByLabel('Your name'), 'Ada Tones')

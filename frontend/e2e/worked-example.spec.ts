@@ -1,8 +1,8 @@
 import { type Browser, expect, type Page } from '@playwright/test'
 
 import { test } from './fixtures'
-import { Party, PASSWORD } from './party'
-import type { Server } from './server'
+import { addressOf, Party, PASSWORD } from './party'
+import type { SharedServer } from './server'
 import { wav } from './sounds'
 
 // The amounts of docs/worked-example.md; nothing here waits for days to pass, so dock_clamp is approved by a person.
@@ -14,9 +14,9 @@ const inDays = (days: number) => new Date(Date.now() + days * 86_400_000).toISOS
 
 const EXAMPLE = 'a contract from three rounds of redlines to the next designer'
 
-test(EXAMPLE, ({ server, browser }) => walk(server, browser))
+test(`${EXAMPLE} @slow`, ({ server, browser }) => walk(server, browser))
 
-test(`${EXAMPLE}, on PostgreSQL`, ({ onPostgres, browser }) => walk(onPostgres, browser))
+test(`${EXAMPLE}, on PostgreSQL @slow`, ({ onPostgres, browser }) => walk(onPostgres, browser))
 
 interface Story {
   project: string
@@ -27,7 +27,7 @@ interface Story {
   designer: Party
 }
 
-async function walk(server: Server, browser: Browser): Promise<void> {
+async function walk(server: SharedServer, browser: Browser): Promise<void> {
   test.setTimeout(900_000) // nine sounds are checked and rendered meanwhile
   const arrive = async () => Party.arrive(server.url, await browser.newContext({ baseURL: server.url }))
   const story = await begin(await arrive(), await arrive(), await arrive())
@@ -152,7 +152,7 @@ async function walk(server: Server, browser: Browser): Promise<void> {
 
   await test.step('the next designer finishes the list, and earns the bonus that the first one missed', async () => {
     const second = await arrive()
-    await join(story, second, 'second@sounds.example', 'Second designer')
+    await join(story, second, addressOf('second.designer'), 'Second designer')
     const rest = await draft(
       { ...story, designer: second },
       'Effects, second part',
@@ -193,10 +193,10 @@ async function walk(server: Server, browser: Browser): Promise<void> {
 
 /** A studio with two producers, a project with six cues, and its designer. */
 async function begin(producer: Party, signer: Party, designer: Party): Promise<Story> {
-  const signUp = { email: 'producer@lantern.example', name: 'Producer', password: PASSWORD, studio_name: 'Lantern' }
+  const signUp = { email: addressOf('producer'), name: 'Producer', password: PASSWORD, studio_name: 'Lantern' }
   await producer.ask('POST', '/sign-up', signUp)
   const studio = (await producer.ask<{ studios: { id: string }[] }>('GET', '/me')).studios[0]?.id ?? ''
-  const invited = { email: 'second@lantern.example', roles: ['producer'] }
+  const invited = { email: addressOf('second.producer'), roles: ['producer'] }
   await producer.ask('POST', `/studios/${studio}/invitations`, invited)
   const secret = await secretFor(producer, studio, invited.email)
   await signer.ask('POST', `/studio-invitations/${secret}/accept`, { name: 'Second producer', password: PASSWORD })
@@ -212,7 +212,7 @@ async function begin(producer: Party, signer: Party, designer: Party): Promise<S
     signer,
     designer,
   }
-  await join(story, designer, 'designer@sounds.example', 'Sound designer')
+  await join(story, designer, addressOf('designer'), 'Sound designer')
   return story
 }
 

@@ -4,6 +4,8 @@ import { join, resolve } from 'node:path'
 
 import type { Plugin } from 'vite'
 
+import { type Chunk, filesOf } from './pageSizes.ts'
+
 interface Page {
   /** Addresses of the page, as a regular expression; its group is the project. */
   at: string
@@ -102,32 +104,16 @@ export function startPage(pages: readonly EarlyPage[]): void {
   Object.assign(globalThis, { soundlistEarly: { answers, atMs: performance.now() } })
 }
 
-interface Chunk {
-  type: 'chunk' | 'asset'
-  fileName: string
-  imports?: readonly string[]
-  moduleIds?: readonly string[]
-  viteMetadata?: { importedCss?: ReadonlySet<string> }
-}
-
 /** Files of the chunks with these modules, and of what they import. */
-function filesOf(modules: readonly string[], bundle: Record<string, Chunk>): string[] {
-  const files = new Set<string>()
-  const visit = (name: string) => {
-    const chunk = bundle[name]
-    if (chunk?.type !== 'chunk' || files.has(name)) return
-    files.add(name)
-    for (const css of chunk.viteMetadata?.importedCss ?? []) files.add(css)
-    chunk.imports?.forEach(visit)
-  }
-  for (const module of modules) {
+function filesWith(modules: readonly string[], bundle: Record<string, Chunk>): string[] {
+  const chunks = modules.map((module) => {
     const chunk = Object.values(bundle).find(({ moduleIds }) =>
       moduleIds?.some((id) => id.endsWith(`/src/features/${module}.tsx`)),
     )
     if (chunk === undefined) throw new Error(`no chunk has ${module}`)
-    visit(chunk.fileName)
-  }
-  return [...files].map((file) => `/${file}`)
+    return chunk.fileName
+  })
+  return [...filesOf(chunks, bundle)].map((file) => `/${file}`)
 }
 
 /** Put what starts a page early into the script that runs before the first paint. */
@@ -148,7 +134,7 @@ export function early(): Plugin {
         const pages = PAGES.map(({ at, asks, modules }) => ({
           at,
           asks,
-          files: filesOf(modules, bundle as unknown as Record<string, Chunk>).filter((file) => !here.has(file)),
+          files: filesWith(modules, bundle as unknown as Record<string, Chunk>).filter((file) => !here.has(file)),
         }))
         const scheme = await readFile(new URL('../public/scheme.js', import.meta.url), 'utf8')
         const content = `${scheme};(${startPage.toString()})(${JSON.stringify(pages)})\n`
