@@ -11,7 +11,7 @@ export default defineConfig({
   globalSetup: './e2e/setup.ts',
   workers: 2,
   timeout: 600_000, // of a whole walk on a busy machine: it only ends what hangs
-  expect: { timeout: 60_000 },
+  expect: { timeout: 120_000 },
   forbidOnly: true,
   reporter: [['list']],
   // `npm run e2e` runs the first two, `npm run e2e:slow` the third, `npm run e2e:firefox` the last.
@@ -23,7 +23,7 @@ export default defineConfig({
   ],
   use: {
     contextOptions: { reducedMotion: 'reduce' }, // an animation that nobody watches is drawn all the same
-    actionTimeout: 60_000,
+    actionTimeout: 120_000,
     screenshot: 'only-on-failure',
     launchOptions: {
       executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',

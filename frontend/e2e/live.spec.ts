@@ -76,8 +76,10 @@ test('nothing typed is lost', async ({ server, page }) => {
     await page.context().clearCookies({ name: 'soundlist_session' })
     const form = page.getByRole('form', { name: 'Invite a designer' })
     await form.getByLabel('Email').fill(addressOf('designer'))
+    const send = form.getByRole('button', { name: 'Send invitation' })
+    await expect(send).toBeEnabled() // the address is read by now
     // A read of the page may have opened the dialog already; the request waits for it all the same.
-    await form.getByRole('button', { name: 'Send invitation' }).dispatchEvent('click')
+    await send.dispatchEvent('click')
     const dialog = page.getByRole('dialog', { name: 'Sign in to go on' })
     await expect(dialog.getByLabel('Email')).toHaveValue(addressOf('producer'))
     await dialog.getByLabel('Password', { exact: true }).fill(PASSWORD)

@@ -113,7 +113,10 @@ export class Server {
     const server = new Server(listensOn, folder, url ?? `http://127.0.0.1:${listensOn}`, more)
     await new Running(['migrate'], server.#environment).done()
     server.#worker = new Running(['worker'], server.#environment)
-    await server.startWeb()
+    await server.startWeb().catch(async (error: unknown) => {
+      await server.stop()
+      throw error
+    })
     return server
   }
 

@@ -35,7 +35,7 @@ export function filesOf(starts: readonly string[], bundle: Record<string, Chunk>
   return files
 }
 
-export interface PageSize {
+interface PageSize {
   page: string
   script: number
   style: number
