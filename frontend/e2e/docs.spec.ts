@@ -2,7 +2,7 @@ import { type ConsoleMessage, expect } from '@playwright/test'
 
 import { test } from './fixtures'
 
-test('the API’s documentation works from our own server alone, within its content security policy', async ({
+test('the API’s documentation works from our own server alone, within its content security policy @slow', async ({
   demo,
   page,
 }) => {
