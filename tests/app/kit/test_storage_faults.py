@@ -3,6 +3,7 @@
 import hashlib
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -19,8 +20,9 @@ PART_BYTES = 5 << 20  # the least that S3 takes
 LARGE = CONTENT * 2  # two parts of an upload
 LARGE_SHA256 = hashlib.sha256(LARGE).hexdigest()
 HASTY = RetryPolicy(tries=3, first_delay_s=0.01, max_delay_s=0.02, connect_timeout_s=2.0, read_timeout_s=1.0)
+PATIENT = replace(HASTY, connect_timeout_s=120.0, read_timeout_s=120.0)  # a busy server is none that fails
 READING, WRITING = "GET", "PUT|POST"
-FLEETING = ["503", "refused", "silent"]
+FLEETING = ["503", "refused", pytest.param("silent", marks=pytest.mark.slow)]  # silence is told by time
 
 
 @pytest.fixture(autouse=True)
@@ -40,9 +42,10 @@ def bucket(s3: S3Server) -> str:
 
 
 @pytest.fixture
-def store(line: FaultyLine, bucket: str, tmp_path: Path) -> BucketStore:
+def store(request: pytest.FixtureRequest, line: FaultyLine, bucket: str, tmp_path: Path) -> BucketStore:
+    patience = HASTY if request.node.get_closest_marker("slow") else PATIENT
     address = line.server.address(bucket, "sounds", line.endpoint)
-    return BucketStore(address, KEY, tmp_path / "incoming", patience=HASTY)
+    return BucketStore(address, KEY, tmp_path / "incoming", patience=patience)
 
 
 def kept(s3: S3Server, bucket: str) -> list[bytes]:
@@ -117,6 +120,7 @@ def test_a_read_that_cannot_be_done_is_reported(store: BucketStore, line: Faulty
     assert [path for path in store.staging_root.iterdir() if path.is_file()] == []
 
 
+@pytest.mark.slow
 def test_a_slow_line_is_no_failure_while_it_moves(store: BucketStore, line: FaultyLine):
     store.put(STUDIO, [CONTENT])
     line.fail("slow", method=READING)

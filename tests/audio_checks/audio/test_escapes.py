@@ -291,6 +291,7 @@ def test_what_the_kernel_cannot_do_is_reported(monkeypatch, abi, filters, machin
     assert list(confinement_gaps()) == said
 
 
+@pytest.mark.slow  # other processes cost this one cache and time
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
 def test_a_process_is_confined_within_milliseconds():
     confinement.prepare()
