@@ -1,13 +1,32 @@
 import '@testing-library/jest-dom/vitest'
 
-import { cleanup, configure } from '@testing-library/react'
+import { cleanup, configure, prettyDOM } from '@testing-library/react'
+import * as React from 'react'
 import { afterAll, afterEach, beforeEach, vi } from 'vitest'
 
 import { forgetDrafts } from '@/app/drafts'
 import { dismissToast } from '@/app/toast'
 
 // How long an answer takes says how busy the machine is; one that never comes still fails, with what stands there.
-configure({ asyncUtilTimeout: 10_000 })
+configure({
+  asyncUtilTimeout: 8_000,
+  // Says what is on the page only where somebody reads it: a query that waits fails many times before it succeeds.
+  getElementError: (message, container) => {
+    const error = new Error()
+    error.name = 'TestingLibraryElementError'
+    Object.defineProperty(error, 'message', {
+      get: () => {
+        const page = prettyDOM(container as HTMLElement) || ''
+        return message?.includes(page) ? message : [message, page].filter(Boolean).join('\n\n')
+      },
+      set(text: string) {
+        Object.defineProperty(error, 'message', { value: text, writable: true })
+      },
+      configurable: true,
+    })
+    return error
+  },
+})
 
 // Each test begins as a page that was just opened, and leaves nothing to the next.
 beforeEach(() => {
@@ -23,6 +42,39 @@ afterEach(() => {
 })
 // Files share modules: one that is still being loaded when a file ends would stay broken for all that follow.
 afterAll(() => vi.dynamicImportSettled())
+
+// React notes for its warnings where each element was made, by a stack trace: an eighth of what these tests cost.
+const internals = (React as unknown as Record<string, object>)
+  .__CLIENT_INTERNALS_DO_NOT_USE_OR_WARN_USERS_THEY_CANNOT_UPGRADE
+Object.defineProperty(internals, 'recentlyCreatedOwnerStacks', {
+  get: () => Infinity,
+  set: () => undefined,
+  configurable: true,
+})
+
+// jsdom looks for the control of every label each time it is asked for the labels of a control, and every query by
+// label or by the name of a button asks for all: an eighth, too.
+const LABELABLE = 'button, input:not([type="hidden"]), meter, output, progress, select, textarea'
+type Labelable = HTMLButtonElement | HTMLInputElement | HTMLOutputElement | HTMLSelectElement | HTMLTextAreaElement
+function labelsOf(this: Labelable): HTMLLabelElement[] | null {
+  if (this.type === 'hidden') return null
+  return [...this.ownerDocument.getElementsByTagName('label')].filter((label) =>
+    label.hasAttribute('for')
+      ? this.id !== '' && label.htmlFor === this.id
+      : label.contains(this) && label.querySelector(LABELABLE) === this,
+  )
+}
+for (const { prototype } of [
+  HTMLButtonElement,
+  HTMLInputElement,
+  HTMLMeterElement,
+  HTMLOutputElement,
+  HTMLProgressElement,
+  HTMLSelectElement,
+  HTMLTextAreaElement,
+]) {
+  Object.defineProperty(prototype, 'labels', { get: labelsOf, configurable: true })
+}
 
 // jsdom lays nothing out and paints nothing; these answer as a browser without a screen would.
 class StillObserver implements ResizeObserver {

@@ -1,4 +1,4 @@
-import { cleanup, screen, waitFor, within } from '@testing-library/react'
+import { fireEvent, cleanup, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
 import { beforeEach, describe, expect, test } from 'vitest'
@@ -35,7 +35,7 @@ describe('the designer of a contract that was sent', () => {
     const value = screen.getByLabelText('Rounds of changes')
     await userEvent.clear(value)
     await userEvent.type(value, '4')
-    await userEvent.type(screen.getByLabelText('Comment (optional)'), 'As agreed on the phone.')
+    fireEvent.change(screen.getByLabelText('Comment (optional)'), { target: { value: 'As agreed on the phone.' } })
     await userEvent.click(screen.getByRole('button', { name: 'Strike Parties' }))
     await waitFor(() => expect(screen.getByRole('button', { name: 'Undo the change of Parties' })).toHaveFocus())
     await userEvent.click(screen.getByRole('button', { name: 'Add a clause after Rounds' }))
@@ -216,7 +216,7 @@ describe('a producer', () => {
     await userEvent.keyboard('c')
     const form = within(await screen.findByRole('form', { name: 'Counter change 2' }))
     await userEvent.clear(form.getByLabelText('Text'))
-    await userEvent.type(form.getByLabelText('Text'), 'At five, not four.')
+    fireEvent.change(form.getByLabelText('Text'), { target: { value: 'At five, not four.' } })
     await userEvent.type(form.getByLabelText('Comment (optional)'), 'Later.')
     await userEvent.click(form.getByRole('button', { name: 'Send the counter' }))
     expect(await screen.findByText('Every change is answered.')).toBeVisible()
@@ -234,7 +234,7 @@ describe('a producer', () => {
     await userEvent.keyboard('nr')
     const field = await screen.findByLabelText('Why it is refused')
     expect(field).toHaveFocus()
-    await userEvent.type(field, 'Two are enough, and a car.')
+    fireEvent.change(field, { target: { value: 'Two are enough, and a car.' } })
     answers['POST /v1/contracts/c1/redlines/1/answer'] = refusal(409, 'wrong-state', 'it was sent meanwhile')
     await userEvent.click(screen.getByRole('button', { name: 'Refuse the change' }))
     expect(await screen.findByText('It was sent meanwhile.')).toBeVisible()
