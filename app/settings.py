@@ -17,10 +17,6 @@ from sqlalchemy.engine import make_url
 PREFIX = "SOUNDLIST_"
 # Names that are read elsewhere: by the lines for a game's CI, and by the tests that kill processes.
 NOT_SETTINGS = frozenset({"SOUNDLIST_TOKEN", "SOUNDLIST_KILL_AT", "SOUNDLIST_KILL_MARKER", "SOUNDLIST_KILL_PID"})
-GONE = {
-    "SOUNDLIST_OPERATORS": "operators are named on the command line now: soundlist operators add ADDRESS; "
-    "then take the variable away"
-}
 SECRET_KEY_LENGTH = 16
 
 
@@ -278,9 +274,7 @@ def _unknown_names() -> list[str]:
     lines = []
     for name in sorted(os.environ.keys() - NOT_SETTINGS):
         bare = name.removeprefix(PREFIX)
-        if name in GONE:
-            lines.append(f"{name} is no longer a setting; {GONE[name]}")
-        elif bare != name and bare not in known:
+        if bare != name and bare not in known:
             near = difflib.get_close_matches(bare, known, n=1, cutoff=0.7)
             hint = f"is it {PREFIX}{near[0]}?" if near else "docs/settings.md lists them"
             lines.append(f"{name} is not a setting; {hint}")

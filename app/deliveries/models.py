@@ -103,8 +103,8 @@ class Take(Base):
 class TrayAction(Base):
     """One action on many takes, with the earlier place of each: it can be undone."""
 
-    __tablename__ = "deliveries_takes_acts"  # not renamed: servers of the version before use it during an update
-    __table_args__ = (Index("ix_deliveries_takes_acts_project", "project_id", "id"),)
+    __tablename__ = "deliveries_tray_actions"
+    __table_args__ = (Index("ix_deliveries_tray_actions_project", "project_id", "id"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"))

@@ -124,7 +124,7 @@ class Lane:
 
 
 class Work(NamedTuple):
-    """The arguments of a job as they are stored; fields are only ever added, at the end and with a default."""
+    """The arguments of a job as they are stored."""
 
     name: str
     payload: Payload

@@ -35,14 +35,6 @@ def notify_checks(runtime: Runtime, payload: Payload) -> None:
         _notify_runs(runtime, session, payload["event_id"], mark_notified(session, UUID(payload["project_id"])))
 
 
-# An earlier version notified of each take by itself, and marked no check as unnotified.
-@job("notifications.notify_check")
-def notify_check(runtime: Runtime, payload: Payload) -> None:
-    """Notify of one take that it was returned and why, or that it waits for review."""
-    with runtime.database.writing() as session:
-        _notify_runs(runtime, session, payload["event_id"], [UUID(payload["take_id"])])
-
-
 @job("notifications.notify_overdue_checks")
 def notify_overdue_checks(runtime: Runtime, _payload: Payload) -> None:
     """Notify of checks that were committed after the notification of their window."""

@@ -98,8 +98,9 @@ def write(session: Session, payload: Payload, *, base_url: str) -> None:
     if queries.has_mail(session, topic):
         return
     kind = KINDS[event]
-    subject, line, link, link_id = kind.subject, kind.line, payload.get("link"), payload.get("link_id")
-    if event == "password.reset_asked" and link is None:
+    subject, line, link_id = kind.subject, kind.line, payload.get("link_id")
+    link: str | None = None
+    if event == "password.reset_asked":
         if (link_id := addresses.begin_reset(session, payload["recipient"])) is None:
             return
     elif event == "sign_up.asked" and (link_id := addresses.begin_sign_up(session, payload["recipient"])) is None:
@@ -114,7 +115,7 @@ def write(session: Session, payload: Payload, *, base_url: str) -> None:
         recipient=payload["recipient"],
         subject=subject.format(**names),
         lines=[line.format(**names) + (f"\n\n{note}" if note else "")],
-        link=link,  # an earlier version made it with the event
+        link=link,
         secret_of=event if link_id else None,
         secret_of_id=UUID(str(link_id)) if link_id else None,
     )

@@ -34,8 +34,7 @@ def make_reel(runtime: Runtime, payload: Payload) -> None:
         return
     slates = None
     if reel.with_slates:
-        # What was asked for by an earlier version says nothing of speech, which it tried always.
-        slates = _slates(reel.takes, of_set=payload["sets"] == 1, speaks=payload.get("speaks", 1) == 1)
+        slates = _slates(reel.takes, of_set=payload["sets"] == 1, speaks=payload["speaks"] == 1)
     with tempfile.TemporaryDirectory(prefix="soundlist-") as folder, contextlib.ExitStack() as copies:
         out = Path(folder, "reel.wav")
         try:

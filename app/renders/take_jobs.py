@@ -34,19 +34,11 @@ def prepare_take(runtime: Runtime, payload: Payload) -> None:
         _make_renders(runtime, take_id, workspace)
 
 
-# Earlier versions had a job for the check alone; such a job, run again after its verdict, makes what is not made yet.
-job("conformance.check_take")(prepare_take)
-
-
 @job("renders.make_renders")
 def make_renders(runtime: Runtime, payload: Payload) -> None:
     """Draw the master of a checked take and, of one that may ship, make the game files that its spec wants."""
     with TakeWorkspace(runtime.store, children()) as workspace:
         _make_renders(runtime, UUID(payload["take_id"]), workspace)
-
-
-# An earlier version asked for a master's picture by itself; such a job draws what is not drawn yet.
-job("renders.draw_take")(make_renders)
 
 
 def _make_renders(runtime: Runtime, take_id: UUID, workspace: TakeWorkspace) -> None:

@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_e3aff656"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_76465c67"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -687,7 +687,7 @@ def upgrade() -> None:
     op.create_index(op.f("ix_deliveries_deliveries_project_id"), "deliveries_deliveries", ["project_id"])
     op.create_index(op.f("ix_deliveries_deliveries_studio_id"), "deliveries_deliveries", ["studio_id"])
     op.create_table(
-        "deliveries_takes_acts",
+        "deliveries_tray_actions",
         sa.Column("id", sa.Uuid(), nullable=False),
         sa.Column("studio_id", sa.Uuid(), nullable=False),
         sa.Column("project_id", sa.Uuid(), nullable=False),
@@ -696,12 +696,12 @@ def upgrade() -> None:
         sa.Column("done_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("undone_at", sa.DateTime(timezone=True)),
         sa.Column("takes", JSON, nullable=False),
-        sa.ForeignKeyConstraint(["done_by"], ["accounts_people.id"], name=op.f("fk_deliveries_takes_acts_done_by")),
-        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_deliveries_takes_acts_project_id")),
-        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_deliveries_takes_acts_studio_id")),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_deliveries_takes_acts")),
+        sa.ForeignKeyConstraint(["done_by"], ["accounts_people.id"], name=op.f("fk_deliveries_tray_actions_done_by")),
+        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_deliveries_tray_actions_project_id")),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_deliveries_tray_actions_studio_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_deliveries_tray_actions")),
     )
-    op.create_index("ix_deliveries_takes_acts_project", "deliveries_takes_acts", ["project_id", "id"])
+    op.create_index("ix_deliveries_tray_actions_project", "deliveries_tray_actions", ["project_id", "id"])
     op.create_table(
         "hiring_busy_ranges",
         sa.Column("id", sa.Uuid(), nullable=False),

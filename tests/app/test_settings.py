@@ -64,13 +64,6 @@ def test_a_name_like_none_of_ours_is_reported_too(environment):
     assert wrong() == ["SOUNDLIST_ZZZ is not a setting; docs/settings.md lists them"]
 
 
-def test_a_setting_that_named_operators_says_what_names_them_now(environment):
-    environment(OPERATORS="ada@studio.example", SECRET_KEY="k" * 32)
-    (line,) = wrong()
-    assert line.startswith("SOUNDLIST_OPERATORS is no longer a setting")
-    assert "soundlist operators add ADDRESS" in line
-
-
 def test_trusted_proxies_are_networks(environment):
     environment(TRUSTED_PROXIES=" 10.0.0.0/24, 192.0.2.7 ,fd00::/64,")
     assert Settings().trusted_proxies == ("10.0.0.0/24", "192.0.2.7", "fd00::/64")

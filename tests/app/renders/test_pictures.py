@@ -8,9 +8,8 @@ import pytest
 import soundfile
 
 from app.kit.blob_response import IMMUTABLE
-from app.renders.models import Picture
 from tests.app.renders.making import add_cue, deliver, deliver_sound
-from tests.app.renders.test_renders import count, sounds
+from tests.app.renders.test_renders import sounds
 from tests.support.server import World
 from tests.support.waves import join, silence, sine, wav_bytes
 
@@ -93,21 +92,6 @@ def test_what_cannot_be_read_is_said_to_be_undrawable(world: World) -> None:
     world.server.wait_for_jobs()
     master = sounds(world, take["id"])["master"]
     assert (master["state"], master["preview_url"], master["thumb"]) == ("undrawable", None, None)
-
-
-def test_a_picture_that_an_earlier_version_asked_for_is_drawn(world: World) -> None:
-    add_cue(world, "beep")
-    (take,) = deliver(world, ("beep.wav", wav_bytes(sine(hz=997, seconds=0.1), rate=48_000, bits=24)))
-    server = world.server
-    with server.runtime.database.writing() as session:
-        server.runtime.queue.enqueue(
-            session, "renders.draw_take", {"take_id": take["id"]}, key="of-old", studio_id=world.studio_id
-        )
-    server.wait_for_jobs()
-    unfinished = server.runtime.queue.unfinished(studio_id=world.studio_id)
-    assert "renders.draw_take" not in {job.name for job in unfinished}  # notices of the check may wait
-    assert count(server, Picture.studio_id == world.studio_id) == 3
-    assert sounds(world, take["id"])["master"]["state"] == "drawn"
 
 
 def test_three_hundred_peaks_for_three_hundred_frames(world: World) -> None:

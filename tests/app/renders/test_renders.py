@@ -13,12 +13,9 @@ from sqlalchemy import func, select, update
 from sqlalchemy.orm import Session, joinedload
 
 import audio_checks
-from app.conformance.models import CheckRun
 from app.deliveries.models import Take
-from app.deliveries.rules import TakeState
 from app.kit import kill_points
 from app.kit.db import new_id
-from app.kit.queue import queue_of
 from app.projects.models import Spec
 from app.projects.queries import current_spec
 from app.renders import drawing, queries, service, take_jobs
@@ -246,23 +243,6 @@ def test_one_child_does_all_of_a_take(world: World, monkeypatch: pytest.MonkeyPa
     assert heard["master"]["state"] == "drawn"
     # To compare it with other projects is a job of its own, for which nobody waits.
     assert [module for module in forked if module != "audio_checks.audit.same_sound"] == ["audio_checks.run.runner"]
-
-
-def test_a_job_of_an_earlier_version_is_still_taken(world: World) -> None:
-    add_cue(world, "beep")
-    take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
-
-    def as_before(session: Any) -> None:
-        session.execute(update(Take).where(Take.id == UUID(take_id)).values(state=TakeState.RECEIVED))
-        payload = {"take_id": take_id, "event_id": str(new_id()), "studio_id": str(world.studio_id)}
-        queue_of(session).enqueue(
-            session, "conformance.check_take", payload, key=f"{new_id()}", studio_id=world.studio_id
-        )
-
-    world.server.in_database(as_before)
-    world.server.wait_for_jobs()
-    assert count(world.server, CheckRun.take_id == UUID(take_id)) == 2
-    assert world.designer.get(f"/v1/takes/{take_id}").json()["state"] == "conforming"
 
 
 def test_a_game_file_that_plays_as_the_preview_is_made_and_drawn_once(world: World, tmp_path: Path) -> None:

@@ -8,11 +8,12 @@ from zoneinfo import ZoneInfo
 
 import pytest
 from fastapi.testclient import TestClient
-from sqlalchemy import select
+from sqlalchemy import select, update
 from sqlalchemy.orm import joinedload
 
 from app.agreements.facts import facts_of
 from app.agreements.models import Contract
+from app.conformance.models import CheckRun
 from app.kit import clock
 from app.notifications import jobs
 from app.notifications.models import Mail
@@ -269,9 +270,12 @@ def test_mails_of_sounds_to_review_go_to_who_may_approve_them(stage: Stage) -> N
     name_for(world, "ui", world.reviewer_id)
     name_deputy(world, world.reviewer_id, world.producer_id, *today_and_on(world))
     takes = [stage.take(stage.cue(name, category=category)) for name, category in (("click", "ui"), ("shot", "weapon"))]
-    for take in takes:
-        payload = {"take_id": str(take), "event_id": str(uuid4())}
-        jobs.notify_check(world.server.runtime, payload)
+    world.server.in_database(
+        lambda session: session.execute(
+            update(CheckRun).where(CheckRun.take_id.in_(takes)).values(needs_notification=True)
+        )
+    )
+    jobs.notify_checks(world.server.runtime, {"project_id": str(world.project_id), "event_id": str(uuid4())})
     mails = world.server.in_database(
         lambda session: {
             mail.recipient: " ".join(mail.lines)
