@@ -82,6 +82,7 @@ if TYPE_CHECKING:
     from audio_checks.run.sets import offset_from_set_lu, set_findings
     from audio_checks.spec.codings import CODINGS, LOSSY_ENCODINGS, Coding, ending_of, is_lossy
     from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec, Target, load_spec, new_spec, parse_spec
+    from audio_checks.spec.game_paths import game_path, stem_in_language
     from audio_checks.spec.sound_list import (
         SoundList,
         TakeName,
@@ -177,6 +178,7 @@ __all__ = [
     "fix_master",
     "fix_offer",
     "folded_stem",
+    "game_path",
     "is_lossy",
     "is_placeholder",
     "is_preview",
@@ -212,6 +214,7 @@ __all__ = [
     "slug",
     "sounds_of_manifest",
     "spectrogram",
+    "stem_in_language",
     "stem_of_file",
     "stems_of",
     "synthesize_speech",
@@ -299,6 +302,7 @@ _HOMES = {
         "stems_of",
         "write_sound_list",
     ),
+    "audio_checks.spec.game_paths": ("game_path", "stem_in_language"),
     "audio_checks.spec.codings": ("CODINGS", "LOSSY_ENCODINGS", "Coding", "ending_of", "is_lossy"),
     "audio_checks.spec.delivery_spec": ("CueFacts", "DeliverySpec", "Target", "load_spec", "new_spec", "parse_spec"),
     "audio_checks.spec.target_presets": ("TARGET_PRESETS", "TargetPreset"),

@@ -6,6 +6,7 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
+import audio_checks
 from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
 from app.builds import audit_queries, game_tasks
@@ -39,7 +40,6 @@ from app.renders.queries import pictures_of_sounds
 from app.renders.schemas import TakeSound
 from app.renders.service import sound_places
 from app.sound_lists.queries import cues_by_id
-from app.voice_lines.rules import stem_in
 
 UNREAD_KEPT = 100
 
@@ -100,7 +100,7 @@ def _sound(
         path=file.path,
         cue_id=(take.cue_id if take else None)
         or stems.get(stem)
-        or stems.get(stem_in(named.parent.name.lower(), stem)),
+        or stems.get(audio_checks.stem_in_language(named.parent.name.lower(), stem)),
         take_id=take.id if take else None,
         status=file.status,
         played_status=file.played_status,

@@ -24,7 +24,7 @@ from app.builds.errors import (
 )
 from app.builds.handoff.cues import Handoff
 from app.builds.key_pdf import key_pdf
-from app.builds.rules import ci_lines
+from app.builds.rules import ci_command, ci_lines
 from app.builds.schemas import (
     Baseline,
     BuildAdd,
@@ -380,4 +380,5 @@ def get_ci_lines(
 ) -> CiLines:
     """Return the shell lines by which the game's CI checks its audio and posts the report."""
     pack = packs.visible_pack(session, actor, project_id, target)
-    return CiLines(lines=ci_lines(runtime.settings.base_url, str(project_id), pack.target))
+    where = (runtime.settings.base_url, str(project_id), pack.target)
+    return CiLines(command=ci_command(*where), lines=ci_lines(*where))

@@ -37,7 +37,6 @@ from app.reviews.queries import accepted_takes
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import label
 from app.voice_lines.queries import languages_by_cue
-from app.voice_lines.rules import game_path
 from audio_checks import Target, is_lossy
 
 KEY_CSV, KEY_XLSX, KEY_PDF = (f"documentation-key.{ending}" for ending in ("csv", "xlsx", "pdf"))
@@ -166,7 +165,7 @@ def pack_of(session: Session, project: Project, target: str | None, actor: Actor
         language = languages.get(cue.id)
         render = renders[take.id].get(chosen)
         own = game_ending(render.facts if render else {}, made_to, ending)
-        path = game_path(language, made_to.path_of(stems[cue.id, variation] + own, cue.category))
+        path = made_to.path_of(stems[cue.id, variation] + own, cue.category, language)
         before = last_renders.get(path)
         if before and render and render.state is RenderState.MADE and mark_of(before) == mark_of(render):
             render = before

@@ -27,7 +27,6 @@ from app.sound_lists.queries import cues_of, spoken_placeholder, spoken_sha256s
 from app.sound_lists.rules import CueState, label
 from app.sound_lists.service import cue_facts
 from app.voice_lines.queries import languages_by_cue
-from app.voice_lines.rules import game_path
 from audio_checks import TOOL_VERSION, CueFacts, DeliverySpec
 
 SETTLED_FIRST = {CueState.LOCKED: 0, CueState.PROTOTYPE: 1, CueState.CONCEPT: 2}
@@ -62,8 +61,7 @@ def open_slots(session: Session, pack: Pack) -> Iterator[Slot]:
         facts = replace(cue_facts(cue), number=label(pack.project.cue_prefix, cue.number))
         for stem in sorted(cue.stems, key=lambda one: one.variation):
             if (cue.id, stem.variation) not in there and view.target is not None:
-                named = view.target.path_of(stem.stem + view.ending, cue.category)
-                path = game_path(languages.get(cue.id), named)
+                path = view.target.path_of(stem.stem + view.ending, cue.category, languages.get(cue.id))
                 key = _key(facts, stem.variation, view, said.get(cue.id))
                 yield Slot(cue, stem.variation, path, facts, view, key, said.get(cue.id))
 

@@ -255,7 +255,8 @@ class Manifest(Schema):
 class CiLines(Schema):
     """Shell lines for the game's CI; the token goes into its secrets as SOUNDLIST_TOKEN."""
 
-    lines: list[str]
+    command: str = Field(description="One line that does everything, by `soundlist ci`.")
+    lines: list[str] = Field(description="The same with curl and audio-checks, for a CI that changes a step of it.")
 
 
 class PlaceholderRead(Schema):

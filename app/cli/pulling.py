@@ -15,6 +15,12 @@ def pull(context: typer.Context) -> None:
 
 
 @cli.command(context_settings=OPTIONS_OF_CLIENT)
+def ci(context: typer.Context) -> None:
+    """Check and audit a game's sounds as its CI does, and post the reports."""
+    raise typer.Exit(main(["ci", *context.args]))
+
+
+@cli.command(context_settings=OPTIONS_OF_CLIENT)
 def why(context: typer.Context) -> None:
     """Say which cue, approval, contract and sources a file has."""
     raise typer.Exit(main(["why", *context.args]))

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from app.client import desk
+from app.client import ci, desk
 from app.client.adopting import adopt
 from app.client.errors import REFUSED, UNREACHABLE, Refusal, ServerUnreachable
 from app.client.fmod_studio import PORT, import_in_studio
@@ -20,6 +20,11 @@ CODES = """exit codes:
   1  it is not: files were kept, failed or would change, or --no-placeholders refuses
   2  asked wrongly, the lock file is damaged, or the server refuses
   3  the server cannot be reached; what is here was compared with the lock file
+"""
+CI_CODES = """exit codes, as those of audio-checks:
+  0  everything conforms, and is as approved
+  1  something was found at or above --fail-level, or differs from what was approved
+  2  asked wrongly, audio-checks is missing or failed, or the server refuses or cannot be reached
 """
 DESK_CODES = """exit codes:
   0  every server answered
@@ -107,6 +112,18 @@ def parser() -> argparse.ArgumentParser:
     importing.set_defaults(run=import_in_studio)
     importing.add_argument("folder", nargs="?", type=Path, default=Path(), help="of the .fspro; this one if left out")
     importing.add_argument("--port", type=int, default=PORT, help=f"of the script server; {PORT} if left out")
+    building = commands.add_parser(
+        "ci",
+        help="check and audit a game's sounds as its CI does, and post the reports",
+        description="Check a game's sounds by the project's spec, sound list and baseline, compare them with what was "
+        "approved, and post both reports. audio-checks, which must be installed, does the judging.",
+        epilog=CI_CODES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
+    )
+    building.set_defaults(run=ci.run_ci)
+    ci.add_arguments(building)
+    _add_source(building)
     asking = commands.add_parser(
         "why",
         help="say which cue, approval, contract and sources a file has",

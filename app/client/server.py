@@ -54,6 +54,14 @@ class Server:
         url = f"{self.source.server}/v1/projects/{quote(self.source.project)}/{path}{query}"
         return self._json(self._read(url))
 
+    def file_of_project(self, path: str, **params: str) -> bytes:
+        """Return a file that the project's API exports."""
+        query = f"?{urlencode(params)}" if params else ""
+        content = self._read(f"{self.source.server}/v1/projects/{quote(self.source.project)}/{path}{query}")
+        if len(content) > MAX_JSON_BYTES:
+            raise Refusal(f"{path} of {self.source.server} is larger than {MAX_JSON_BYTES >> 20} MiB")
+        return content
+
     def send_to_project(self, path: str, body: Any) -> Any:
         """Send JSON to the project's API, and return the answer."""
         url = f"{self.source.server}/v1/projects/{quote(self.source.project)}/{path}"

@@ -18,7 +18,7 @@ from app.projects.rules import EngagementKind
 from app.projects.schemas import ResolvedSpec
 from app.projects.service import ensure_speaks_in, invitation_by_secret, project_access
 from app.projects.specs import read_spec
-from app.sound_lists import export, queries, questions, revisions, service, workbook
+from app.sound_lists import queries, questions, revisions, service, workbook
 from app.sound_lists.clarity_endpoints import router as clarity_router
 from app.sound_lists.errors import (
     ColumnUnknown,
@@ -95,23 +95,6 @@ def list_categories(
     return [
         CategoryCount(category=category, cues=cues) for category, cues in queries.category_counts(session, project_id)
     ]
-
-
-@router.get(
-    "/projects/{project_id}/sound-list.csv",
-    response_class=Response,
-    responses={**problems(ProjectNotFound), 200: {"content": {"text/csv": {"schema": {"type": "string"}}}}},
-)
-def export_sound_list(
-    project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT, build=Scope.LIST_READ)
-) -> Response:
-    """Return the list as the CSV that `audio-checks check --list` and spreadsheets read."""
-    access = project_access(session, actor, project_id)
-    columns = queries.own_columns(session, project_id)
-    people = known_people(session, access)
-    text = export.sound_list_csv(queries.cues_of(session, project_id), columns, people, access.project.cue_prefix)
-    headers = {"Content-Disposition": 'attachment; filename="sounds.csv"'}
-    return Response(text, media_type="text/csv; charset=utf-8", headers=headers)
 
 
 @router.get(

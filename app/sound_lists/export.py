@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from datetime import date
+from uuid import UUID
 
 import audio_checks
 from app.sound_lists.models import Cue
@@ -19,9 +20,20 @@ OWN_COLUMNS = (
     "palette",
 )  # in the export, besides those that every tool knows
 
+LANGUAGE = "language"  # of voice lines
 
-def sound_list_csv(cues: Sequence[Cue], columns: Sequence[Column], people: KnownPeople, cue_prefix: str) -> str:
-    """Return the list as the CSV that spreadsheets, CI and our own import read; no cell is a formula."""
+
+def sound_list_csv(
+    cues: Sequence[Cue],
+    columns: Sequence[Column],
+    people: KnownPeople,
+    cue_prefix: str,
+    languages: Mapping[UUID, str],
+) -> str:
+    """Return the list as the CSV that spreadsheets, CI and our own import read; no cell is a formula.
+
+    `languages` are those of cues that are voice lines: their files have a folder of the language in the game.
+    """
     own = [column for column in OWN_COLUMNS if any(getattr(cue, column) != NEW_CUE[column] for cue in cues)]
     named = {
         column: texts
@@ -29,8 +41,17 @@ def sound_list_csv(cues: Sequence[Cue], columns: Sequence[Column], people: Known
         if any(texts := [people.text_of(getattr(cue, fact)) for cue in cues])
     }
     extras = value_columns(cues, columns)
+    if languages:  # a column of the project's own that is called so keeps its values of other cues
+        extras = {key: LANGUAGE if name.lower() == LANGUAGE else name for key, name in extras.items()}
     return audio_checks.write_sound_list(
-        _exported(cue, cue_prefix, own, {column: texts[at] for column, texts in named.items()}, extras)
+        _exported(
+            cue,
+            cue_prefix,
+            own,
+            {column: texts[at] for column, texts in named.items()},
+            extras,
+            languages.get(cue.id, ""),
+        )
         for at, cue in enumerate(cues)
     )
 
@@ -49,13 +70,20 @@ def values_by_key(cue: Cue) -> dict[str, str]:
 
 
 def _exported(
-    cue: Cue, cue_prefix: str, own: Sequence[str], named: Mapping[str, str], extras: Mapping[str, str]
+    cue: Cue,
+    cue_prefix: str,
+    own: Sequence[str],
+    named: Mapping[str, str],
+    extras: Mapping[str, str],
+    language: str,
 ) -> audio_checks.CueFacts:
     more = {"description": cue.description, "use": cue.use, "trigger": cue.trigger}
     more |= {column: _plain(getattr(cue, column)) for column in own}
     more.update(named)
     values = values_by_key(cue)
     more |= {column: values.get(key, "") for key, column in extras.items()}
+    if language:
+        more[LANGUAGE] = language
     return replace(
         cue_facts(cue),
         number=label(cue_prefix, cue.number),

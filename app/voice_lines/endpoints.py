@@ -7,16 +7,19 @@ from uuid import UUID
 from fastapi import Depends, Query, Request, Response
 
 from app.accounts.policies import allows
-from app.accounts.rules import Actor, Audience
+from app.accounts.rules import Actor, Audience, Scope
 from app.kit.bodies import LARGE_BODY_BYTES
 from app.kit.http import DbSession, Route, Router, problems
 from app.kit.parsing_queue import ParsingBusy, parse_request
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.projects.service import ensure_speaks_in, project_access
 from app.sound_lists.errors import CueNotFound
+from app.sound_lists.export import sound_list_csv
+from app.sound_lists.people import known_people
+from app.sound_lists.queries import cues_of, own_columns
 from app.sound_lists.service import visible_cue
 from app.sound_lists.sheets import Sheet
-from app.voice_lines import line_sheets, service
+from app.voice_lines import line_sheets, queries, service
 from app.voice_lines.cast_reading import read_script
 from app.voice_lines.errors import (
     CharacterNotFound,
@@ -52,6 +55,27 @@ CSV = "text/csv; charset=utf-8"
 InLanguage = Annotated[str | None, Query(max_length=40, description="A tag such as de; empty: the original language.")]
 OfLanguage = Annotated[str | None, Query(max_length=40, description="Only those of this language.")]
 OfCharacter = Annotated[UUID | None, Query(description="Only those of this character.")]
+
+
+@router.get(
+    "/projects/{project_id}/sound-list.csv",
+    response_class=Response,
+    responses={**problems(ProjectNotFound), 200: {"content": {"text/csv": {"schema": {"type": "string"}}}}},
+)
+def export_sound_list(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT, build=Scope.LIST_READ)
+) -> Response:
+    """Return the list as the CSV that `audio-checks check --list` and spreadsheets read."""
+    access = project_access(session, actor, project_id)
+    text = sound_list_csv(
+        cues_of(session, project_id),
+        own_columns(session, project_id),
+        known_people(session, access),
+        access.project.cue_prefix,
+        queries.languages_by_cue(session, project_id),
+    )
+    headers = {"Content-Disposition": 'attachment; filename="sounds.csv"'}
+    return Response(text, media_type=CSV, headers=headers)
 
 
 @router.get("/projects/{project_id}/voice-script", responses=problems(ProjectNotFound))

@@ -17,9 +17,10 @@ from app.sound_lists.save_edits import Edit, row_faults, save, whole_facts
 from app.sound_lists.sheets import Sheet
 from app.voice_lines import queries
 from app.voice_lines.models import Character, VoiceLine, VoiceSettings, VoiceText, VoiceTextVersion
-from app.voice_lines.rules import CATEGORY, merged_order, stem_in
+from app.voice_lines.rules import CATEGORY, merged_order
 from app.voice_lines.schemas import LineChange, ScriptColumn, ScriptFault, ScriptRead, ScriptRow
 from app.voice_lines.script_rows import Column, KnownLines, RowFault, SpokenRow, Words, columns_of, spoken_rows
+from audio_checks import stem_in_language
 
 SAMPLES = 3
 
@@ -114,7 +115,7 @@ def _plan(
 def _add_cues_to(session: Session, project: Project, plans: Sequence[LinePlan]) -> list[RowFault]:
     """Give each new text the cue that owns its name, or a cue to add; return what is wrong with names."""
     new = [one for plan in plans for one in plan.new_texts]
-    stems = {id(one): stem_in(one.language, one.plan.spoken.file_name) for one in new}
+    stems = {id(one): stem_in_language(one.language, one.plan.spoken.file_name) for one in new}
     owners = stem_owners(session, project.id, {folded(stem) for stem in stems.values()}) if new else {}
     pinned = {text.cue_id for text in queries.texts_of(session, project.id)}
     rows: dict[int, NewText] = {}

@@ -23,7 +23,6 @@ from app.voice_lines.rules import (
     is_length_off,
     length_percent,
     line_status,
-    path_in,
     reason_of,
 )
 from app.voice_lines.schemas import (
@@ -36,6 +35,7 @@ from app.voice_lines.schemas import (
     VoiceLineRead,
     VoiceLines,
 )
+from audio_checks import game_path, stem_in_language
 
 PAGE = 200
 NOT_TRANSLATED = LineStatus(LineState.NO_TEXT)
@@ -226,7 +226,7 @@ class ScriptReader:
             original_text=original.text if original else None,
             before=self._beside(before),
             after=self._beside(after),
-            path=path_in(language, line.file_name),
+            path=game_path(language, stem_in_language(language, line.file_name)),
             cue=self._cue(text),
             state=status.state,
             reason=reason,

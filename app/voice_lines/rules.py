@@ -137,28 +137,6 @@ def is_known_language(text: str) -> bool:
     return tag is not None and (tag in _NAMES or tag.split("-")[0] in _NAMES)
 
 
-def stem_in(language: str, file_name: str) -> str:
-    """Return the name that the cue of a line owns in one language: the folder of the language, then the name."""
-    return f"{language}_{file_name}"
-
-
-def path_in(language: str, file_name: str) -> str:
-    """Return where a file of a line is expected: one name, in a folder per language."""
-    return f"{language}/{file_name}"
-
-
-def game_path(language: str | None, path: str) -> str:
-    """Return where a game file of a line stands: in a folder of its language, without the language in its name.
-
-    A file that is not of a line (`language` is None), or is not named after its language, stays where it is.
-    """
-    folder, slash, name = path.rpartition("/")
-    start = stem_in(language, "") if language else ""
-    if not start or not name.startswith(start) or name == start:
-        return path
-    return folder + slash + path_in(language or "", name.removeprefix(start))
-
-
 def key_for(character: str, number: int) -> str:
     """Return an id for a line of a script that has none: maya_010."""
     slug = re.sub(r"[^\w]+", "_", character.lower()).strip("_") or "line"

@@ -50,7 +50,7 @@ def _loudness(layout: wav.WavLayout) -> Accumulator:
 
 
 def _seam(layout: wav.WavLayout) -> Accumulator:
-    return Seam(*_size(layout), loop=(layout.loops[0].start, layout.loops[0].end) if layout.loops else None)
+    return Seam(*_size(layout), loops=[(loop.start, loop.end, loop.kind == "alternating") for loop in layout.loops])
 
 
 FIGURES: dict[str, tuple[str, ...]] = {

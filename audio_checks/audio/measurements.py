@@ -293,6 +293,11 @@ class Measurements:
         return float(self._file.figure("seam_step_db"))
 
     @property
+    def loop_seams(self) -> tuple[tuple[float, float], ...]:
+        """Step and change of slope at the seam of each loop of the file, in dB over the largest nearby."""
+        return tuple(self._file.figure("loop_seams"))
+
+    @property
     def seam_slope_db(self) -> float:
         """Change of slope at the loop's seam, over the largest change nearby, in dB."""
         return float(self._file.figure("seam_slope_db"))

@@ -2,7 +2,8 @@
 
 Why: where the first samples stand far from zero, the loudspeaker has to jump there, and a click is
 heard before the sound. Most often the selection was drawn too late. Loops rightly start in mid-wave,
-so they are left alone.
+so they are left alone: a cue that the list calls a loop, and a file with loop points, unless the list
+says that its cue is none.
 How to fix: start the selection earlier, at a zero crossing, or fade in over a millisecond.
 Source: practice in the field. The first sample reaches a fifth of the largest one in the 10 ms after
 it and lies less than 40 dB under the file's peak, and the wave, followed on, does not pass through
@@ -15,6 +16,7 @@ percussive sound's own attack is the same wave; nor one where the wave passes th
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from audio_checks.checks.loop_points import loops_by_itself
 from audio_checks.report.findings import Finding
 from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
@@ -33,10 +35,10 @@ def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     return not (cue is not None and cue.loop)
 
 
-def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
+def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterator[Finding]:
     """Yield `cut-start:mid-wave` when the sound starts far from zero."""
     edge = file.measurements.start_edge
-    if edge is None or not edge.cut or file.layout.loops:
+    if edge is None or not edge.cut or loops_by_itself(file, cue):
         return
     yield Finding(
         code="cut-start:mid-wave",

@@ -2,7 +2,8 @@
 
 Why: where the last samples stand far from zero, the sound stops with a click, and its tail is
 missing. Most often the selection was too short, or a limit of length cut it. Loops rightly end in
-mid-wave, so they are left alone.
+mid-wave, so they are left alone: a cue that the list calls a loop, and a file with loop points, unless
+the list says that its cue is none.
 How to fix: export up to the end of the tail, or fade out over its last part.
 Source: practice in the field. The last sample reaches a fifth of the largest one in the 10 ms before
 it and lies less than 40 dB under the file's peak, and the wave, followed on, does not pass through
@@ -15,6 +16,7 @@ low cut is nearly as high as the sound before.
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from audio_checks.checks.loop_points import loops_by_itself
 from audio_checks.report.findings import Finding
 from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
@@ -33,10 +35,10 @@ def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     return not (cue is not None and cue.loop)
 
 
-def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
+def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterator[Finding]:
     """Yield `cut-tail:mid-wave` when the sound ends far from zero."""
     edge = file.measurements.end_edge
-    if edge is None or not edge.cut or file.layout.loops:
+    if edge is None or not edge.cut or loops_by_itself(file, cue):
         return
     yield Finding(
         code="cut-tail:mid-wave",

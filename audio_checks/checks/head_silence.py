@@ -1,7 +1,8 @@
 """`head-silence`: the sound starts when it is asked to.
 
 Why: silence before the sound is heard as lag: the shot comes after the trigger. Loops rightly
-start in mid-wave, so they are left alone.
+start in mid-wave, so they are left alone: a cue that the list calls a loop, and a file with loop
+points, unless the list says that its cue is none.
 How to fix: trim the head to the first audible sample, with a fade of a few samples.
 Source: the delivery spec, `[limits] head_silence_ms` and `edge_silence_below_dbfs`; silence is
 what lies below that level, or 60 dB under the file's peak, whichever is lower.
@@ -10,6 +11,7 @@ what lies below that level, or 60 dB under the file's peak, whichever is lower.
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from audio_checks.checks.loop_points import loops_by_itself
 from audio_checks.report.findings import Finding
 from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
@@ -27,10 +29,10 @@ def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     return spec.limits.head_silence_ms is not None and not (cue is not None and cue.loop)
 
 
-def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
+def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterator[Finding]:
     """Yield `head-silence:over` when the silence before the sound is longer than the limit."""
     limit = spec.limits.head_silence_ms
-    if limit is None or file.layout.loops or file.measurements.sample_peak_dbfs == float("-inf"):
+    if limit is None or loops_by_itself(file, cue) or file.measurements.sample_peak_dbfs == float("-inf"):
         return
     head_ms, _ = file.measurements.edges(spec.limits.edge_silence_below_dbfs)
     if head_ms > limit:

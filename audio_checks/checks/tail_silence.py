@@ -1,7 +1,8 @@
 """`tail-silence`: the file ends when the sound does.
 
 Why: silence after the sound costs memory on every platform and holds a voice of the game's mixer
-that another sound could have had. Loops rightly end in mid-wave, so they are left alone.
+that another sound could have had. Loops rightly end in mid-wave, so they are left alone:
+a cue that the list calls a loop, and a file with loop points, unless the list says that its cue is none.
 How to fix: trim the tail to where the sound has faded out.
 Source: the delivery spec, `[limits] tail_silence_ms` and `edge_silence_below_dbfs`; silence is
 what lies below that level, or 60 dB under the file's peak, whichever is lower.
@@ -10,6 +11,7 @@ what lies below that level, or 60 dB under the file's peak, whichever is lower.
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from audio_checks.checks.loop_points import loops_by_itself
 from audio_checks.report.findings import Finding
 from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
@@ -27,10 +29,10 @@ def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     return spec.limits.tail_silence_ms is not None and not (cue is not None and cue.loop)
 
 
-def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
+def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterator[Finding]:
     """Yield `tail-silence:over` when the silence after the sound is longer than the limit."""
     limit = spec.limits.tail_silence_ms
-    if limit is None or file.layout.loops or file.measurements.sample_peak_dbfs == float("-inf"):
+    if limit is None or loops_by_itself(file, cue) or file.measurements.sample_peak_dbfs == float("-inf"):
         return
     _, tail_ms = file.measurements.edges(spec.limits.edge_silence_below_dbfs)
     if tail_ms > limit:

@@ -113,7 +113,7 @@ class FixRun:
 
     def _fixed(self, found: Found, spec: DeliverySpec) -> FixedMaster:
         place = self.folder / Path(found.relative).parent
-        slot = self.sound_list.slot_of_file(os.path.basename(found.relative)) if self.sound_list else None
+        slot = self.sound_list.slot_of_file(found.path) if self.sound_list else None
         place.mkdir(parents=True, exist_ok=True)
         try:
             return fix_master(

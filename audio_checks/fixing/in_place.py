@@ -98,6 +98,10 @@ class Repairs:
     def _name(self, task: "Task") -> str | None:
         """Return a better name for a file: the sound list's, or the one that is valid and nearest."""
         name = os.path.basename(task.path)
+        if task.listed_name is not None:  # a part of its name is its folder, which stays
+            start = task.listed_name.removesuffix(name)
+            valid = valid_name(task.listed_name, task.spec) if task.spec else None
+            return valid.removeprefix(start) if valid and valid.startswith(start) and valid != start + name else None
         parts = parse_file_name(name)
         listed = self._stems.get(slug(parts.stem))
         candidate = name

@@ -104,7 +104,7 @@ def read_bext(payload: bytes) -> dict[str, str]:
     fields: dict[str, str] = {}
     at = 0
     for name, width in _TEXTS:
-        fields[name] = text_of(payload[at : at + width])
+        fields[name] = text_of(payload[at : at + width], is_fixed=True)
         at += width
     time_reference, version = struct.unpack_from("<QH", payload, at)
     fields["TimeReference"], fields["Version"] = str(time_reference), str(version)

@@ -8,6 +8,7 @@ Sources: the iXML specification; ASWG-G006, iXML extension 1.1.
 from __future__ import annotations
 
 import codecs
+import re
 from typing import NoReturn
 from xml.parsers import expat
 
@@ -53,12 +54,30 @@ def read_ixml(payload: bytes) -> dict[str, str]:
     ValueError
         The document is not XML, is not rooted in BWFXML, declares a document type, or passes a bound.
     """
+    if (encoding := _wide_encoding(payload)) is not None:
+        return _Document().read(_with_mark(payload, encoding))
     document = payload.strip(b"\0").lstrip()
     if document.startswith(codecs.BOM_UTF16_LE) and len(document) % 2:
         document += b"\0"  # the half of its last character that looked like padding
     if not document:
         raise ValueError('the "iXML" chunk is empty')
     return _Document().read(document)
+
+
+def _wide_encoding(payload: bytes) -> str | None:
+    """Return the encoding of UTF-16 that a document without a byte order mark begins in; None for any other."""
+    if re.match(rb"(?:[ \t\r\n]\0)*<\0", payload):
+        return "utf-16-le"
+    return "utf-16-be" if re.match(rb"(?:\0[ \t\r\n])*\0<", payload) else None
+
+
+def _with_mark(payload: bytes, encoding: str) -> bytes:
+    """Return a document of UTF-16 with the mark that XML wants."""
+    try:
+        text = payload[: len(payload) // 2 * 2].decode(encoding)
+    except UnicodeDecodeError:
+        raise ValueError('the "iXML" chunk begins as UTF-16, and is damaged') from None
+    return codecs.BOM_UTF16_LE + text.strip("\0 \t\r\n").encode("utf-16-le")
 
 
 class _Document:

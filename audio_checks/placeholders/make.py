@@ -80,7 +80,7 @@ def make_placeholders(
     spec : DeliverySpec
         The whole spec; each cue's category counts.
     folder : path
-        Where they go, under the cue's own name.
+        Where they go, under the cue's own name; game files in the folders of the target, as packs have them.
     target : str, optional
         Make game files of this target; without it, files that conform as deliveries.
     taken : collection of str
@@ -114,7 +114,8 @@ def make_placeholders(
         for variation, stem in enumerate(stems, start=1):
             if stem in taken:
                 continue
-            path = Path(folder, f"{stem}{view.ending}")
+            name = f"{stem}{view.ending}"
+            path = Path(folder, name if view.target is None else view.target.path_of(name, category, cue.language))
             try:
                 yield make_placeholder(cue, variation, view, path, voice=voice)
             except RenderRefused as refused:

@@ -1,6 +1,7 @@
 """The chunks of a master that a game file carries: all, or those that describe the sound."""
 
 import os
+import struct
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -27,6 +28,8 @@ COMMENT_NAMES = {
     "bext.Description": "DESCRIPTION",
     "bext.Originator": "ORGANIZATION",
 }
+SAMPLER_HEADER_BYTES = 36
+UNSTATED_NOTES = (0, 60)  # as editors write them that have nothing to say of it
 DESCRIBES_SOUND = frozenset({"cue ", "smpl", "inst", "acid", "plst"})  # and LIST/adtl, the labels of cue points
 
 
@@ -45,7 +48,8 @@ def carried_chunks(
         Everything that the master carries, or only what describes the sound: names of projects and
         people stay behind. The mark of a placeholder is always kept.
     new_loops : sequence of (int, int), optional
-        First and last frames of loops in the game file, in place of those of the master's own `smpl` chunk.
+        First and last frames of loops in the game file, in place of those of the master's own `smpl` chunk;
+        with none, the chunk goes unless it says more.
 
     Raises
     ------
@@ -62,9 +66,10 @@ def carried_chunks(
     before, after = carried(sound.file, sound.layout, move, keep=None if all_chunks else _describes_sound)
     if new_loops is not None:
         samplers = [payload for name, payload in (*before, *after) if name == "smpl"]
-        new = sampler(move.to_hz, [(0, *one) for one in new_loops], *samplers[:1])
-        before = [chunk for chunk in before if chunk[0] != "smpl"] + [("smpl", new)]
+        before = [chunk for chunk in before if chunk[0] != "smpl"]
         after = [chunk for chunk in after if chunk[0] != "smpl"]
+        if new_loops or any(_says_more_than_loops(payload) for payload in samplers[:1]):
+            before.append(("smpl", sampler(move.to_hz, [(0, *one) for one in new_loops], *samplers[:1])))
     number = _placeholder_number(sound)
     if number is not None and not all_chunks:
         after.append(comment_chunk(number))
@@ -121,6 +126,15 @@ def metadata_of(file: BinaryIO, layout: wav.WavLayout) -> Metadata:
     return read_metadata(
         (chunk.id, wav.chunk_payload(file, replace(chunk, size=min(chunk.size, MOST_READ_BYTES)))) for chunk in chunks
     )
+
+
+def _says_more_than_loops(sampler_chunk: bytes) -> bool:
+    """Return whether a `smpl` chunk says at which note the sound plays at its own pitch, or has data of a sampler."""
+    if len(sampler_chunk) < SAMPLER_HEADER_BYTES:
+        return False
+    note, fraction = struct.unpack_from("<2I", sampler_chunk, 12)
+    (data_bytes,) = struct.unpack_from("<I", sampler_chunk, 32)
+    return note not in UNSTATED_NOTES or fraction > 0 or data_bytes > 0
 
 
 def _describes_sound(name: str, payload: bytes) -> bool:

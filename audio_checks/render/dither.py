@@ -2,7 +2,8 @@
 
 Noise of a triangular distribution (TPDF), two steps wide at its foot, is added before rounding.
 The error is then white, and its mean and power do not depend on the sound: half a step RMS, which
-is −96.33 dBFS at 16 bit and −48.16 dBFS at 8 bit. Digital silence stays silent.
+is −96.33 dBFS at 16 bit and −48.16 dBFS at 8 bit. Digital silence stays silent, and channels that
+are equal stay equal: where they are, they get the same noise.
 Sources: S. P. Lipshitz, R. A. Wannamaker, J. Vanderkooy, "Quantization and Dither: A Theoretical
 Survey", JAES 40 (1992); the five weights of `shaped` from the same authors' "Minimally Audible
 Noise Shaping", JAES 39 (1991), made for 44.1 kHz.
@@ -99,7 +100,20 @@ def quantised(
     words = np.random.Philox(key=int.from_bytes(seed[:16], "little"))
     rounded = _Shaper(channels).rounded if dither == "shaped" else _rounded
     for rows, silent in _with_silence(blocks, channels):
-        yield rounded(rows, scale, words.random_raw(rows.size), silent, noise)
+        yield rounded(rows, scale, _shared(words.random_raw(rows.size), rows), silent, noise)
+
+
+def _shared(words: NDArray[np.uint64], rows: NDArray[np.float64]) -> NDArray[np.uint64]:
+    """Return the noise of frames and channels, the same for channels that are equal in a frame.
+
+    So a sound that is mono in two channels stays mono, and its channels do not differ by dither alone.
+    """
+    by_frame = words.reshape(rows.shape[1], rows.shape[0])
+    for channel in range(1, len(rows)):
+        for earlier in range(channel):
+            equal = rows[channel] == rows[earlier]
+            by_frame[equal, channel] = by_frame[equal, earlier]
+    return words
 
 
 def _rounded(

@@ -147,7 +147,7 @@ def _make(order: _Order) -> Outcome:
             order.task.path,
             spec.target,
             scratch,
-            loop=order.task.cue is not None and order.task.cue.loop,
+            loop=None if order.task.cue is None or not order.task.cue.says_loop else order.task.cue.loop,
             sample_peak_limit_dbfs=spec.limits.sample_peak_dbfs,
             true_peak_limit_dbtp=spec.limits.true_peak_dbtp,
             tolerance_db=spec.limits.tolerance_db,

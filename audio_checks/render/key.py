@@ -14,7 +14,7 @@ def render_key(
     master_sha256: str,
     target: Target,
     *,
-    loop: bool,
+    loop: bool | None,
     loop_points: tuple[int, int] | None = None,
     sample_peak_limit_dbfs: float | None,
     true_peak_limit_dbtp: float | None,

@@ -86,7 +86,7 @@ def preview(
             encoding="pcm",
             gains=None if layout.channels <= 2 else np.full((layout.channels, 1), 1 / layout.channels),
             dither="tpdf",
-            loop=loop,
+            loop=loop or None,
             measures_loss=False,
         )
         rendered = render(sound, recipe, out, durable=durable)

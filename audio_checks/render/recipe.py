@@ -29,7 +29,7 @@ class Recipe:
     true_peak_limit_dbtp: float | None = None
     tolerance_db: float = TOLERANCE_DB
     mono_loss_limit_db: float = MONO_LOSS_LIMIT_DB
-    loop: bool = False
+    loop: bool | None = None  # None: what the file says
     loop_points: tuple[tuple[int, int], ...] | None = None  # None keeps the master's
     chunks: Literal["sound", "all"] = "sound"
     shelf_db: float | Literal["auto"] = 0.0

@@ -25,7 +25,7 @@ def render_master(
     target: Target,
     out_path: str | os.PathLike[str],
     *,
-    loop: bool = False,
+    loop: bool | None = None,
     loop_points: tuple[int, int] | None = None,
     sample_peak_limit_dbfs: float | None = None,
     true_peak_limit_dbtp: float | None = None,
@@ -46,8 +46,9 @@ def render_master(
     target : Target
         Rate, depth, encoding, channels, dither, chunks, shelf, trim, fades, and what to do with peaks
         over the limits.
-    loop : bool
-        The whole file loops: it is filtered across its seam and fitted to whole frames.
+    loop : bool, optional
+        True: the whole file loops, is filtered across its seam and fitted to whole frames. False: it plays
+        once, and loops of its own `smpl` chunk are left out, with a warning. None: what the file says.
     loop_points : (int, int), optional
         First and last frame of a loop within the master, in place of those of its own `smpl` chunk.
     sample_peak_limit_dbfs, true_peak_limit_dbtp : float, optional

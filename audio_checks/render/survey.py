@@ -102,7 +102,7 @@ class Survey:
 
 def seam_of(file: BinaryIO, layout: wav.WavLayout, points: tuple[tuple[int, int], ...]) -> SeamFigures:
     """Return how a file's first loop, or all of it, goes over its seam."""
-    seam = Seam(layout.sample_rate_hz, layout.channels, layout.frames, loop=points[0] if points else None)
+    seam = Seam(layout.sample_rate_hz, layout.channels, layout.frames, loops=[(*points[0], False)] if points else ())
     for block in wav.blocks(file, layout):
         seam.add(block)
     figures = seam.result()

@@ -29,9 +29,10 @@ from audio_checks.render.resample import frames_after, loop_fit_frames, resample
 from audio_checks.render.shelf import compensating_gain
 from audio_checks.render.survey import Survey, seam_of
 from audio_checks.render.turns import gain_of
+from audio_checks.report.findings import Finding
 from audio_checks.spec.codings import CODINGS
 
-RENDERER_VERSION = "4"  # changes when the same master and target give other bytes
+RENDERER_VERSION = "5"  # changes when the same master and target give other bytes
 READ_BYTES = 1 << 20
 
 
@@ -45,8 +46,11 @@ class Work:
         self._recipe = recipe
         rates = layout.sample_rate_hz, recipe.sample_rate_hz
         whole = ((0, layout.frames - 1),)
-        self._points = recipe.loop_points or tuple((loop.start, loop.end) for loop in layout.loops)
-        self._circular = self._points == whole or (recipe.loop and not self._points)
+        self._drops_loops = recipe.loop is False and recipe.loop_points is None and bool(layout.loops)
+        self._points = recipe.loop_points or tuple(
+            (loop.start, loop.end) for loop in layout.loops if not self._drops_loops
+        )
+        self._circular = self._points == whole or (recipe.loop is True and not self._points)
         self._changes_rate = recipe.sample_rate_hz != layout.sample_rate_hz
         self._channels = layout.channels if recipe.gains is None else recipe.gains.shape[1]
         self._mask = layout.channel_mask if recipe.gains is None else None
@@ -110,7 +114,7 @@ class Work:
             self._sound,
             move,
             all_chunks=recipe.chunks == "all",
-            new_loops=None if recipe.loop_points is None else self._new_points,
+            new_loops=self._new_points if recipe.loop_points is not None or self._drops_loops else None,
         )
         try:
             wav.write_wav(
@@ -179,7 +183,7 @@ class Work:
             sha256=sha256,
             pcm_sha256=pcm_sha256,
             renderer_version=RENDERER_VERSION,
-            warnings=self._survey.mono_warnings(self._recipe.mono_loss_limit_db),
+            warnings=(*self._survey.mono_warnings(self._recipe.mono_loss_limit_db), *self._loop_warnings()),
         )
         spectra = self._survey.spectra(attempt.spectrum)
         return rendered if spectra is None else replace(rendered, loss=self._loss(rendered, attempt, spectra))
@@ -199,6 +203,19 @@ class Work:
             seam_after=rendered.seam_after,
             mono_loss_db=self._survey.mono_loss_db(),
             spectra=spectra,
+        )
+
+    def _loop_warnings(self) -> tuple[Finding, ...]:
+        if not self._drops_loops:
+            return ()
+        return (
+            Finding(
+                code="render:loop-dropped",
+                message="the master has loop points, and the sound list says that it is no loop:"
+                " they are left out, or engines would repeat it",
+                fix="call the cue a loop in the list if it is one",
+                severity="warning",
+            ),
         )
 
     def _fit_frames(self) -> float:

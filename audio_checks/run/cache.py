@@ -317,6 +317,7 @@ def _context(task: Task) -> bytes:
         [spec.sha256, spec.category, spec.target.name if spec.target else None] if spec else None,
         [getattr(cue, one.name) for one in fields(cue) if one.compare] if cue else None,
         task.unlisted,
+        task.listed_name,
     ]
     if task.dry is not None:
         stem = _sha256(os.fspath(task.dry.path))

@@ -38,7 +38,8 @@ class Task:
     says that there is a sound list, and no cue in it owns the file's name; `variation` is which of
     the cue's variations it is; `dry` is the file's dry stem, to compare its reverb with; `coded` says that
     Ogg Vorbis, Opus and MP3 are decoded where the spec accepts them, or where another container would not
-    reject them: a game's files, and no masters; `shipped` that they are decoded whatever the spec accepts.
+    reject them: a game's files, and no masters; `shipped` that they are decoded whatever the spec accepts;
+    `listed_name` is what the list calls a file whose folder says a part of its name, as a voice line's does.
     """
 
     path: str
@@ -49,6 +50,7 @@ class Task:
     dry: DryStem | None = None
     coded: bool = False
     shipped: bool = False
+    listed_name: str | None = None
 
 
 def check_file(
@@ -213,7 +215,8 @@ def task_for(
     `views` keeps the views of specs by category, so that many files share them; one target has one.
     `coded` is as in `Task`, and holds for game files of a lossy codec anyway.
     """
-    slot = sound_list.slot_of_file(os.path.basename(os.fspath(path))) if sound_list else None
+    slot = sound_list.slot_of_file(os.fspath(path)) if sound_list else None
+    listed = sound_list.listed_name(os.fspath(path)) if sound_list and slot else None
     cue = slot[0] if slot else None
     view = None
     if spec is not None:
@@ -225,7 +228,16 @@ def task_for(
     unlisted = sound_list is not None and slot is None
     stem = None if dry is None else DryStem(os.fspath(dry), os.path.basename(printable_path(dry)))
     coded = coded or (view is not None and view.target is not None and view.target.is_lossy)
-    return Task(os.fspath(path), view, cue, unlisted=unlisted, variation=slot[1] if slot else 1, dry=stem, coded=coded)
+    return Task(
+        os.fspath(path),
+        view,
+        cue,
+        unlisted=unlisted,
+        variation=slot[1] if slot else 1,
+        dry=stem,
+        coded=coded,
+        listed_name=listed if listed != os.path.basename(os.fspath(path)) else None,
+    )
 
 
 def with_set_checks(tasks: Sequence[Task], entries: Sequence[FileReport]) -> list[FileReport]:
@@ -286,7 +298,7 @@ def _judge(
     try:
         with AudioFile(
             task.path,
-            name=name or os.path.basename(task.path),
+            name=name or task.listed_name or os.path.basename(task.path),
             flac=_reads_flac(spec),
             coded=task.shipped or (task.coded and _reads_coded(spec)),
             dry=task.dry,

@@ -8,6 +8,7 @@ from audio_checks.errors import SpecError
 from audio_checks.spec import kinds
 from audio_checks.spec.check_names import LIMITS_OF_CHECKS
 from audio_checks.spec.codings import CODINGS, DECODED_BITS, LOSSY_ENCODINGS, QUALITY, Coding
+from audio_checks.spec.game_paths import game_path
 from audio_checks.spec.name_tokens import Token
 
 CATEGORY_FOLDER = "{category}"
@@ -176,10 +177,13 @@ class Target:
         """Return what names of files end in: that of the codec's container, or what a project calls WAV files."""
         return self.coding.ending if self.coding else of_wav or WAV_ENDING
 
-    def path_of(self, file_name: str, category: str | None) -> str:
-        """Return the path of a target's file in a pack; a sound without a category skips that folder."""
+    def path_of(self, file_name: str, category: str | None, language: str | None = None) -> str:
+        """Return the path of a target's file in the game; a sound without a category skips that folder.
+
+        A voice line has a folder of its language, see `game_paths`.
+        """
         parts = [part.replace(CATEGORY_FOLDER, category or "") for part in self.folder.split("/")]
-        return "/".join([part for part in parts if part] + [file_name])
+        return game_path(language, "/".join([part for part in parts if part] + [file_name]))
 
 
 @dataclass(frozen=True)
@@ -187,6 +191,7 @@ class CueFacts:
     """What the sound list says of one cue, as far as a check or a render needs it.
 
     `more` keeps the columns that no check reads (description, use, trigger, and any of the writer's own).
+    `says_loop` is whether the list has a column for loops at all.
     """
 
     number: str
@@ -201,6 +206,17 @@ class CueFacts:
     variations: int = 1
     state: str = "concept"
     more: Mapping[str, str] = field(default_factory=dict, compare=False)
+    says_loop: bool = True
+
+    @property
+    def plays_once(self) -> bool:
+        """Whether the list says that the sound is no loop."""
+        return self.says_loop and not self.loop
+
+    @property
+    def language(self) -> str | None:
+        """The language of a voice line, of the column `language`; None for a cue that is no line."""
+        return self.more.get("language") or None
 
 
 def read_accept(table: Tables) -> Accept:

@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from audio_checks.errors import SpecError
 from audio_checks.spec.delivery_spec import CueFacts
+from audio_checks.spec.game_paths import stem_in_language
 from audio_checks.system.text_files import read_text
 
 COLUMNS = (
@@ -136,9 +137,37 @@ class SoundList:
         """Return the cue and the variation (from 1) that own a stem, exactly after NFC."""
         return self._slots.get(unicodedata.normalize("NFC", stem))
 
-    def slot_of_file(self, file_name: str) -> tuple[CueFacts, int] | None:
-        """Return the cue and the variation that a file is for, by its name; a name the list has whole comes first."""
-        return self.slot(stem_of_file(file_name)) or self.slot(parse_file_name(file_name).stem)
+    @cached_property
+    def _languages(self) -> dict[str, str]:
+        """The languages of the list's lines, by the folders that stand for them."""
+        return {cue.language.casefold(): cue.language for cue in self.cues if cue.language}
+
+    def slot_of_file(self, path: str) -> tuple[CueFacts, int] | None:
+        """Return the cue and the variation that a file is for, by its name; a name the list has whole comes first.
+
+        In a folder that is called after a language of the list, the file is the line of that language, if there is
+        one of its name: see `game_paths`.
+        """
+        stems = (stem_of_file(path), parse_file_name(path).stem)
+        folder = re.split(r"[/\\]", path)[-2:-1]
+        language = self._languages.get(folder[0].casefold()) if folder else None
+        for stem in stems if language is not None else ():
+            slot = self.slot(stem_in_language(language or "", stem))
+            if slot is not None and slot[0].language == language:
+                return slot
+        return self.slot(stems[0]) or self.slot(stems[1])
+
+    def listed_name(self, path: str) -> str:
+        """Return the name that the list has for a file: its own, or in a folder of a language that with the language.
+
+        What a spec asks of names it asks of these, which files are delivered under.
+        """
+        name = re.split(r"[/\\]", path)[-1]
+        slot = self.slot_of_file(path)
+        if slot is None or slot[0].language is None or self.slot(stem_of_file(name)) == slot:
+            return name
+        named = stem_in_language(slot[0].language, name)
+        return named if self.slot_of_file(named) == slot else name
 
 
 def read_sound_list(source: str | Path) -> SoundList:
@@ -229,6 +258,7 @@ def _cue(row: Mapping[str, str]) -> CueFacts:
         variations=_variations(row),
         state=_word(row, "state", STATES) or "concept",
         more={key: value for key, value in row.items() if key not in known | typed},
+        says_loop="loop" in row,
     )
 
 

@@ -57,5 +57,5 @@ def fingerprints_below(options: argparse.Namespace) -> list[FingerprintedFile]:
 
 
 def _with_cue(one: FingerprintedFile, sound_list: SoundList | None) -> FingerprintedFile:
-    slot = sound_list.slot_of_file(Path(one.path).name) if sound_list else None
+    slot = sound_list.slot_of_file(one.path) if sound_list else None
     return one if slot is None else replace(one, cue=slot[0].number)

@@ -43,7 +43,7 @@ def run(options: argparse.Namespace) -> int:
     sound_list = read_sound_list(Path(options.sound_list))
     given = options.paths or options.files_from is not None
     found = found_files(options, may_be_none=True) if given else []
-    taken = {parse_file_name(one.path).stem for one in found if not _is_placeholder(one.path)}
+    taken = {parse_file_name(sound_list.listed_name(one.path)).stem for one in found if not _is_placeholder(one.path)}
     for target in options.target or ():
         if target not in spec.targets:
             raise UsageError(f'no target "{target}"; targets of the spec: {", ".join(spec.targets) or "none"}')

@@ -261,7 +261,10 @@ export const inProject = (part: Part = 'producer', more: Answers = {}): Answers 
     cues_wanted: 2,
     missing: [],
   },
-  'GET /v1/projects/p1/ci': { lines: ['curl spec', 'audio-checks check --spec spec.toml assets/', 'curl report'] },
+  'GET /v1/projects/p1/ci': {
+    command: 'curl soundlist.pyz && python3 -I soundlist.pyz ci --target game assets/',
+    lines: ['curl spec', 'audio-checks check --spec spec.toml assets/', 'curl report'],
+  },
   'GET /v1/projects/p1/tokens': [],
   'GET /v1/projects/p1/builds': { items: [], next: null },
   'GET /v1/projects/p1/invitations': [],

@@ -3,27 +3,10 @@
 import io
 import zipfile
 
-import pytest
-
-from app.voice_lines.rules import game_path
 from tests.app.builds.approved import approve
 from tests.app.builds.test_packs import download
 from tests.support.server import World
 from tests.support.voice import imported
-
-
-@pytest.mark.parametrize(
-    ("language", "path", "there"),
-    [
-        ("de", "de_captain_010.wav", "de/captain_010.wav"),
-        ("pt-BR", "Audio/vo/pt-BR_captain_010_01.ogg", "Audio/vo/pt-BR/captain_010_01.ogg"),
-        ("de", "captain_010.wav", "captain_010.wav"),  # renamed: no language to take off
-        ("de", "vo/de_", "vo/de_"),
-        (None, "de_captain_010.wav", "de_captain_010.wav"),
-    ],
-)
-def test_the_language_of_a_line_is_its_folder(language: str | None, path: str, there: str) -> None:
-    assert game_path(language, path) == there
 
 
 def test_approved_lines_lie_in_the_folder_of_their_language(world: World) -> None:

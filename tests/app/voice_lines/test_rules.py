@@ -11,7 +11,6 @@ from app.voice_lines.rules import (
     TakeFacts,
     TextFrom,
     Validity,
-    game_path,
     is_covered,
     is_known_language,
     is_length_off,
@@ -141,19 +140,3 @@ def test_the_order_after_an_import(present: str, script: str, order: str) -> Non
 )
 def test_a_language_is_known_by_its_own_code(text: str, known: bool) -> None:
     assert is_known_language(text) is known
-
-
-@pytest.mark.parametrize(
-    ("language", "path", "placed"),
-    [
-        ("de", "de_maya_010.wav", "de/maya_010.wav"),
-        ("de", "Assets/Voice/de_maya_010.wav", "Assets/Voice/de/maya_010.wav"),
-        ("de", "en_maya_010.wav", "en_maya_010.wav"),
-        ("de", "Assets/de_", "Assets/de_"),
-        (None, "de_maya_010.wav", "de_maya_010.wav"),
-    ],
-)
-def test_a_game_file_of_a_line_stands_in_the_folder_of_its_language(
-    language: str | None, path: str, placed: str
-) -> None:
-    assert game_path(language, path) == placed

@@ -54,6 +54,8 @@ def test_loops_start_in_mid_wave(codes_of):
     cut = sine(hz=300, phase=1.0)
     assert codes_of("cut-start", cut, cue=CueFacts("SW-001", loop=True)) == []
     assert codes_of("cut-start", cut, after=[smpl([(0, 47_999)])]) == []
+    once = CueFacts("SW-001", loop=False)
+    assert codes_of("cut-start", cut, after=[smpl([(0, 47_999)])], cue=once) == ["cut-start:mid-wave"]
 
 
 @pytest.mark.parametrize(("samples", "codes"), [(silence(), []), (silence(seconds=1 / 48_000) + 0.5, MID_WAVE)])

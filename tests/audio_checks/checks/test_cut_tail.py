@@ -50,6 +50,8 @@ def test_what_is_quiet_does_not_matter(codes_of, dbfs, codes):
 def test_loops_end_in_mid_wave(codes_of):
     assert codes_of("cut-tail", ending(1.0), cue=CueFacts("SW-001", loop=True)) == []
     assert codes_of("cut-tail", ending(1.0), after=[smpl([(0, 47_999)])]) == []
+    once = CueFacts("SW-001", loop=False)
+    assert codes_of("cut-tail", ending(1.0), after=[smpl([(0, 47_999)])], cue=once) == ["cut-tail:mid-wave"]
 
 
 @pytest.mark.parametrize(("samples", "codes"), [(silence(), []), (silence(seconds=1 / 48_000) + 0.5, MID_WAVE)])

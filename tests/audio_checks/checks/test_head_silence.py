@@ -46,6 +46,11 @@ def test_loops_are_left_alone(codes_of):
     assert codes_of("head-silence", late(20), LIMIT, after=[smpl([(0, 4_000)])]) == []
 
 
+def test_loop_points_are_no_excuse_where_the_list_asks_for_no_loop(codes_of):
+    once = CueFacts("SW-001", loop=False)
+    assert codes_of("head-silence", late(20), LIMIT, after=[smpl([(2_000, 4_000)])], cue=once) == ["head-silence:over"]
+
+
 def test_a_silent_file_is_left_to_the_silence_check(codes_of):
     assert codes_of("head-silence", silence(), LIMIT) == []
 

@@ -60,10 +60,60 @@ def test_the_points_of_the_file_count_before_the_whole(codes_of):
     assert codes_of("loop-points", samples, after=[smpl([(10_000, 19_975)])], cue=LOOP) == ["loop-points:step"]
 
 
-def test_a_loop_that_turns_back_has_no_seam(codes_of):
-    there_and_back = bytearray(smpl([(0, 40_025)]))
-    there_and_back[8 + 36 + 4] = 1  # the kind of its first loop: alternating
-    assert codes_of("loop-points", sine(hz=480), after=[bytes(there_and_back)]) == []
+def of_kind(loops, *kinds):
+    """A `smpl` chunk whose loops are of these kinds: 0 forward, 1 alternating, 2 backward, 3 … a manufacturer's own."""
+    content = bytearray(smpl(loops))
+    for place, kind in enumerate(kinds):
+        content[8 + 36 + 24 * place + 4] = kind
+    return bytes(content)
+
+
+ALTERNATING, BACKWARD, OWN = 1, 2, 32
+
+
+@pytest.mark.parametrize(
+    ("points", "codes"),
+    [
+        ((25, 40_025), []),  # from crest to crest, where the wave turns by itself
+        ((25, 40_000), ["loop-points:bend"]),  # turned at its steepest
+        ((0, 40_025), ["loop-points:bend"]),
+    ],
+)
+def test_a_loop_that_turns_back_may_only_turn_where_the_wave_does(codes_of, points, codes):
+    assert codes_of("loop-points", sine(hz=480), after=[of_kind([points], ALTERNATING)]) == codes
+
+
+@pytest.mark.parametrize("kind", [0, BACKWARD, OWN])
+def test_loops_of_every_other_kind_cross_the_same_seam(codes_of, kind):
+    assert codes_of("loop-points", sine(hz=480), after=[of_kind([(0, 39_999)], kind)]) == []
+    assert codes_of("loop-points", sine(hz=480), after=[of_kind([(0, 39_974)], kind)]) == ["loop-points:step"]
+
+
+def test_every_loop_is_judged(found_by):
+    (finding,) = found_by("loop-points", sine(hz=480), after=[smpl([(0, 9_999), (10_000, 19_974), (0, 39_999)])])
+    assert finding.code == "loop-points:step"
+    assert "loop 2" in finding.message
+    assert finding.end_s == pytest.approx(19_975 / 48_000)
+
+
+def test_a_loop_of_one_frame(found_by):
+    (finding,) = found_by("loop-points", sine(hz=480), after=[smpl([(25, 25)])])
+    assert finding.code == "loop-points:one-frame"
+    assert "one frame" in finding.message
+
+
+@pytest.mark.parametrize("channels", [1, 2])
+def test_loops_of_two_frames_are_measured(codes_of, channels):
+    assert codes_of("loop-points", silence(channels=channels), after=[of_kind([(5, 6), (8, 9)], ALTERNATING)]) == []
+
+
+@pytest.mark.parametrize(("points", "words"), [([(0, 47_999)], "a loop"), ([(0, 9), (20, 29)], "2 loops")])
+def test_a_loop_that_the_list_does_not_ask_for(found_by, points, words):
+    (finding,) = found_by("loop-points", sine(hz=480), after=[smpl(points)], cue=CueFacts("SW-001", loop=False))
+    assert finding.code == "loop-points:unwanted"
+    assert words in finding.message
+    unsaid = CueFacts("SW-001", says_loop=False)
+    assert [one.code for one in found_by("loop-points", sine(hz=480), after=[smpl([(0, 47_999)])], cue=unsaid)] == []
 
 
 @pytest.mark.parametrize(("end", "codes"), [(48_000, ["loop-points:outside"]), (47_999, [])])

@@ -37,5 +37,12 @@ def test_loops_are_left_alone(codes_of):
     assert codes_of("tail-silence", lingering(400), LIMIT, after=[smpl([(0, 4_000)])]) == []
 
 
+def test_loop_points_are_no_excuse_where_the_list_asks_for_no_loop(codes_of):
+    once = CueFacts("SW-001", loop=False)
+    assert codes_of("tail-silence", lingering(400), LIMIT, after=[smpl([(0, 4_000)])], cue=once) == [
+        "tail-silence:over"
+    ]
+
+
 def test_a_silent_file_is_left_to_the_silence_check(codes_of):
     assert codes_of("tail-silence", silence(), LIMIT) == []

@@ -61,10 +61,13 @@ def test_the_end_of_the_file_counts():
 
 
 def seam(samples, loop=None, size=700):
-    meter = Seam(48_000, samples.shape[1], len(samples), loop=loop)
+    meter = Seam(48_000, samples.shape[1], len(samples), loops=[(*loop, False)] if loop else [])
     for start in range(0, len(samples), size):
         meter.add(samples[start : start + size])
-    return meter.result()
+    figures = meter.result()
+    seams = figures.pop("loop_seams")
+    assert seams == (((figures["seam_step_db"], figures["seam_slope_db"]),) if loop else ())
+    return figures
 
 
 def test_whole_periods_loop_without_a_seam():

@@ -62,3 +62,25 @@ def test_a_short_chunk_is_refused():
     assert "CodingHistory" not in read_bext(bext_payload())
     with pytest.raises(ValueError, match="601 bytes; 602 or more"):
         read_bext(bext_payload()[:601])
+
+
+@pytest.mark.parametrize("cut", [1, 2])
+@pytest.mark.parametrize("zero", [b"", b"\0"])
+def test_a_letter_that_was_cut_is_left_out(cut, zero):
+    letters = "アイウエオカキクケコ".encode()  # three bytes each
+    field = (b"x" * (256 - len(zero) - 3 * 9 - cut) + letters)[: 256 - len(zero)] + zero
+    payload = bytearray(bext_payload())
+    payload[:256] = field
+    assert read_bext(bytes(payload))["Description"] == "x" * (256 - len(zero) - 27 - cut) + "アイウエオカキクケ"
+
+
+def test_a_cut_letter_after_plain_ones():
+    payload = bytearray(bext_payload())
+    payload[256:288] = b"y" * 31 + "ü".encode()[:1]
+    assert read_bext(bytes(payload))["Originator"] == "y" * 31
+
+
+def test_an_accent_of_windows_at_the_end_is_no_cut_letter():
+    payload = bytearray(bext_payload())
+    payload[256:288] = "café".encode("cp1252").ljust(32, b"\0")
+    assert read_bext(bytes(payload))["Originator"] == "café"

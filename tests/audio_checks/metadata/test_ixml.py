@@ -38,6 +38,20 @@ def test_encodings(encoding):
     assert read_ixml(text.encode(encoding)) == {"PROJECT": "Tür"}
 
 
+@pytest.mark.parametrize("encoding", ["utf-16-le", "utf-16-be"])
+@pytest.mark.parametrize("before", ["", "\r\n "])
+@pytest.mark.parametrize("after", [b"", b"\0", b"\0\0\0\0"])
+def test_utf16_without_a_mark(encoding, before, after):
+    for head in ('<?xml version="1.0" encoding="UTF-16"?>', ""):
+        text = f"{before}{head}<BWFXML><PROJECT>Tür Дверь ドア</PROJECT></BWFXML>"
+        assert read_ixml(text.encode(encoding) + after) == {"PROJECT": "Tür Дверь ドア"}
+
+
+def test_damaged_utf16_without_a_mark():
+    with pytest.raises(ValueError, match="begins as UTF-16, and is damaged"):
+        read_ixml("<BWFXML>".encode("utf-16-le") + b"\x00\xd8a\0")
+
+
 def test_zeros_and_space_around_the_document():
     assert read_ixml(b"\r\n" + document("<SCENE>7</SCENE>") + b"\0\0\0") == {"SCENE": "7"}
 

@@ -79,6 +79,20 @@ def test_digital_silence_stays_silent(bit_depth, dither):
     assert whole[2_000:3_000, 0].any()
 
 
+def test_channels_share_their_noise_where_they_are_equal():
+    tone = sine(-30)[:RATE]
+    half = np.concatenate([tone, tone, -tone], axis=1)
+    half[RATE // 2 :, 1] *= 0.5
+    steps = rounded(half, 16)
+    assert (steps[: RATE // 2, 0] == steps[: RATE // 2, 1]).all()
+    errors = steps / 2**15 - half
+    later = errors[RATE // 2 :]
+    assert abs(np.corrcoef(later[:, 0], later[:, 1])[0, 1]) < 0.03  # three deviations are 0.02
+    assert abs(np.corrcoef(errors[:, 0], errors[:, 2])[0, 1]) < 0.02
+    assert rms_db(errors[:, 1]) == pytest.approx(-96.33, abs=0.1)
+    assert (rounded(half, 16, cut=777) == steps).all()
+
+
 def test_a_few_zeros_are_no_silence():
     samples = np.full((300_000, 1), 0.25)
     samples[::2] = 0.0

@@ -280,11 +280,47 @@ class TestLoops:
         assert [(loop.start, loop.end) for loop in layout_of(out).loops] == [(0, 47_999)]
         assert np.abs(samples_of(out) - waves.sine(hz=441, dbfs=-6, seconds=1)).max() < 2.0 / 2**23
 
+    def test_a_sound_that_plays_once_keeps_no_loop(self, tmp_path, out):
+        noise = waves.noise(dbfs=-20, seconds=1, rate=96_000)
+        master = waves.write_wav(tmp_path / "a.wav", noise, rate=96_000, before=[waves.smpl([(9_601, 86_399)])])
+        plain = waves.write_wav(tmp_path / "b.wav", noise, rate=96_000)
+        rendered = render_master(master, Target("half", 48_000, 24), out, loop=False)
+        layout = layout_of(out)
+        assert (layout.loops, [chunk.id for chunk in layout.chunks]) == ((), ["fmt ", "data"])
+        assert (rendered.loop_points, rendered.seam_after) == ((), None)
+        (warning,) = rendered.warnings
+        assert warning.code == "render:loop-dropped"
+        once = render_master(plain, Target("half", 48_000, 24), tmp_path / "once.wav", loop=False)
+        assert (once.pcm_sha256, once.warnings) == (rendered.pcm_sha256, ())
+
+    def test_the_note_of_a_sound_that_plays_once_stays(self, tmp_path, out):
+        sampler = bytearray(waves.smpl([(100, 200)]))
+        sampler[8 + 12] = 57  # the note at which it plays at its own pitch
+        noise = waves.noise(dbfs=-20, seconds=0.1, rate=96_000)
+        master = waves.write_wav(tmp_path / "a.wav", noise, rate=96_000, before=[bytes(sampler)])
+        render_master(master, Target("half", 48_000, 24), out, loop=False)
+        layout = layout_of(out)
+        (kept,) = [chunk for chunk in layout.chunks if chunk.id == "smpl"]
+        with wav.open_regular(out) as file:
+            payload = wav.chunk_payload(file, kept)
+        assert (layout.loops, payload[12]) == ((), 57)
+
     def test_given_points_replace_the_masters(self, tmp_path, out):
         master = waves.write_wav(tmp_path / "a.wav", waves.noise(dbfs=-20, rate=96_000), rate=96_000)
         rendered = render_master(master, Target("half", 48_000, 16), out, loop_points=(100, 200))
         assert rendered.loop_points == ((50, 100),)  # the last frame ends at 100.5, which rounds up, and is not counted
         assert len(layout_of(out).loops) == 1
+
+
+@pytest.mark.parametrize("dither", ["tpdf", "shaped"])
+@pytest.mark.parametrize(("rate", "channels"), [(96_000, 2), (44_100, 2), (48_000, 4)])
+def test_equal_channels_stay_equal(tmp_path, out, rate, channels, dither):
+    mono = waves.noise(dbfs=-20, seconds=0.3, rate=rate)
+    master = waves.write_wav(tmp_path / "a.wav", np.repeat(mono, channels, axis=1), rate=rate)
+    render_master(master, Target("game", 44_100, 16, dither=dither), out)
+    made = samples_of(out)
+    assert made.shape[1] == channels
+    assert all((made[:, 0] == made[:, channel]).all() for channel in range(1, channels))
 
 
 def test_stereo_to_mono_is_the_mean(tmp_path, out):

@@ -8,30 +8,30 @@ import { Card, CardHead } from '@/ui/Card'
 import { ciQuery } from './api'
 import classes from './Drift.module.css'
 
-/** The commands by which a build audits its sounds and posts what it found. */
+/** The command by which a build audits its sounds and posts what it found. */
 export function CiCommands({ projectId }: { projectId: string }) {
   const { data } = useQuery(ciQuery(projectId))
   if (data === undefined) return null
-  const text = data.lines.join('\n')
+  const text = data.command
   const copy = async () => {
     await navigator.clipboard.writeText(text)
-    showToast('Commands copied.')
+    showToast('Command copied.')
   }
   return (
     <Card aria-labelledby="ci-commands">
       <CardHead
         id="ci-commands"
-        title="CI commands"
-        end={<Button variant="quiet" square icon="copy" aria-label="Copy the commands" onClick={() => void copy()} />}
+        title="CI command"
+        end={<Button variant="quiet" square icon="copy" aria-label="Copy the command" onClick={() => void copy()} />}
       />
       {/* A long line scrolls, so the keyboard must reach it. */}
       {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
-      <pre className={classes.script} tabIndex={0} role="region" aria-label="Commands to copy">
+      <pre className={classes.script} tabIndex={0} role="region" aria-label="Command to copy">
         {text}
       </pre>
       <p className={`small mid ${classes.foot}`}>
-        For levels, add <code className="mono">--project</code> with the project of Wwise, FMOD, Unity, Unreal or Godot
-        to <code className="mono">audio-checks audit</code>. Tokens are on the page of{' '}
+        For levels, give <code className="mono">--project</code> with the project of Wwise, FMOD, Unity, Unreal or Godot
+        to <code className="mono">audio-checks audit</code>. Its steps and tokens are on the page of{' '}
         <Link className="link" to="/projects/$projectId/builds" params={{ projectId }}>
           builds
         </Link>

@@ -98,7 +98,7 @@ const drift = (more: object = {}) =>
     'GET /v1/projects/p1/sound-history': [],
     'GET /v1/projects/p1/game-states': STATES,
     'GET /v1/projects/p1/game-tasks': { items: [TASK], next: null },
-    'GET /v1/projects/p1/ci': { lines: ['audio-checks audit --manifest manifest.json assets/'] },
+    'GET /v1/projects/p1/ci': { command: 'python3 -I soundlist.pyz ci assets/', lines: ['audio-checks audit assets/'] },
     'POST /v1/audits/a482/accepted-drifts': answer({}, 201),
     'POST /v1/audits/a482/tasks': answer(TASK, 201),
     'PUT /v1/cues/c3/game-state': STATES,

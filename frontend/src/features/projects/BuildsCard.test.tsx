@@ -32,13 +32,13 @@ describe('builds', () => {
     expect(within(refused).queryByText(/true peak/i)).toBeNull()
   })
 
-  test('the copy button takes every line, not only the one that is shown', async () => {
+  test('the copy button takes the one command that does everything', async () => {
     serve(withBuilds())
     const press = userEvent.setup()
     openApp('/projects/p1')
-    await press.click(await screen.findByRole('button', { name: 'Copy all CI commands' }))
+    await press.click(await screen.findByRole('button', { name: 'Copy the CI command' }))
     expect(await navigator.clipboard.readText()).toBe(
-      'curl spec\naudio-checks check --spec spec.toml assets/\ncurl report',
+      'curl soundlist.pyz && python3 -I soundlist.pyz ci --target game assets/',
     )
   })
 

@@ -94,24 +94,23 @@ function Squares({ builds }: { builds: readonly BuildBrief[] }) {
   )
 }
 
-/** The line that judges, to see; all lines, to take. */
+/** The line that the game's CI runs, to see and to take. */
 function CiLines({ projectId }: { projectId: string }) {
   const { data, error } = useQuery(ciQuery(projectId))
   if (error) return <Refusal error={error} />
   if (data === undefined) return null
-  const judge = data.lines.find((line) => line.startsWith('audio-checks')) ?? data.lines.join('\n')
   return (
     <div className={classes.command}>
-      <code>{judge.replace(/ (--spec|--target|--format text|assets\/)/g, ' \\\n  $1')}</code>
+      <code>{data.command.replace(/ (&&|--server|--project|--target)/g, ' \\\n  $1')}</code>
       <div className={classes.take}>
-        <CopyLines lines={data.lines} />
+        <CopyLines lines={[data.command]} label="Copy the CI command" />
         <Link
           className="link small"
           to="/projects/$projectId/builds"
           params={{ projectId }}
-          aria-label={`Show all ${data.lines.length} commands a build runs`}
+          aria-label="Show the steps of the CI command"
         >
-          {`All ${data.lines.length}`}
+          Steps
         </Link>
       </div>
     </div>

@@ -9,27 +9,41 @@ import { ciQuery } from './api'
 import classes from './Builds.module.css'
 import { Refusal } from './Refusal'
 
-export function CopyLines({ lines }: { lines: readonly string[] }) {
+export function CopyLines({ lines, label }: { lines: readonly string[]; label: string }) {
   const copy = async () => {
     await navigator.clipboard.writeText(lines.join('\n'))
     showToast(`${plural(lines.length, 'line')} copied.`)
   }
-  return <Button variant="quiet" square icon="copy" aria-label="Copy all CI commands" onClick={() => void copy()} />
+  return <Button variant="quiet" square icon="copy" aria-label={label} onClick={() => void copy()} />
 }
 
-/** Everything that the game's CI runs, and what it needs and answers. */
+/** The one line that the game's CI runs, its steps by hand, and what they need and answer. */
 export function CiCard({ projectId }: { projectId: string }) {
   const { data, error } = useQuery(ciQuery(projectId))
   return (
     <Card aria-labelledby="runs">
-      <CardHead id="runs" title="CI commands" end={data && <CopyLines lines={data.lines} />} />
+      <CardHead id="runs" title="CI command" end={data && <CopyLines lines={[data.command]} label="Copy the CI command" />} />
       <Refusal error={error} />
       {data && (
-        // A long line scrolls, so the keyboard must reach it.
-        // eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex
-        <pre className={classes.script} tabIndex={0} role="region" aria-label="Commands to copy">
-          {data.lines.join('\n')}
-        </pre>
+        <>
+          {/* A long line scrolls, so the keyboard must reach it. */}
+          {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
+          <pre className={classes.script} tabIndex={0} role="region" aria-label="Command to copy">
+            {data.command}
+          </pre>
+          <p className={`small mid ${classes.steps}`}>
+            It fetches spec, list and baseline, checks, audits and posts the build. <code className="mono">audio-checks</code>{' '}
+            must be installed.
+          </p>
+          <details className={classes.steps}>
+            <summary className="small">The same steps with curl</summary>
+            <CopyLines lines={data.lines} label="Copy all steps" />
+            {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
+            <pre className={classes.script} tabIndex={0} role="region" aria-label="Steps to copy">
+              {data.lines.join('\n')}
+            </pre>
+          </details>
+        </>
       )}
       <dl className={`small ${classes.facts}`}>
         <dt>Token</dt>
@@ -38,7 +52,8 @@ export function CiCard({ projectId }: { projectId: string }) {
         </dd>
         <dt>Label</dt>
         <dd>
-          <code className="mono">BUILD</code> and <code className="mono">COMMIT</code> name the build here.
+          <code className="mono">BUILD</code> and <code className="mono">COMMIT</code>, or the numbers of the CI, name the
+          build here.
         </dd>
         <dt>Exit code</dt>
         <dd>0: all files conform. 1: some don’t. 2: wrong usage or an internal error.</dd>
