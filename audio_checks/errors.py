@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 
 class AudioChecksError(Exception):
     """Anything that audio_checks reports about what it was given."""
@@ -46,6 +48,25 @@ class SpecError(AudioChecksError):
     def __init__(self, message: str, where: str = "") -> None:
         super().__init__(message, where)
         self.where = where
+
+
+class SpecErrors(SpecError):
+    """A spec in which several things are wrong; it says them all.
+
+    Parameters
+    ----------
+    errors : sequence of SpecError
+        Two or more, each with its place.
+    """
+
+    def __init__(self, errors: Sequence[SpecError]) -> None:
+        self.errors = tuple(errors)
+        first = self.errors[0]
+        more = [f"{error.where}: {error}" if error.where else str(error) for error in self.errors[1:]]
+        super().__init__("\n".join([str(first), *more]), first.where)
+
+    def __reduce__(self) -> tuple[type[SpecErrors], tuple[tuple[SpecError, ...]]]:
+        return SpecErrors, (self.errors,)
 
 
 class RenderRefused(AudioChecksError):

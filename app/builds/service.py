@@ -79,7 +79,7 @@ def waived_sounds(session: Session, actor: Actor, project_id: UUID) -> list[Waiv
     access = project_access(session, actor, project_id)
     only = access.only_designer_id
     let_through = [
-        (waiver.codes, waiver.reason, run, take)
+        (set(waiver.codes), waiver.reason, run, take)
         for waiver, run, take in waivers_in(session, project_id)
         if only in (None, take.designer_id)
     ]

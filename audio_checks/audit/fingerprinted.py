@@ -97,7 +97,7 @@ def fingerprint_file(path: str, shown: str) -> FingerprintedFile:
                 found = _fingerprinted(unpacked, shown)
         return _by_codec(found, path, codec, frames, comments)
     except Unreadable as error:
-        return FingerprintedFile(shown, trouble=f"{error} ({error.rule})")
+        return FingerprintedFile(shown, trouble=str(error))
     except SandboxFailed as error:
         return FingerprintedFile(shown, trouble=f"it could not be decoded: {error}")
 

@@ -47,7 +47,8 @@ def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterat
     for loop in file.layout.loops_outside:
         yield Finding(
             code="loop-points:outside",
-            message=f"a loop runs from frame {loop.start} to {loop.end}, but the file has {file.facts.frames} frames",
+            message=f"a loop runs from frame {loop.start} to {loop.end}, "
+            f"but the file has {_frames_in_words(file.facts.frames)}",
             fix="export the loop points again from the session",
         )
     loops, rate = file.layout.loops, file.facts.sample_rate_hz
@@ -85,6 +86,10 @@ def _of_seam(step: float, bend: float, where: str, seam_s: float) -> Iterator[Fi
         yield _finding("step", f"the wave jumps {where}, {step:.1f} dB over", step, STEP_DB, seam_s)
     elif bend > BEND_DB:
         yield _finding("bend", f"the wave bends {where}, {bend:.1f} dB over", bend, BEND_DB, seam_s)
+
+
+def _frames_in_words(count: int) -> str:
+    return "1 frame" if count == 1 else f"{count} frames"
 
 
 def _loops_in_words(count: int) -> str:

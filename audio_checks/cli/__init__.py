@@ -6,9 +6,11 @@ asked wrongly, found no audio, or broke. 2 outranks 1.
 
 import argparse
 import os
+import re
 import sys
 import traceback
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from difflib import get_close_matches
 from importlib import import_module
 from typing import NoReturn
 
@@ -40,8 +42,11 @@ FORMER_NAMES = {"mend": "fix"}
 class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """Say what is wrong without repeating raw control characters, and leave."""
-        if "unrecognized arguments" in message or "ignored explicit argument" in message:
+        if "ignored explicit argument" in message:
             message += "; a name that begins with - comes after --"
+        if unknown := re.match(r"argument COMMAND: invalid choice: '(.*?)' \(", message):
+            known = ", ".join(COMMANDS)
+            message = f'no command "{unknown[1]}"; the nearest is {_nearest(unknown[1], COMMANDS)}; commands: {known}'
         raise UsageError(f"{message}\n{self.format_usage().strip()}")
 
 
@@ -54,7 +59,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     arguments = list(sys.argv[1:] if argv is None else argv)
     arguments[:1] = [FORMER_NAMES.get(name, name) for name in arguments[:1]]
     try:
-        options = parser_of([name for name in COMMANDS if name in arguments]).parse_args(arguments)
+        options = options_of(arguments)
         set_quiet(getattr(options, "quiet", False))
         command: Callable[[argparse.Namespace], int] = options.run
         code = command(options)
@@ -76,6 +81,25 @@ def main(argv: Sequence[str] | None = None) -> int:
     return code
 
 
+def options_of(arguments: Sequence[str]) -> argparse.Namespace:
+    """Return the options of a command line; UsageError for one that cannot be understood."""
+    options, unknown = parser_of([name for name in COMMANDS if name in arguments]).parse_known_args(arguments)
+    if unknown:
+        known = [name for action in options.parser._actions for name in action.option_strings if len(name) > 2]
+        near = [
+            f"{one.partition('=')[0]}; the nearest is {_nearest(one.partition('=')[0], known)}"
+            if one.startswith("--")
+            else one
+            for one in unknown
+        ]
+        options.parser.error(f"unrecognized arguments: {', '.join(near)}; a name that begins with - comes after --")
+    return options
+
+
+def _nearest(word: str, known: Iterable[str]) -> str:
+    return get_close_matches(word[:60], list(known), n=1, cutoff=0.0)[0]
+
+
 def parser_of(names: Sequence[str] = tuple(COMMANDS)) -> argparse.ArgumentParser:
     """Return the parser of the command line; only the named commands are loaded, the others known by name."""
     parser = _Parser(prog="audio-checks", description="Judge game audio against a delivery spec.")
@@ -86,5 +110,5 @@ def parser_of(names: Sequence[str] = tuple(COMMANDS)) -> argparse.ArgumentParser
         if name in names:
             home = import_module(module)
             home.add_arguments(command)
-            command.set_defaults(run=home.run)
+            command.set_defaults(run=home.run, parser=command)
     return parser

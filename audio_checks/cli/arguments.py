@@ -3,6 +3,7 @@
 import argparse
 import codecs
 import os
+import re
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -67,10 +68,9 @@ def out_folder(options: argparse.Namespace) -> Path:
 
 def number_of_jobs(text: str) -> int:
     """Return a number of processes, as `-j` takes it."""
-    jobs = int(text)
-    if jobs < 0:
-        raise ValueError
-    return jobs
+    if not re.fullmatch(r"[0-9]{1,4}", text, re.ASCII):
+        raise argparse.ArgumentTypeError(f'wanted a whole number, 0 for one process a core, found "{text[:40]}"')
+    return int(text)
 
 
 def found_files(options: argparse.Namespace, *, may_be_none: bool = False, default: str | None = None) -> list[Found]:

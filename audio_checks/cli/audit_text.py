@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from audio_checks.audit.report import Audit, Entry
 from audio_checks.audit.statuses import NO_DRIFT, STATUSES
-from audio_checks.cli.terminal import BOLD, GREEN, RED, YELLOW, Ink
+from audio_checks.cli.terminal import BOLD, GREEN, RED, YELLOW, Ink, counted
 from audio_checks.middleware.values import Unread
 from audio_checks.report.findings import FileReport, Finding, Report, printable
 from audio_checks.version import TOOL_VERSION
@@ -44,11 +44,12 @@ def in_words(audit: Audit, *, allowed: tuple[str, ...] = (), colour: bool = Fals
             for one in audit.project.unread
         ]
     counts = audit.summary
-    counted = ", ".join(f"{counts[status]} {status}" for status in STATUSES if counts[status])
+    by_status = ", ".join(f"{counts[status]} {status}" for status in STATUSES if counts[status])
+    sounds = counted(counts["files"], "sound")
     accepted = sum(bool(entry.accepted) for entry in audit.entries)
     notes = [*([f"{', '.join(allowed)} allowed"] if allowed else []), *([f"{accepted} accepted"] if accepted else [])]
     allowed_note = f" ({'; '.join(notes)})" if notes else ""
-    return "\n".join([*lines, f"{counts['files']} sounds: {counted or 'nothing to compare'}{allowed_note}"]) + "\n"
+    return "\n".join([*lines, f"{sounds}: {by_status or 'nothing to compare'}{allowed_note}"]) + "\n"
 
 
 def as_findings(audit: Audit, allowed: tuple[str, ...] = ()) -> Report:

@@ -380,7 +380,7 @@ def _refused(path: str, error: Unreadable, spec: DeliverySpec) -> FileReport:
             severity="error",
         )
         return FileReport(path, "rejected", category=spec.category, findings=(finding,))
-    finding = Finding(code=error.code, message=f"{error} ({error.rule})", fix=error.fix, severity="error")
+    finding = Finding(code=error.code, message=str(error), fix=error.fix, severity="error")
     return FileReport(path, "unreadable", category=spec.category, findings=(finding,))
 
 

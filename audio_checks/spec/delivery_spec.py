@@ -18,7 +18,8 @@ from audio_checks.errors import SpecError
 from audio_checks.spec import check_names
 from audio_checks.spec import keys as spec_keys
 from audio_checks.spec.check_names import Level
-from audio_checks.spec.files import load_tables, merged, namings, placed, read_tables
+from audio_checks.spec.files import load_tables, merged, namings, placed, read_tables, with_lines
+from audio_checks.spec.kinds import each_read
 from audio_checks.spec.parts import (
     WAV_ENDING,
     Accept,
@@ -37,6 +38,7 @@ from audio_checks.spec.parts import (
 )
 from audio_checks.spec.presets import new_spec
 from audio_checks.spec.toml import to_toml
+from audio_checks.system.text_files import read_text
 
 __all__ = [
     "Accept",
@@ -190,7 +192,7 @@ def parse_spec(text: str, *, where: str = "spec.toml") -> DeliverySpec:
                 "a spec that names a file must be read from its own; here, write the ids as ucs_ids",
                 where=f"{where}: {place}.ucs_list",
             )
-    return _spec(tables, None, where)
+    return _spec(tables, None, where, text)
 
 
 def load_spec(path: str | Path) -> DeliverySpec:
@@ -202,7 +204,8 @@ def load_spec(path: str | Path) -> DeliverySpec:
         The file cannot be read, or what it says, or what it extends, is not a spec.
     """
     path = Path(path)
-    return _spec(load_tables(path, ()), path.absolute().parent, str(path))
+    inside = "tool.audio-checks" if path.name == "pyproject.toml" else ""
+    return _spec(load_tables(path, ()), path.absolute().parent, str(path), read_text(path), inside)
 
 
 def schema() -> dict[str, Any]:
@@ -220,8 +223,11 @@ def _category_tables(tables: Tables, name: str) -> Tables:
     return merged(base, own)
 
 
-def _spec(tables: Tables, folder: Path | None, where: str) -> DeliverySpec:
-    """Return the spec of whole tables, once every view of it is known to hold."""
+def _spec(tables: Tables, folder: Path | None, where: str, text: str, inside: str = "") -> DeliverySpec:
+    """Return the spec of whole tables, once every view of it is known to hold.
+
+    `text` is what they were read from, where lines are looked up, and `inside` the table of it that they are.
+    """
     if "format" not in tables:
         raise SpecError("the spec must say format = 1", where=f"{where}: format")
     try:
@@ -242,7 +248,7 @@ def _spec(tables: Tables, folder: Path | None, where: str) -> DeliverySpec:
                 own = _warnings_of(view, f"{name}: ")
                 warnings += (one for one in own if one.removeprefix(f"{name}: ") not in warnings)
     except SpecError as error:
-        raise placed(error, where) from None
+        raise placed(with_lines(error, text, inside=inside), where) from None
     return _view(tables, folder, warnings=tuple(warnings[:MOST_WARNINGS]))
 
 
@@ -271,7 +277,7 @@ def _view(
         naming=_naming(tables, target),
         required_metadata=tuple(stated(tables.get("metadata", {})).get("required", ())),
         engine=Engine(adds=tuple(tables.get("engine", {}).get("adds", ()))),
-        targets={name: read_target(name, keys) for name, keys in tables.get("targets", {}).items()},
+        targets=each_read(tables.get("targets", {}), read_target),
         checks=checks,
         categories=tuple(tables.get("categories", ())),
         warnings=warnings,

@@ -1,13 +1,18 @@
 """The tables of a delivery spec as its files say them: held to the keys there are, and put on what they extend."""
 
+import re
 from pathlib import Path
 
-from audio_checks.errors import SpecError
+from audio_checks.errors import SpecError, SpecErrors
 from audio_checks.spec import keys as spec_keys
 from audio_checks.spec.parts import Tables
 from audio_checks.system.text_files import read_text, read_toml
 
 MOST_FILES = 20  # that extend one another
+_NAMES = r"""(?:[A-Za-z0-9_-]+|"[^"\n]*"|'[^'\n]*')(?:[ \t]*\.[ \t]*(?:[A-Za-z0-9_-]+|"[^"\n]*"|'[^'\n]*'))*"""
+_HEADER = re.compile(rf"[ \t]*\[\[?[ \t]*({_NAMES})[ \t]*\]")
+_KEY = re.compile(rf"[ \t]*({_NAMES})[ \t]*=")
+_NAME_PART = re.compile(r"""["']([^"'\n]*)["']|([A-Za-z0-9_-]+)""")
 
 
 def has_spec(path: Path) -> bool:
@@ -54,7 +59,7 @@ def read_tables(text: str, where: str, *, pyproject: bool = False) -> Tables:
     try:
         return dict(spec_keys.SPEC.read(document, ""))
     except SpecError as error:
-        raise placed(error, where) from None
+        raise placed(with_lines(error, text, inside="tool.audio-checks" if pyproject else ""), where) from None
 
 
 def merged(base: Tables, over: Tables) -> Tables:
@@ -66,8 +71,47 @@ def merged(base: Tables, over: Tables) -> Tables:
     return whole
 
 
+def with_lines(error: SpecError, text: str, *, inside: str = "") -> SpecError:
+    """Return the error with the line of its place in a TOML text, where it has one.
+
+    `inside` is the table of the text that the places are in.
+    """
+    if isinstance(error, SpecErrors):
+        return SpecErrors([with_lines(one, text, inside=inside) for one in error.errors])
+    lines = _lines_of_keys(text)
+    place = ".".join(part for part in (inside, re.sub(r"\[\d+\]", "", error.where)) if part)
+    while place and place not in lines:
+        place = place.rpartition(".")[0]
+    if not place or place == inside:
+        return error
+    return SpecError(f"{error.args[0]} (line {lines[place]})", where=error.where)
+
+
+def _lines_of_keys(text: str) -> dict[str, int]:
+    """Return the line that each table and key of a TOML text is first named in."""
+    lines: dict[str, int] = {}
+    table, quote = "", ""
+    for number, line in enumerate(text.splitlines(), start=1):
+        if quote:  # in a text of several lines
+            quote = "" if quote in line else quote
+            continue
+        if header := _HEADER.match(line):
+            table = _dotted(header[1])
+            lines.setdefault(table, number)
+        elif key := _KEY.match(line):
+            lines.setdefault(f"{table}.{_dotted(key[1])}" if table else _dotted(key[1]), number)
+            quote = next((mark for mark in ('"""', "'''") if line.count(mark) == 1), "")
+    return lines
+
+
+def _dotted(name: str) -> str:
+    return ".".join(quoted or plain for quoted, plain in _NAME_PART.findall(name))
+
+
 def placed(error: SpecError, where: str, join: str = ": ") -> SpecError:
     """Return the error with its place put behind where the tables came from."""
+    if isinstance(error, SpecErrors):
+        return SpecErrors([placed(one, where, join) for one in error.errors])
     return SpecError(error.args[0], where=f"{where}{join}{error.where}" if error.where else where)
 
 

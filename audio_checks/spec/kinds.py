@@ -6,11 +6,11 @@ that say the same have the same tables, and so the same hash.
 
 import math
 import re
-from collections.abc import Mapping, Sized
+from collections.abc import Callable, Mapping, Sized
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from audio_checks.errors import SpecError
+from audio_checks.errors import SpecError, SpecErrors
 from audio_checks.metadata.bext import FIELDS as BEXT_FIELDS
 from audio_checks.metadata.ixml import ASWG_FIELDS
 from audio_checks.spec.patterns import PatternUnsupported, compiled
@@ -21,6 +21,7 @@ FOLDER = r"[A-Za-z0-9_() .-]+"
 SLUG = r"[a-z0-9]+([_-][a-z0-9]+)*"
 LONGEST_KEY = 200  # a glob of [files] is the longest
 LONGEST_TEXT = 1_000
+MOST_ERRORS = 20  # that are named at once
 
 
 class Kind(Protocol):
@@ -225,10 +226,12 @@ class Table:
         if self.may_be_any and value == ANY:
             return ANY
         table = _table(value, where)
-        for key in table:
-            if key not in self.keys:
-                raise SpecError(f"no such key{_nearest(key, self.keys)}", where=_join(where, key))
-        return {key: self.keys[key].read(one, _join(where, key)) for key, one in table.items()}
+        return each_read(table, lambda key, one: self._read_key(key, one, _join(where, key)))
+
+    def _read_key(self, key: str, value: object, where: str) -> Any:
+        if key not in self.keys:
+            raise SpecError(f"no such key{_nearest(key, self.keys)}", where=where)
+        return self.keys[key].read(value, where)
 
     def schema(self) -> dict[str, Any]:
         """Return a closed object."""
@@ -258,12 +261,12 @@ class Named:
         """Return the table with each value read."""
         table = _table(value, where)
         _ensure_few(table, self.most, where)
-        for key in table:
-            if self.slugs and not re.fullmatch(SLUG, key):
-                raise SpecError(
-                    "a name here is lower-case letters and digits, joined by _ or -", where=_join(where, key)
-                )
-        return {key: self.kind.read(one, _join(where, key)) for key, one in table.items()}
+        return each_read(table, lambda key, one: self._read_key(key, one, _join(where, key)))
+
+    def _read_key(self, key: str, value: object, where: str) -> Any:
+        if self.slugs and not re.fullmatch(SLUG, key):
+            raise SpecError("a name here is lower-case letters and digits, joined by _ or -", where=where)
+        return self.kind.read(value, where)
 
     def schema(self) -> dict[str, Any]:
         """Return an object of any names."""
@@ -333,6 +336,22 @@ class MetadataField:
     def schema(self) -> dict[str, Any]:
         """Return a string of the form."""
         return {"type": "string", "pattern": f"^{METADATA_FIELD}$"}
+
+
+def each_read(table: Mapping[str, Any], read: Callable[[str, Any], Any]) -> dict[str, Any]:
+    """Return a table with each value read; raise what is wrong with all of them at once."""
+    done: dict[str, Any] = {}
+    errors: list[SpecError] = []
+    for key, value in table.items():
+        try:
+            done[key] = read(key, value)
+        except SpecError as error:
+            errors += error.errors if isinstance(error, SpecErrors) else [error]
+        if len(errors) >= MOST_ERRORS:
+            break
+    if errors:
+        raise errors[0] if len(errors) == 1 else SpecErrors(errors)
+    return done
 
 
 def _table(value: object, where: str) -> dict[str, object]:

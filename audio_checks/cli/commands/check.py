@@ -21,7 +21,7 @@ from audio_checks.cli.arguments import (
     spec_for,
 )
 from audio_checks.cli.outputs import Outputs
-from audio_checks.cli.terminal import BOLD, GREEN, RED, Ink, in_colour, note, say, width
+from audio_checks.cli.terminal import BOLD, GREEN, RED, Ink, counted, in_colour, note, say, width
 from audio_checks.report.findings import FileReport, Report, printable, with_waivers
 from audio_checks.run.baseline import DEFAULT_NAME, add_to_baseline, known_by_its_bytes, read_baseline
 from audio_checks.run.discovery import SPEC_NAMES, Found, SpecFinder, dry_stems
@@ -137,7 +137,7 @@ class _Judging:
         for warning in dict.fromkeys(f"{spec.name}: {one}" for spec in self.specs for one in spec.warnings):
             note(warning)
         if None in specs:
-            without = f"no delivery spec for {specs.count(None)} of {len(specs)} files"
+            without = f"no delivery spec for {specs.count(None)} of {_files(len(specs))}"
             if options.require_spec:
                 first = runner.printable_path(found[specs.index(None)].path)
                 raise UsageError(
@@ -306,7 +306,7 @@ def _let_through(entries: list[FileReport], options: argparse.Namespace) -> list
     """Write down what was found, so that it counts no more."""
     place = options.baseline or DEFAULT_NAME
     added = add_to_baseline(place, entries)
-    note(f"{place}: {added} findings let through from now on; read it with --baseline {place}")
+    note(f"{place}: {counted(added, 'finding')} let through from now on; read it with --baseline {place}")
     waived = read_baseline(place)
     return [with_waivers(entry, waived) for entry in entries]
 
@@ -334,4 +334,4 @@ def _exit_code(entries: Sequence[FileReport], fail_level: str) -> int:
 
 
 def _files(count: int) -> str:
-    return "1 file" if count == 1 else f"{count} files"
+    return counted(count, "file")

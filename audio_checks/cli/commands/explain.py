@@ -3,10 +3,14 @@
 import argparse
 import sys
 import textwrap
+from typing import TYPE_CHECKING
 
 from audio_checks.cli.arguments import OK, UsageError
 from audio_checks.cli.terminal import BOLD, DIM, RED, YELLOW, Ink, in_colour, width
 from audio_checks.spec import check_names
+
+if TYPE_CHECKING:
+    from audio_checks.checks import Check
 
 SEVERITY_COLOURS = {"error": RED, "warning": YELLOW}
 
@@ -21,9 +25,10 @@ def run(options: argparse.Namespace) -> int:
     from audio_checks.checks import all_checks
 
     name = options.check.partition(":")[0]
-    check = all_checks().get(name)
+    check = all_checks().get(name) or _by_judgement(name)
     if check is None:
         raise UsageError(_unknown(name, list(all_checks())))
+    name = check.name
     ink = Ink(in_colour(sys.stdout))
     level = check_names.DEFAULT_SEVERITY[name]
     print(f"{ink(name, BOLD)}  {ink(level, SEVERITY_COLOURS[level])} {ink('by default', DIM)}")
@@ -33,13 +38,21 @@ def run(options: argparse.Namespace) -> int:
     return OK
 
 
+def _by_judgement(name: str) -> "Check | None":
+    """Return the check that makes findings of a judgement: `reverb` is judged by `baked-reverb`."""
+    from audio_checks.checks import all_checks
+
+    return next((check for check in all_checks().values() if check.judgement == name), None)
+
+
 def _unknown(name: str, known: list[str]) -> str:
     if name in check_names.DEFAULT_SEVERITY:
         return f"{name}: the name is kept for a check that this version lacks"
     from difflib import get_close_matches
 
-    near = get_close_matches(name, known, n=1, cutoff=0.0)
-    return f'no check "{name}"; the nearest is "{near[0]}"; audio-checks list names them all'
+    near = [one for one in known if name in one] or get_close_matches(name, known, n=1, cutoff=0.0)
+    nearest = " and ".join(f'"{one}"' for one in near[:3])
+    return f'no check "{name}"; the nearest {"is" if len(near) == 1 else "are"} {nearest}; audio-checks list names all'
 
 
 def _wrapped(text: str, indent: str) -> str:

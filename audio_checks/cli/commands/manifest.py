@@ -10,7 +10,7 @@ from audio_checks.audit.fingerprinted import FingerprintedFile
 from audio_checks.audit.manifest import manifest_text, write_manifest
 from audio_checks.audit.played import with_plays
 from audio_checks.cli.arguments import FOUND, OK, add_paths, add_run, found_files, progress_over
-from audio_checks.cli.terminal import say
+from audio_checks.cli.terminal import counted, say
 from audio_checks.middleware.project import read_project
 from audio_checks.report.findings import printable
 from audio_checks.run.workload import process_count
@@ -43,7 +43,7 @@ def run(options: argparse.Namespace) -> int:
         return FOUND if len(kept) < len(heard) else OK
     write_manifest(options.out, kept)
     if not options.quiet:
-        print(printable(f"{options.out}: {len(kept)} sounds"))
+        print(printable(f"{options.out}: {counted(len(kept), 'sound')}"))
     return FOUND if len(kept) < len(heard) else OK
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from audio_checks.cli.arguments import FORMAT_HELP, FOUND, OK, UsageError
 from audio_checks.cli.outputs import Outputs
+from audio_checks.cli.terminal import counted
 from audio_checks.report.findings import printable
 from audio_checks.run.memory_budget import Memory, MemoryUse, memory_use, requested_sizes
 from audio_checks.spec.delivery_spec import load_spec
@@ -53,7 +54,8 @@ def _lines(memory: Memory, *, quiet: bool) -> Iterator[str]:
 
 
 def _in_words(use: MemoryUse) -> str:
-    words = f"{use.files} files, {use.memory_bytes / KIB:,.0f} KiB in memory, {use.disk_bytes / KIB:,.0f} KiB on disk"
+    files = counted(use.files, "file")
+    words = f"{files}, {use.memory_bytes / KIB:,.0f} KiB in memory, {use.disk_bytes / KIB:,.0f} KiB on disk"
     if use.over_bytes is not None and use.budget_bytes is not None:
         room = f"{abs(use.over_bytes) / KIB:,.0f} KiB {'over' if use.over_bytes > 0 else 'under'}"
         words += f", {room} the budget of {use.budget_bytes / KIB:,.0f} KiB"

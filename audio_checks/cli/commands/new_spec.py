@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 
 from audio_checks.cli.arguments import OK, UsageError, add_run, progress_over
-from audio_checks.cli.terminal import note
+from audio_checks.cli.terminal import counted, note
 from audio_checks.spec import target_presets
 from audio_checks.spec.delivery_spec import new_spec
 from audio_checks.spec.presets import PRESETS
@@ -59,5 +59,8 @@ def _measured(options: argparse.Namespace) -> str:
         )
     for path, why in made.unreadable:
         note(printable(f"{path}: cannot be read, and is not measured: {why}"))
-    note(f"{made.measured} files measured; by this spec none has an error, {made.warned} have a warning")
+    note(
+        f"{counted(made.measured, 'file')} measured; by this spec none has an error,"
+        f" {made.warned} {'has' if made.warned == 1 else 'have'} a warning"
+    )
     return made.text

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from audio_checks.cli.arguments import FOUND, OK, UsageError, add_paths, add_run, found_files, out_folder, progress_over
 from audio_checks.cli.outputs import Outputs
+from audio_checks.cli.terminal import counted
 from audio_checks.errors import RenderRefused, Unreadable
 from audio_checks.report.findings import printable
 from audio_checks.spec.delivery_spec import load_spec
@@ -82,7 +83,7 @@ def _as(name: str, results: Sequence[Placeholder | RenderRefused], taken: int, *
                 f"{one.number} -> {one.path}: {what}, {one.duration_s:.3f} s{'' if one.is_new else ', as before'}"
             )
     if not quiet:
-        lines.append(f"{len(made)} {'placeholder' if len(made) == 1 else 'placeholders'}; {taken} takes need none")
+        lines.append(f"{counted(len(made), 'placeholder')}; {counted(taken, 'take needs', 'takes need')} none")
     return "".join(f"{printable(line)}\n" for line in lines)
 
 

@@ -90,7 +90,7 @@ def compared_with_dry(alone: Judgement, path: str | os.PathLike[str], dry: DrySt
     try:
         return combined_with(alone, compare_reverb_with_dry(path, dry.path), dry.name)
     except Unreadable as error:
-        stem = {"name": dry.name, "verdict": "unreadable", "why": f"{error} ({error.rule}); {error.fix}"}
+        stem = {"name": dry.name, "verdict": "unreadable", "why": f"{error}; {error.fix}"}
         return replace(alone, figures={**alone.figures, "stem": stem})
 
 

@@ -199,7 +199,7 @@ def test_formats_and_schemas(folders, sound, audit, run):
     jsonschema.validate(json.loads(Path("approved.json").read_text()), json.loads(run("schema", "manifest")[1]))
     assert manifest.schema()["properties"]["schema_version"] == {"const": 1}
     code, out, _ = run("audit", "--manifest", "approved.json", "--format", "text", "build")
-    assert (code, out) == (1, "a.wav  gain (-6.0 dB): 6.0 dB quieter\n1 sounds: 1 gain\n")
+    assert (code, out) == (1, "a.wav  gain (-6.0 dB): 6.0 dB quieter\n1 sound: 1 gain\n")
     assert 'type="audit:gain"' in run("audit", "--manifest", "approved.json", "--format", "junit", "build")[1]
     assert "::error file=a.wav" in run("audit", "--manifest", "approved.json", "--format", "github", "build")[1]
 

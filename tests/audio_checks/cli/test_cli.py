@@ -12,6 +12,7 @@ import pytest
 
 from audio_checks.checks import all_checks
 from audio_checks.cli import main, reporters
+from audio_checks.cli.terminal import counted
 from audio_checks.run import runner
 from audio_checks.spec.delivery_spec import new_spec
 from tests.support.waves import join, silence, sine, write_wav
@@ -101,10 +102,11 @@ class TestExitCodes:
         ("arguments", "said"),
         [
             ([], "COMMAND"),
-            (["chek"], "chek"),
+            (["chekc"], 'no command "chekc"; the nearest is check;'),
             (["fix", *SPEC, "--out", "out"], "no path given"),
             (["check", "nowhere.wav"], "nowhere.wav: no such file or folder"),
-            (["check", "--frmat", "json", "."], "--frmat"),
+            (["check", "--frmat", "json", "."], "--frmat; the nearest is --format;"),
+            (["check", "--sepc=spec.toml", "."], "--sepc; the nearest is --spec;"),
             (["check", "--format", "yaml", "."], "formats: github, json, jsonl, junit, sarif, text"),
             (["check", "--format", "json", "--format", "text", "."], "same place"),
             (["check", "--format", "json:no/such/folder.json", "laser.wav"], "cannot be written"),
@@ -116,9 +118,11 @@ class TestExitCodes:
             (["check", *SPEC, "--list", "none.csv", "laser.wav"], "none.csv"),
             (["check", *SPEC, "--baseline", "none.json", "laser.wav"], "none.json"),
             (["check", "-j", "-1", "laser.wav"], "-j"),
+            (["check", "-j", "many", "laser.wav"], "argument -j/--jobs: wanted a whole number"),
             (["measure", "nowhere.wav"], "no such file"),
             (["render", "--out", "out", "laser.wav"], "--spec"),
             (["explain", "true-peek"], '"true-peak"'),
+            (["explain", "silenc"], 'are "silence" and "head-silence" and "tail-silence"'),
             (["schema", "sounds"], "sounds"),
             (["new-spec", "--preset", "96k"], "96k"),
         ],
@@ -128,6 +132,21 @@ class TestExitCodes:
         code, _, err = run(*arguments)
         assert code == 2
         assert said in err
+
+    def test_a_judgement_is_explained_by_its_check(self, run):
+        assert run("explain", "reverb")[1].startswith("baked-reverb")
+
+    def test_no_number_of_a_rule_is_shown(self, folder, run):
+        (folder / "broken.wav").write_bytes(write_wav(folder / "good.wav", GOOD).read_bytes()[:-40])
+        _, out, _ = run("check", *SPEC, "broken.wav")
+        assert "are missing" in out
+        assert "(R1)" not in out
+
+    @pytest.mark.parametrize(
+        ("count", "words"), [(0, "0 files"), (1, "1 file"), (2, "2 files"), (1_200, "1,200 files")]
+    )
+    def test_a_number_and_its_noun(self, count, words):
+        assert counted(count, "file") == words
 
     def test_an_unknown_key_of_the_spec(self, folder, run):
         (folder / "mine.toml").write_text("format = 1\n[limits]\ntrue_peak = -1\n", encoding="utf-8")

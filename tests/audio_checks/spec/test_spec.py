@@ -5,7 +5,7 @@ import json
 
 import pytest
 
-from audio_checks.errors import SpecError
+from audio_checks.errors import SpecError, SpecErrors
 from audio_checks.spec.delivery_spec import Range, Target, load_spec, new_spec, parse_spec
 from audio_checks.spec.name_tokens import Token
 
@@ -356,3 +356,53 @@ class TestFolders:
         toml = f'format = 1\n[targets.game]\nsample_rate_hz = 48000\nbit_depth = 16\nfolder = "{folder}"\n'
         with pytest.raises(SpecError, match="folders"):
             parse_spec(toml)
+
+
+EVERYTHING_WRONG = """format = 1
+[limits]
+true_peak = -1
+sample_peak_dbfs = "x"
+[naming]
+pattern = '''
+[a-z]+'''
+extension = 7
+[targets."game"]
+sample_rate_hz = 44100
+bit_depth = 16
+dither = "tdpf"
+[categories.vo]
+checks.true-peek = "error"
+"""
+
+
+def test_everything_that_is_wrong_is_said_at_once_with_its_line():
+    with pytest.raises(SpecErrors) as caught:
+        parse_spec(EVERYTHING_WRONG, where="mine.toml")
+    assert [(error.where, str(error).rpartition(" (")[2]) for error in caught.value.errors] == [
+        ("mine.toml: limits.true_peak", "line 3)"),
+        ("mine.toml: limits.sample_peak_dbfs", "line 4)"),
+        ("mine.toml: naming.extension", "line 8)"),
+        ("mine.toml: targets.game.dither", "line 12)"),
+        ("mine.toml: categories.vo.checks.true-peek", "line 14)"),
+    ]
+    assert len(str(caught.value).splitlines()) == 5
+
+
+def test_targets_that_cannot_be_made_are_said_at_once():
+    text = "format = 1\n[targets.a]\nsample_rate_hz = 48000\nbit_depth = 64\n[targets.b]\nsample_rate_hz = 48000\n"
+    with pytest.raises(SpecErrors) as caught:
+        parse_spec(text)
+    assert [error.where for error in caught.value.errors] == [
+        "spec.toml: targets.a.bit_depth",
+        "spec.toml: targets.b.bit_depth",
+    ]
+    assert [str(error).rpartition(" (")[2] for error in caught.value.errors] == ["line 4)", "line 5)"]
+
+
+def test_lines_of_a_table_in_pyproject(tmp_path):
+    path = tmp_path / "pyproject.toml"
+    path.write_text(
+        '[project]\nname = "x"\n[tool.audio-checks]\nformat = 1\n[tool.audio-checks.limits]\ntrue_peak = 1\n'
+    )
+    with pytest.raises(SpecError, match=r"\(line 6\)$"):
+        load_spec(path)

@@ -60,8 +60,8 @@ describe('reverb beside the dry stem', () => {
       'The two are not the same sound, so the result without the stem is kept.',
     ],
     [
-      { verdict: 'unreadable', why: 'this is an MP3 (R11); export a WAV' },
-      'The stem could not be read. This is an MP3 (R11); export a WAV.',
+      { verdict: 'unreadable', why: 'this is an MP3; export a WAV' },
+      'The stem could not be read. This is an MP3; export a WAV.',
     ],
     [{ verdict: 'failed', why: 'our comparison of the two failed' }, 'That is our fault. Run the check again.'],
   ])('says what was found: %j', async (stem, said) => {

@@ -17,11 +17,13 @@ export interface Layout {
 
 /** Why the server could not read the file. */
 export class Unreadable extends Error {
+  readonly rule: string
   readonly code: string
   readonly fix: string
 
   constructor(message: string, rule: string, code: string, fix: string) {
-    super(`${message} (${rule})`)
+    super(message)
+    this.rule = rule
     this.code = code
     this.fix = fix
   }
