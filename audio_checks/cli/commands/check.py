@@ -2,7 +2,7 @@
 
 import argparse
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -144,7 +144,24 @@ class _Judging:
                     f"{without}, {first} the first: name one with --spec, or put {SPEC_NAMES[0]} above them"
                 )
             note(f"{without}: only their structure is judged")
-        return [self._task(one.path, spec) for one, spec in zip(found, specs, strict=True)]
+        tasks = [self._task(one.path, spec) for one, spec in zip(found, specs, strict=True)]
+        if reasons := list(self._less_well(tasks)):
+            note("; ".join(reasons))
+        return tasks
+
+    def _less_well(self, tasks: Sequence["Task"]) -> Iterator[str]:
+        """Yield what is judged less well because the run was not told more of the sounds."""
+        by_spec = [task for task in tasks if task.spec is not None]
+        if by_spec and self.sound_list is None:
+            yield (
+                "no sound list (--list): lengths, loops and variations of cues are not compared,"
+                " and a name passes that no cue has"
+            )
+        if without := sum(task.spec is not None and task.spec.category is None for task in by_spec):
+            yield (
+                f"no category for {without} of {_files(len(by_spec))} (--category, the list, or [files] of the spec):"
+                " the limits of no category hold, and judgements are at their most cautious"
+            )
 
     def _task(self, path: str, spec: DeliverySpec | None) -> "Task":
         from audio_checks.run import runner

@@ -197,10 +197,10 @@ class TestSpec:
 
     def test_none_at_all_is_an_error_where_one_is_required(self, run, outside):
         code, _, err = run("check", outside)
-        assert (code, "no delivery spec for 1 of 1 files: only their structure" in err) == (0, True)
+        assert (code, "no delivery spec for 1 of 1 file: only their structure" in err) == (0, True)
         code, out, err = run("check", "--require-spec", outside)
         assert (code, out) == (2, "")
-        assert "no delivery spec for 1 of 1 files" in err
+        assert "no delivery spec for 1 of 1 file" in err
         assert "name one with --spec" in err
 
     def test_one_that_is_found_is_enough(self, folder, run, outside):
