@@ -16,9 +16,9 @@ percussive sound's own attack is the same wave; nor one where the wave passes th
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.checks.loop_points import loops_by_itself
 from audio_checks.report.findings import Finding
 from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
+from audio_checks.spec.parts import loops_by_itself
 
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
@@ -38,7 +38,7 @@ def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
 def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterator[Finding]:
     """Yield `cut-start:mid-wave` when the sound starts far from zero."""
     edge = file.measurements.start_edge
-    if edge is None or not edge.cut or loops_by_itself(file, cue):
+    if edge is None or not edge.cut or loops_by_itself(file.layout.loops, cue):
         return
     yield Finding(
         code="cut-start:mid-wave",

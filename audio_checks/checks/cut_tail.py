@@ -16,9 +16,9 @@ low cut is nearly as high as the sound before.
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.checks.loop_points import loops_by_itself
 from audio_checks.report.findings import Finding
 from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
+from audio_checks.spec.parts import loops_by_itself
 
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
@@ -38,7 +38,7 @@ def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
 def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterator[Finding]:
     """Yield `cut-tail:mid-wave` when the sound ends far from zero."""
     edge = file.measurements.end_edge
-    if edge is None or not edge.cut or loops_by_itself(file, cue):
+    if edge is None or not edge.cut or loops_by_itself(file.layout.loops, cue):
         return
     yield Finding(
         code="cut-tail:mid-wave",

@@ -11,9 +11,9 @@ what lies below that level, or 60 dB under the file's peak, whichever is lower.
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.checks.loop_points import loops_by_itself
 from audio_checks.report.findings import Finding
 from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
+from audio_checks.spec.parts import loops_by_itself
 
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
@@ -32,7 +32,7 @@ def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
 def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterator[Finding]:
     """Yield `head-silence:over` when the silence before the sound is longer than the limit."""
     limit = spec.limits.head_silence_ms
-    if limit is None or loops_by_itself(file, cue) or file.measurements.sample_peak_dbfs == float("-inf"):
+    if limit is None or loops_by_itself(file.layout.loops, cue) or file.measurements.sample_peak_dbfs == float("-inf"):
         return
     head_ms, _ = file.measurements.edges(spec.limits.edge_silence_below_dbfs)
     if head_ms > limit:

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING
 
 from audio_checks.report.findings import Finding
 from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
+from audio_checks.spec.parts import loops_by_itself
 
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
@@ -31,11 +32,6 @@ STEP_DB = 6.0  # over the largest step nearby
 BEND_DB = 12.0  # over the largest change of slope nearby
 AROUND_S = 0.01
 FIX = "move the loop's end so that wave and slope meet, or fade across the seam"
-
-
-def loops_by_itself(file: "AudioFile", cue: CueFacts | None) -> bool:
-    """Return whether a file loops by its own points, and the list does not say that its cue plays once."""
-    return bool(file.layout.loops) and not (cue is not None and cue.plays_once)
 
 
 def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterator[Finding]:
@@ -52,7 +48,7 @@ def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterat
             fix="export the loop points again from the session",
         )
     loops, rate = file.layout.loops, file.facts.sample_rate_hz
-    if loops and not loops_by_itself(file, cue):
+    if loops and not loops_by_itself(file.layout.loops, cue):
         yield Finding(
             code="loop-points:unwanted",
             message=f"the sound list says that this sound is no loop, but the file has {_loops_in_words(len(loops))}: "

@@ -1,6 +1,6 @@
 """The parts of a delivery spec, each as plain values, and how each is read from its table."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
@@ -217,6 +217,11 @@ class CueFacts:
     def language(self) -> str | None:
         """The language of a voice line, of the column `language`; None for a cue that is no line."""
         return self.more.get("language") or None
+
+
+def loops_by_itself(loops: Sequence[object], cue: CueFacts | None) -> bool:
+    """Return whether a file loops by its own points, and the list does not say that its cue plays once."""
+    return bool(loops) and not (cue is not None and cue.plays_once)
 
 
 def read_accept(table: Tables) -> Accept:
