@@ -103,6 +103,9 @@ class Term:
     choices: Sequence[Choice] = field(default_factory=tuple)
     struck: TermValue | None = None  # what holds where no clause in force names it; None: what was written
     said: bool = False  # the software goes by it, so it is the default or some clause in force says otherwise
+    counted: bool = False  # the software goes by it, so a text says it as a field and as nothing else
+    needed: bool = False  # nothing else holds where no clause names it, so a text of its kinds has it
+    typed: Sequence[str] = field(default_factory=tuple)  # how a text says it as a number; `figures` reads them
 
 
 @dataclass(frozen=True)

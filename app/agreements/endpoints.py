@@ -249,6 +249,7 @@ async def _pdf_to_send(request: Request, contract_id: UUID) -> TextPdf:
     "/contracts/{contract_id}/send",
     responses=problems(
         ContractNotFound,
+        BadDraft,
         BriefOpen,
         DocumentTooLarge,
         DraftChanged,
@@ -303,7 +304,7 @@ def set_contract_signers(
 
 @router.post(
     "/contracts/{contract_id}/accept",
-    responses=problems(ContractNotFound, NotYourContract, WrongState, NotASigner, NotYourTurn, *SIGNING),
+    responses=problems(ContractNotFound, NotYourContract, WrongState, BadDraft, NotASigner, NotYourTurn, *SIGNING),
 )
 def accept_contract(
     contract_id: UUID,

@@ -39,6 +39,7 @@ from app.agreements.rules import (
 )
 from app.agreements.sealed_facts import sealed_terms
 from app.agreements.signing import signing_facts
+from app.agreements.text_faults import ensure_text_whole, text_faults
 from app.agreements.versions import add_version, newest_of, text_now
 from app.kit import clock
 from app.kit.db import Database
@@ -169,7 +170,7 @@ def save_draft(
             f"{newest.author.name} saved version {newest.number}; yours began from version {based_on_version}",
             fix=f"compare with version {newest.number}, then save what you still want",
         )
-    _ensure_whole(draft)
+    _ensure_whole(session, contract, draft)
     _put(contract, draft)
     return add_version(session, actor, contract, draft.clauses, draft.terms, note=note)
 
@@ -179,7 +180,7 @@ def preview(session: Session, actor: Actor, contract_id: UUID, draft: Draft) -> 
     contract = contract_for_producer(session, actor, contract_id)
     facts = facts_of(session, contract, terms_in_force(draft.clauses, draft.terms), draft)
     text = render(draft.title, draft.clauses, draft.terms, facts, draft.currency)
-    return text, _problems(draft)
+    return text, text_faults(session, contract, draft.clauses, draft.terms, holdback_bp=draft.holdback_bp)
 
 
 def pdf_to_send(database: Database, actor: Actor, contract_id: UUID) -> TextPdf:
@@ -216,6 +217,7 @@ def _sendable(session: Session, contract: Contract) -> tuple[ContractVersion, li
     ensure_state(contract.state, {ContractState.DRAFT}, way_on(contract.state, contract.kind))
     newest = newest_of(session, contract)
     clauses = [Clause.of(row) for row in newest.clauses]
+    ensure_text_whole(session, contract, newest, "nothing was sent")
     ensure_open_answers_are_said(session, contract, clauses)
     ensure_answered(session, contract, (clauses, newest.terms))
     return newest, clauses
@@ -272,13 +274,8 @@ def _put(contract: Contract, draft: Draft) -> None:
     contract.holdback_bp = draft.holdback_bp
 
 
-def _problems(draft: Draft) -> list[FieldProblem]:
-    return [
-        {"where": where, "message": message} for where, message in clause_rules.faults_of(draft.clauses, draft.terms)
-    ]
-
-
-def _ensure_whole(draft: Draft) -> None:
-    if problems := _problems(draft):
+def _ensure_whole(session: Session, contract: Contract, draft: Draft) -> None:
+    problems = text_faults(session, contract, draft.clauses, draft.terms, holdback_bp=draft.holdback_bp)
+    if problems:
         first = problems[0]
         raise BadDraft(f"nothing was saved; {first['where']}: {first['message']}", errors=problems)

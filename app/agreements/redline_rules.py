@@ -8,11 +8,14 @@ from enum import StrEnum
 from typing import Any
 
 from app.agreements.clauses import MAX_CLAUSES, Clause, Terms, faults_of_clause, faults_of_term, names_in
+from app.agreements.figures import faults_of_figures, with_fields
+from app.agreements.rules import ContractKind
 
 PROPOSED, ANSWERED, SENT = "redlines_proposed", "redline_answered", "sent"  # kinds of entries of the record
 RETURNS = ("change_requested", PROPOSED)  # entries by which a contract goes back to the studio
 TURNS = (SENT, "taken_back", *RETURNS)  # entries after which the other party is next
 _STEM_CHARS = 40
+_INSERTED = "changes_"  # begins the key of a clause that is proposed and has none yet
 Text = tuple[Sequence[Clause], Terms]  # clauses and terms of a version
 
 
@@ -225,6 +228,68 @@ def faults_of_wording(wording: Wording, terms: Terms) -> Iterator[str]:
             yield f"the clause does not name {{{name}}}, so it cannot change it"
         else:
             yield from faults_of_term(name, value)
+
+
+def proposed_text(changes: Sequence[Change], clauses: Sequence[Clause], terms: Terms) -> tuple[list[Clause], Terms]:
+    """Return the text that proposed changes would make; each inserted clause has the key `changes_INDEX`."""
+    of_clause = {change.clause_key: change for change in changes if change.kind is not RedlineKind.INSERT}
+    inserted: dict[str | None, list[Clause]] = {}
+    for index, change in enumerate(changes):
+        if change.kind is RedlineKind.INSERT:
+            clause = Clause(f"{_INSERTED}{index}", change.wording.title, change.wording.text)
+            inserted.setdefault(change.after_key, []).append(clause)
+    after = list(inserted.get(None, []))
+    for clause in clauses:
+        made = of_clause.get(clause.key)
+        if made is not None and made.kind is RedlineKind.STRIKE:
+            after.append(replace(clause, stands=False))
+        else:
+            after.append(replace(clause, title=made.wording.title, text=made.wording.text) if made else clause)
+        after += inserted.get(clause.key, [])
+    return after, dict(terms) | {name: value for change in changes for name, value in change.wording.terms.items()}
+
+
+def faults_of_proposed_figures(
+    changes: Sequence[Change], clauses: Sequence[Clause], terms: Terms, kind: ContractKind
+) -> Iterator[tuple[str, str]]:
+    """Yield the figures that proposed changes take out of a text, or type as a number: `changes.INDEX`, and the fault.
+
+    What was wrong before is not the changes' fault.
+    """
+    before = set(faults_of_figures(clauses, terms, kind))
+    index_of = {change.clause_key: index for index, change in enumerate(changes) if change.clause_key}
+    by_struck = {
+        name: index_of[clause.key] for clause in clauses if clause.key in index_of for name in names_in([clause])
+    }
+    for where, message in faults_of_figures(*proposed_text(changes, clauses, terms), kind):
+        if (where, message) in before:
+            continue
+        place, _, name = where.partition(".")
+        if name.startswith(_INSERTED):
+            yield f"changes.{name.removeprefix(_INSERTED)}", message
+        elif place == "terms":
+            yield (f"changes.{by_struck[name]}" if name in by_struck else "changes"), f"{{{name}}}: {message}"
+        else:
+            yield (f"changes.{index_of[name]}" if name in index_of else "changes"), message
+
+
+def with_fields_put_back(
+    changes: Sequence[Change], clauses: Sequence[Clause], terms: Terms, currency: str
+) -> list[Change]:
+    """Return changes in which a number that was typed over a field is the new value of the field."""
+    before = {clause.key: clause.text for clause in clauses}
+    return [
+        replace(change, wording=wording_with_fields(change.wording, before[change.clause_key], terms, currency))
+        if change.kind is RedlineKind.REPLACE and change.clause_key in before
+        else change
+        for change in changes
+    ]
+
+
+def wording_with_fields(wording: Wording, before: str, terms: Terms, currency: str) -> Wording:
+    """Return a wording in which a number that was typed over a field of the text before is its new value."""
+    text, changed = with_fields(wording.text, before, terms, currency)
+    return replace(wording, text=text, terms=wording.terms | changed)
 
 
 def _is_as_before(wording: Wording, clause: Clause, terms: Terms) -> bool:

@@ -38,13 +38,17 @@ from app.agreements.redline_rules import (
     Wording,
     answered_draft,
     faults_of_changes,
+    faults_of_proposed_figures,
     faults_of_wording,
     is_in,
     named_in_words,
     numbered,
     rounds_of,
+    with_fields_put_back,
+    wording_with_fields,
 )
-from app.agreements.rules import ContractState, Party, ensure_state, way_on
+from app.agreements.rules import ContractKind, ContractState, Party, ensure_state, way_on
+from app.agreements.text_faults import text_faults
 from app.agreements.versions import add_version, newest_of
 from app.agreements.word_file import WordText
 from app.agreements.word_reading import MadeFrom, ReadChanges, changes_in
@@ -86,7 +90,8 @@ def propose(
             fix="reload the page and read what changed; what you wrote is kept",
         )
     clauses, terms = text_of(sent)
-    if problems := _problems(changes, clauses, terms):
+    changes = with_fields_put_back(changes, clauses, terms, contract.currency)
+    if problems := _problems(changes, clauses, terms, contract.kind):
         raise BadRedlines(f"nothing was sent; {problems[0]['message']}", errors=problems)
     earlier = rounds(session, contract)
     first = sum(len(round_.redlines) for round_ in earlier) + 1
@@ -106,7 +111,8 @@ def preview(
     contract = _to_propose(session, actor, contract_id)
     sent = _sent_version(session, contract)
     clauses, terms = text_of(sent)
-    problems = _problems(changes, clauses, terms)
+    changes = with_fields_put_back(changes, clauses, terms, contract.currency)
+    problems = _problems(changes, clauses, terms, contract.kind)
     broken = {problem["where"] for problem in problems}
     whole = [change for index, change in enumerate(changes) if f"changes.{index}" not in broken]
     return _marked(session, contract, sent, numbered(whole, 1)), problems
@@ -176,18 +182,20 @@ def answer(
         raise RedlineNotFound(f"no redline {number} of this contract waits for an answer")
     base = _base(session, contract, found[-1])
     is_counter = kind is AnswerKind.COUNTERED
+    before = next((clause.text for clause in base[0] if clause.key == redline.clause_key), redline.wording.text)
+    wording = wording_with_fields(wording, before, base[1], contract.currency)
     if fault := _fault_of_answer(redline, kind, wording, comment, base):
         raise BadRedlines(f"nothing was saved; {fault}", errors=[FieldProblem(where="answer", message=fault)])
     person = session.get_one(Person, actor.person)
     answered = replace(redline, answer=Answer(kind, wording if is_counter else None, comment, person.name, clock.now()))
     draft = text_of(newest_of(session, contract))
     clauses, terms = answered_draft(draft, base, found[-1], answered)
-    before = set(clause_rules.faults_of(*draft))
-    if faults := [fault for fault in clause_rules.faults_of(clauses, terms) if fault not in before]:
-        errors = [FieldProblem(where=where, message=message) for where, message in faults]
+    known = text_faults(session, contract, *draft, holdback_bp=contract.holdback_bp)
+    now = text_faults(session, contract, clauses, terms, holdback_bp=contract.holdback_bp)
+    if faults := [fault for fault in now if fault not in known]:
         raise BadRedlines(
-            f"nothing was saved; the draft would not be whole: {faults[0][1]}",
-            errors=errors,
+            f"nothing was saved; the draft would not be whole: {faults[0]['message']}",
+            errors=faults,
             fix="counter with a text that keeps it, or change the draft first",
         )
     if (clauses, terms) != (list(draft[0]), draft[1]):
@@ -253,8 +261,13 @@ def _sent_version(session: Session, contract: Contract) -> ContractVersion:
     return newest_of(session, contract)
 
 
-def _problems(changes: Sequence[Change], clauses: Sequence[Clause], terms: Terms) -> list[FieldProblem]:
-    return [FieldProblem(where=where, message=message) for where, message in faults_of_changes(changes, clauses, terms)]
+def _problems(
+    changes: Sequence[Change], clauses: Sequence[Clause], terms: Terms, kind: ContractKind
+) -> list[FieldProblem]:
+    faults = list(faults_of_changes(changes, clauses, terms)) or faults_of_proposed_figures(
+        changes, clauses, terms, kind
+    )
+    return [FieldProblem(where=where, message=message) for where, message in faults]
 
 
 def _marked(

@@ -28,6 +28,7 @@ from app.agreements.rules import (
 )
 from app.agreements.signing_codes import CodeCheck, use
 from app.agreements.signing_rules import BY_CODE, CONSENT, WITHOUT_CODE, SigningOrder, Yes, ensure_signers_fit
+from app.agreements.text_faults import ensure_text_whole
 from app.agreements.versions import newest_of
 from app.kit import clock
 from app.kit.db import bypass_row_policies
@@ -141,7 +142,8 @@ def facts_of_signature(person: Person, party: Party, signature: Signature) -> di
 def accept(session: Session, actor: Actor, contract_id: UUID, signature: Signature) -> ContractAcceptance:
     """Record a person's yes to the text that was sent; once all have given theirs, the contract is agreed.
 
-    Raises TextChanged unless the hash seen is that of the current text, AlreadyAccepted, NotASigner or NotYourTurn by
+    Raises TextChanged unless the hash seen is that of the current text, BadDraft where that text contradicts a figure,
+    AlreadyAccepted, NotASigner or NotYourTurn by
     the order that was set, SamePersonOnBothSides where the other party's yes is the same person's, and, where the
     server sends mail, AddressNotProven or what is wrong with the code.
     """
@@ -153,6 +155,7 @@ def accept(session: Session, actor: Actor, contract_id: UUID, signature: Signatu
     ensure_state(contract.state, {ContractState.SENT}, "a contract can be signed once it was sent")
     version = newest_of(session, contract)
     ensure_same_text(signature.text_sha256, version.text_sha256)
+    ensure_text_whole(session, contract, version, "nothing was signed")
     given = queries.acceptances_of(session, version.id)
     order = order_of(session, contract)
     order.ensure_turn(party, actor.person, yeses(given))

@@ -9,8 +9,9 @@ from app.accounts.rules import Actor
 from app.accounts.service import ensure_producer_of
 from app.agreements import queries
 from app.agreements.access import contract_to_change
-from app.agreements.clauses import Clause, Terms, begin, faults_of
+from app.agreements.clauses import Clause, Terms, begin
 from app.agreements.errors import BadTemplate, ContractVersionNotFound, TemplateNameTaken, TemplateNotFound
+from app.agreements.figures import faults_of_text
 from app.agreements.models import ContractTemplate
 from app.agreements.rules import KIND_WORDS, ContractKind
 from app.agreements.template_files import TemplateFields, write_toml
@@ -47,7 +48,7 @@ def save_template(
 ) -> ContractTemplate:
     """Keep clauses and terms under a new name."""
     ensure_producer_of(session, actor, studio_id)
-    if problems := _problems(clauses, terms):
+    if problems := _problems(clauses, terms, kind):
         raise BadTemplate(f"{problems[0]['where']}: {problems[0]['message']}", errors=problems)
     if len(queries.templates_of(session, studio_id)) >= MAX_TEMPLATES:
         raise BadTemplate(f"a studio keeps at most {MAX_TEMPLATES} templates", fix="delete one that is not used")
@@ -98,7 +99,7 @@ def change_template(
 ) -> ContractTemplate:
     """Change a template; contracts that began from it stay as they are."""
     template = visible_template(session, actor, studio_id, template_id)
-    if problems := _problems(clauses, terms):
+    if problems := _problems(clauses, terms, template.kind):
         raise BadTemplate(f"{problems[0]['where']}: {problems[0]['message']}", errors=problems)
     other = queries.template_by_name(session, studio_id, name)
     if other is not None and other.id != template.id:
@@ -140,5 +141,5 @@ def library_toml(kind: ContractKind) -> str:
     return write_toml(KIND_WORDS[kind].capitalize(), kind, clauses, terms)
 
 
-def _problems(clauses: Sequence[Clause], terms: Terms) -> list[FieldProblem]:
-    return [{"where": where, "message": message} for where, message in faults_of(clauses, terms)]
+def _problems(clauses: Sequence[Clause], terms: Terms, kind: ContractKind) -> list[FieldProblem]:
+    return [{"where": where, "message": message} for where, message in faults_of_text(clauses, terms, kind)]

@@ -11,11 +11,14 @@ from app.agreements.clauses import (
     MAX_TEXT_CHARS,
     MAX_TITLE_CHARS,
     Clause,
+    TermValue,
     known_terms,
     variables_in,
+    written_term,
 )
 from app.agreements.comparison import lines_of
 from app.agreements.errors import OtherContractsFile
+from app.agreements.figures import with_fields
 from app.agreements.line_tokens import likeness
 from app.agreements.redline_marks import clauses_as_sent
 from app.agreements.redline_rules import Change, RedlineKind, Text, Wording
@@ -254,11 +257,18 @@ class _Reading:
         title = self._title_in(clause, section)
         if not edited.is_changed and title == clause.title:
             return None
+        text, put_back = with_fields(edited.source, clause.text, self._from.text[1], self._from.currency)
+        if any(edited.terms.get(name, value) != value for name, value in put_back.items()):
+            text, put_back = edited.source, {}  # one value is given in two ways
+        terms = edited.terms | put_back
+        for name in put_back:
+            self._name_put_back(clause, name, put_back[name])
         for name in edited.written_out:
-            self._name_written_out(clause, name)
-        for name in edited.terms:
+            if name not in put_back:
+                self._name_written_out(clause, name)
+        for name in terms:
             self._name_shared(clause, name)
-        return Change(RedlineKind.REPLACE, clause.key, None, Wording(title, edited.source, edited.terms), comment)
+        return Change(RedlineKind.REPLACE, clause.key, None, Wording(title, text, terms), comment)
 
     def _title_in(self, clause: Clause, section: _Section) -> str:
         heading = section.heading.text if section.heading else ""
@@ -266,6 +276,15 @@ class _Reading:
             return clause.title
         title = _NUMBER.sub("", heading, count=1) if _NUMBER.match(heading) else heading
         return clause.title if title == _read(clause) else title
+
+    def _name_put_back(self, clause: Clause, name: str, value: TermValue) -> None:
+        label = known_terms()[name].label if name in known_terms() else name
+        self._add(
+            clause.key,
+            f"In “{clause.title}” the file has its own words for the value {{{name}}} ({label}). "
+            f"They are read as its new value: {written_term(name, value, self._from.currency)}.",
+            "Change the value beside the text if another one is meant.",
+        )
 
     def _name_written_out(self, clause: Clause, name: str) -> None:
         known = known_terms().get(name)

@@ -12,7 +12,7 @@ from tests.app.agreements.conftest import Contracts
 from tests.support.server import World
 
 INSERTED = {"kind": "insert", "after_key": "rounds", "title": "Tea", "text": "At four, with {designer}."}
-EDITED = {"kind": "replace", "clause_key": "rounds", "title": "Rounds", "text": "A."}
+EDITED = {"kind": "replace", "clause_key": "warranty", "title": "Originality", "text": "A."}
 STRUCK = {"kind": "strike", "clause_key": "about"}
 
 

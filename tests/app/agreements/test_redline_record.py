@@ -21,7 +21,7 @@ def redlining(world: World, contracts: Contracts) -> Redlining:
 
 def test_the_contract_and_today_name_what_is_open(world: World, redlining: Redlining):
     assert redlining.draft()["redlines"] is None
-    redlining.propose(redlining.replace("rounds", "Four rounds."), INSERTED)
+    redlining.propose(redlining.replace("warranty", "Own work."), INSERTED)
     redlining.answer(1, "accepted")
     read = redlining.draft()
     assert {name: read["redlines"][name] for name in ("rounds", "count", "unanswered", "is_open", "by")} == {
@@ -36,7 +36,7 @@ def test_the_contract_and_today_name_what_is_open(world: World, redlining: Redli
 
 
 def test_the_producers_are_mailed_what_is_proposed(world: World, redlining: Redlining):
-    redlining.propose(redlining.replace("rounds", "Four rounds."), INSERTED, note="See you at four.")
+    redlining.propose(redlining.replace("warranty", "Own work."), INSERTED, note="See you at four.")
     world.server.wait_for_jobs()
 
     def texts(session: Session) -> list[str]:
@@ -50,8 +50,8 @@ def test_the_producers_are_mailed_what_is_proposed(world: World, redlining: Redl
 
 
 def test_the_record_names_each_act_and_who_did_it(world: World, redlining: Redlining):
-    redlining.propose(redlining.replace("rounds", "Four rounds."))
-    redlining.answer(1, "countered", title="Rounds", text="Three rounds.", comment="Half way.")
+    redlining.propose(redlining.replace("warranty", "Own work."))
+    redlining.answer(1, "countered", title="Rounds", text="Licensed work.", comment="Half way.")
     proposed, answered = redlining.contracts.entries(redlining.sent, world.designer)[-2:]
     assert (proposed["kind"], proposed["payload"]["by"], proposed["payload"]["role"]) == (
         "redlines_proposed",
@@ -59,18 +59,18 @@ def test_the_record_names_each_act_and_who_did_it(world: World, redlining: Redli
         "designer",
     )
     assert proposed["payload"]["text_sha256"] == redlining.sent["version"]["text_sha256"]
-    assert proposed["payload"]["redlines"][0]["text"] == "Four rounds."
+    assert proposed["payload"]["redlines"][0]["text"] == "Own work."
     assert (answered["kind"], answered["payload"]["by"], answered["payload"]["text"]) == (
         "redline_answered",
         "Producer",
-        "Three rounds.",
+        "Licensed work.",
     )
     assert redlining.faults() == []
 
 
 def agreed_by_redline(redlining: Redlining) -> int:
     """Send a version that has an accepted redline, and return its number."""
-    redlining.propose(redlining.replace("rounds", "Four rounds."))
+    redlining.propose(redlining.replace("warranty", "Own work."))
     redlining.answer(1, "accepted")
     number: int = redlining.contracts.send(redlining.draft())["version"]["number"]
     return number
@@ -82,7 +82,7 @@ def test_verify_names_a_sent_version_without_what_was_agreed(world: World, redli
     def tamper(session: Session) -> None:
         version = version_by_number(session, UUID(redlining.sent["id"]), number)
         assert version is not None
-        version.clauses = [row | {"text": "One round."} if row["key"] == "rounds" else row for row in version.clauses]
+        version.clauses = [row | {"text": "Any work."} if row["key"] == "warranty" else row for row in version.clauses]
 
     assert redlining.faults() == []
     world.server.in_database(tamper)
@@ -106,7 +106,7 @@ def test_verify_names_an_entry_on_redlines_that_was_altered(world: World, redlin
 
 
 def test_versions_say_which_answer_made_them(world: World, redlining: Redlining):
-    redlining.propose(redlining.replace("rounds", "Four rounds."))
+    redlining.propose(redlining.replace("warranty", "Own work."))
     redlining.answer(1, "accepted")
 
     def notes(session: Session) -> list[str]:

@@ -6,7 +6,8 @@ from uuid import UUID
 import pytest
 from sqlalchemy.orm import Session
 
-from app.agreements.queries import version_by_number
+from app.agreements.plan_queries import terms_of
+from app.agreements.queries import contract_by_id, version_by_number
 from tests.app.agreements.conftest import Contracts, words_of
 from tests.app.agreements.redlining import EDITED, INSERTED, STRUCK, Redlining, refusal
 from tests.app.sound_lists.lists import add
@@ -55,13 +56,13 @@ def test_what_is_accepted_is_signed_word_for_word(world: World, redlining: Redli
 
 
 def test_nothing_unanswered_or_refused_gets_in(world: World, redlining: Redlining):
-    redlining.propose(redlining.replace("rounds", "Rounds are free."), INSERTED, STRUCK)
+    redlining.propose(redlining.replace("warranty", "Nothing is warranted."), INSERTED, STRUCK)
     redlining.answer(1, "refused", comment="They are not.")
     redlining.answer(3, "refused", comment="It says what this is.")
     unsent = world.producer.post(f"/v1{redlining.path}/send", json={})
     assert refusal(unsent) == (409, "redlines-open", "one proposed change has no answer yet")
     said = words_of(redlining.draft())
-    assert "Rounds are free." not in said
+    assert "Nothing is warranted." not in said
     assert "At four" not in said
     redlining.answer(2, "refused", comment="No.")
     sent = redlining.contracts.send(redlining.draft())
@@ -73,22 +74,22 @@ def test_nothing_unanswered_or_refused_gets_in(world: World, redlining: Redlinin
 
 
 def test_a_counter_goes_in_and_both_see_it_beside_what_was_proposed(world: World, redlining: Redlining):
-    redlining.propose(redlining.replace("rounds", "Four rounds."), STRUCK)
-    redlining.answer(1, "countered", title="Rounds", text=" Three rounds.\n", comment="Three we can do.")
+    redlining.propose(redlining.replace("warranty", "Own work."), STRUCK)
+    redlining.answer(1, "countered", title="Originality", text=" Licensed work.\n", comment="Licensed we can do.")
     redlining.answer(2, "countered", title="About", text="A template.")
-    drafted = redlining.drafted("rounds")
+    drafted = redlining.drafted("warranty")
     assert drafted is not None
-    assert drafted["text"] == "Three rounds."
+    assert drafted["text"] == "Licensed work."
     sent = redlining.contracts.send(redlining.draft())
     assert "A template." in words_of(sent)
     read = redlining.contracts.ask(world.designer, "GET", f"{redlining.path}/redlines")
     assert (read["may_answer"], read["round"]["sent_version"]) == (False, sent["version"]["number"])
-    rounds = next(one for one in read["round"]["clauses"] if one["key"] == "rounds")
+    rounds = next(one for one in read["round"]["clauses"] if one["key"] == "warranty")
     answer = rounds["redline"]["answer"]
-    assert (answer["kind"], answer["comment"], answer["by"]) == ("countered", "Three we can do.", "Producer")
-    assert answer["wording"]["text"] == "Three rounds."
-    assert _words(rounds["lines"], "later") == ["Four rounds."]
-    assert _words(rounds["counter_lines"], "later") == ["Three rounds."]
+    assert (answer["kind"], answer["comment"], answer["by"]) == ("countered", "Licensed we can do.", "Producer")
+    assert answer["wording"]["text"] == "Licensed work."
+    assert _words(rounds["lines"], "later") == ["Own work."]
+    assert _words(rounds["counter_lines"], "later") == ["Licensed work."]
 
 
 def _words(lines: list[dict[str, Any]], is_in: str) -> list[str]:
@@ -105,7 +106,8 @@ def test_both_read_one_text_with_marks(world: World, redlining: Redlining):
     assert [page["may_answer"] for page in pages] == [False, True]
     marked = {one["key"]: one for one in pages[0]["round"]["clauses"]}
     assert _words(marked["rounds"]["lines"], "earlier") == ["2"]
-    assert _words(marked["rounds"]["lines"], "later") == ["three"]
+    assert _words(marked["rounds"]["lines"], "later") == ["3"]
+    assert marked["rounds"]["redline"]["wording"]["terms"] == {"rounds_included": 3}, "both see the value"
     assert pages[0]["round"]["by"] == "Sound designer"
     assert marked["rounds"]["redline"]["comment"] == "As we said."
     others = [line["change"] for key, one in marked.items() if key != "rounds" for line in one["lines"]]
@@ -124,15 +126,93 @@ def test_a_value_of_a_clause_is_changed_with_it(redlining: Redlining):
 
 
 def test_a_variable_that_became_its_value_is_marked_too(redlining: Redlining):
-    text = redlining.clause("rounds")["text"].replace("{rounds_included}", "2")
-    round_ = redlining.propose(redlining.replace("rounds", text))
-    marked = next(one for one in round_["clauses"] if one["key"] == "rounds")
-    assert _words(marked["lines"], "earlier") == ["{rounds_included}"]
+    text = redlining.clause("parties")["text"].replace("{project}", "Alpha")
+    round_ = redlining.propose(redlining.replace("parties", text))
+    marked = next(one for one in round_["clauses"] if one["key"] == "parties")
+    assert _words(marked["lines"], "earlier") == ["{project}"]
+
+
+@pytest.mark.parametrize("typed", ["3", "three", "**3**", "three (3)"])
+def test_a_number_typed_over_a_figure_is_signed_as_it_is_counted(world: World, redlining: Redlining, typed: str):
+    text = redlining.clause("rounds")["text"]
+    redlining.propose(redlining.replace("rounds", text.replace("{rounds_included}", typed)))
+    redlining.answer(1, "accepted")
+    sent = redlining.contracts.send(redlining.draft())
+    assert sent["version"]["terms"]["rounds_included"] == 3
+    assert "includes 3 rounds of changes" in words_of(sent).replace("**", "")
+    redlining.contracts.accept(sent, world.designer, "N. Designer")
+    assert redlining.contracts.accept(sent, world.producer, "P. Producer")["state"] == "agreed"
+
+    def counted(session: Session) -> int:
+        return terms_of(session, contract_by_id(session, UUID(sent["id"]))).rounds_included
+
+    assert world.server.in_database(counted) == 3
+
+
+@pytest.mark.parametrize(
+    ("key", "old", "new", "figure"),
+    [
+        ("rounds", "{rounds_included} rounds", "a few rounds", "rounds_included"),
+        ("rounds", "{rounds_included} rounds", "unlimited rounds", "rounds_included"),
+        ("payment", "within {payment_days} days of", "within three weeks of", "payment_days"),
+        ("kill_fee", "{kill_fee_in_work_bp}", "all of it", "kill_fee_in_work_bp"),
+        ("payment_plan", "{total}", "USD 5,000.00", "total"),
+        ("termination", "{deposit_at_end}", "The deposit goes back.", "deposit_at_end"),
+    ],
+)
+def test_a_figure_that_is_no_longer_said_is_refused(redlining: Redlining, key: str, old: str, new: str, figure: str):
+    text = redlining.clause(key)["text"]
+    assert old in text
+    refused = redlining.try_to_propose(redlining.replace(key, text.replace(old, new)))
+    assert refusal(refused)[:2] == (422, "bad-redlines")
+    (problem,) = refused.json()["errors"]
+    assert problem["where"] == "changes.0"
+    assert f"{{{figure}}}" in problem["message"]
+
+
+def test_a_needed_figure_cannot_be_struck_or_contradicted_elsewhere(world: World, redlining: Redlining):
+    struck = redlining.try_to_propose({"kind": "strike", "clause_key": "rounds"})
+    assert refusal(struck)[:2] == (422, "bad-redlines")
+    assert struck.json()["errors"][0]["where"] == "changes.0"
+    assert "{rounds_included}" in struck.json()["errors"][0]["message"]
+    beside = {"kind": "insert", "after_key": "rounds", "title": "Extra", "text": "A cue has three rounds."}
+    contradicted = redlining.try_to_propose(beside)
+    assert "“three rounds” is typed" in contradicted.json()["errors"][0]["message"]
+    redlining.contracts.ask(world.producer, "POST", f"{redlining.path}/recall", json={"reason": "A slip."})
+    draft = redlining.draft()
+    typed = [
+        row | {"text": row["text"].replace("{rounds_included}", "3")} if row["key"] == "rounds" else row
+        for row in draft["version"]["clauses"]
+    ]
+    body = redlining.contracts.draft_of(draft, clauses=typed) | {"based_on_version": draft["version"]["number"]}
+    unsaved = world.producer.put(f"/v1{redlining.path}/draft", json=body)
+    assert refusal(unsaved)[:2] == (422, "bad-draft")
+    assert "{rounds_included}" in unsaved.json()["detail"]
+
+
+def test_a_text_that_contradicts_its_figures_is_neither_sent_nor_signed(world: World, redlining: Redlining):
+    def type_over(session: Session) -> None:
+        version = version_by_number(session, UUID(redlining.sent["id"]), redlining.sent["version"]["number"])
+        assert version is not None
+        version.clauses = [
+            row | {"text": row["text"].replace("{rounds_included}", "3")} if row["key"] == "rounds" else row
+            for row in version.clauses
+        ]
+
+    world.server.in_database(type_over)
+    body = {"name": "N. Designer", "text_sha256": redlining.sent["version"]["text_sha256"]}
+    unsigned = world.designer.post(f"/v1{redlining.path}/accept", json=body)
+    assert refusal(unsigned)[:2] == (422, "bad-draft")
+    assert "{rounds_included}" in unsigned.json()["detail"]
+    redlining.contracts.ask(world.producer, "POST", f"{redlining.path}/recall", json={"reason": "A slip."})
+    unsent = world.producer.post(f"/v1{redlining.path}/send", json={})
+    assert refusal(unsent)[:2] == (422, "bad-draft")
+    assert "nothing was sent" in unsent.json()["detail"]
 
 
 def test_the_last_answer_counts_and_undoes_the_one_before(redlining: Redlining):
     before = redlining.draft()["version"]["clauses"]
-    redlining.propose(redlining.replace("rounds", "Four rounds."), INSERTED, STRUCK)
+    redlining.propose(redlining.replace("warranty", "Own work."), INSERTED, STRUCK)
     for number in (1, 2, 3):
         redlining.answer(number, "accepted")
     redlining.answer(2, "countered", title="Tea", text="At five.")
@@ -144,16 +224,16 @@ def test_the_last_answer_counts_and_undoes_the_one_before(redlining: Redlining):
 
 
 def test_an_agreed_clause_that_was_edited_afterwards_is_not_sent(world: World, redlining: Redlining):
-    redlining.propose(redlining.replace("rounds", "Four rounds."))
+    redlining.propose(redlining.replace("warranty", "Own work."))
     redlining.answer(1, "accepted")
     draft = redlining.draft()
-    rows = [row | {"text": "One round."} if row["key"] == "rounds" else row for row in draft["version"]["clauses"]]
+    rows = [row | {"text": "Any work."} if row["key"] == "warranty" else row for row in draft["version"]["clauses"]]
     redlining.contracts.save(draft, clauses=rows)
     unsent = world.producer.post(f"/v1{redlining.path}/send", json={})
     assert refusal(unsent)[:2] == (409, "redlines-open")
     assert unsent.json()["fix"].startswith("answer it again on the page Redlines")
     redlining.answer(1, "accepted")  # the advice works
-    assert "Four rounds." in words_of(redlining.contracts.send(redlining.draft()))
+    assert "Own work." in words_of(redlining.contracts.send(redlining.draft()))
 
 
 @pytest.mark.parametrize(
@@ -194,8 +274,8 @@ def test_a_change_that_a_draft_could_not_have_is_refused(redlining: Redlining, c
 
 
 def test_a_clause_is_changed_once_and_really(redlining: Redlining):
-    twice = redlining.try_to_propose(redlining.replace("rounds", "A."), {"kind": "strike", "clause_key": "rounds"})
-    assert twice.json()["errors"][0]["message"] == "the clause Rounds is changed twice"
+    twice = redlining.try_to_propose(redlining.replace("warranty", "A."), {"kind": "strike", "clause_key": "warranty"})
+    assert twice.json()["errors"][0]["message"] == "the clause Originality is changed twice"
     same = redlining.try_to_propose(redlining.replace("rounds", redlining.clause("rounds")["text"]))
     assert same.json()["errors"][0]["message"] == "nothing of Rounds is changed"
     rows = redlining.sent["version"]["clauses"]
@@ -206,11 +286,11 @@ def test_a_clause_is_changed_once_and_really(redlining: Redlining):
 
 
 def test_answers_that_mean_nothing_are_refused(redlining: Redlining):
-    redlining.propose(redlining.replace("rounds", "Four rounds."))
+    redlining.propose(redlining.replace("warranty", "Own work."))
     for body, words in (
         ({"answer": "refused"}, "say why it is refused"),
-        ({"answer": "countered", "title": "Rounds", "text": "Four rounds."}, "this is what was proposed; accept it"),
-        ({"answer": "countered", "title": "Rounds", "text": "{round}"}, "there is no variable {round}"),
+        ({"answer": "countered", "title": "Originality", "text": "Own work."}, "this is what was proposed; accept it"),
+        ({"answer": "countered", "title": "Originality", "text": "{round}"}, "there is no variable {round}"),
     ):
         refused = redlining.try_to_answer(1, **body)
         assert refusal(refused)[:2] == (422, "bad-redlines")
@@ -234,7 +314,7 @@ def test_accepting_keeps_the_draft_whole(redlining: Redlining, contracts: Contra
 
 
 def test_each_does_their_own_part(world: World, redlining: Redlining):
-    change = redlining.replace("rounds", "Four rounds.")
+    change = redlining.replace("warranty", "Own work.")
     body = {"version": redlining.sent["version"]["number"], "changes": [change]}
     answer = {"answer": "accepted"}
     path = f"/v1{redlining.path}/redlines"
@@ -253,15 +333,15 @@ def test_changes_of_a_text_that_stands_no_more_are_kept_back(redlining: Redlinin
     old = redlining.sent["version"]["number"]
     redlining.contracts.ask(redlining.world.producer, "POST", f"{redlining.path}/recall", json={"reason": "A slip."})
     redlining.contracts.send(redlining.sent)
-    stale = redlining.try_to_propose(redlining.replace("rounds", "Four rounds."), version=old)
+    stale = redlining.try_to_propose(redlining.replace("warranty", "Own work."), version=old)
     assert refusal(stale)[:2] == (409, "text-changed")
 
 
 def test_a_second_round_counts_on(world: World, redlining: Redlining):
-    redlining.propose(redlining.replace("rounds", "Four rounds."))
+    redlining.propose(redlining.replace("warranty", "Own work."))
     redlining.answer(1, "refused", comment="Two.")
     redlining.sent = redlining.contracts.send(redlining.draft())
-    redlining.propose(redlining.replace("rounds", "Three rounds."), note="Half way?")
+    redlining.propose(redlining.replace("warranty", "Licensed work."), note="Half way?")
     read = redlining.contracts.ask(world.producer, "GET", f"{redlining.path}/redlines")
     assert (read["rounds"], read["round"]["number"], read["round"]["note"]) == (2, 2, "Half way?")
     assert [one["redline"]["number"] for one in read["round"]["clauses"] if one["redline"]] == [2]

@@ -114,7 +114,7 @@ def test_tracked_changes_lead_from_any_text_to_any_other(old: list[str], new: li
 
 def test_both_parties_take_a_version_out_and_only_those_they_see(world: World, contracts: Contracts):
     redlining = Redlining(world, contracts)
-    redlining.propose(redlining.replace("rounds", "Four rounds."))
+    redlining.propose(redlining.replace("warranty", "Own work."))
     redlining.answer(1, "accepted")
     first, draft = redlining.sent["version"]["number"], redlining.draft()["version"]["number"]
     path = f"/v1{redlining.path}/versions"
@@ -126,14 +126,14 @@ def test_both_parties_take_a_version_out_and_only_those_they_see(world: World, c
         standing = [row for row in redlining.sent["version"]["clauses"] if row["stands"]]
         assert names == {bookmark_of(row["key"]) for row in standing}
     tracked = world.producer.get(f"{path}/{draft}/contract.docx", params={"against": first})
-    assert "Four rounds." in lines(tracked.content, accepted=True)
-    assert "Four rounds." not in lines(tracked.content, accepted=False)
+    assert "Own work." in lines(tracked.content, accepted=True)
+    assert "Own work." not in lines(tracked.content, accepted=False)
 
 
 @pytest.mark.parametrize("query", ["", "?against=1"])
 def test_a_draft_is_the_studios(world: World, contracts: Contracts, query: str):
     redlining = Redlining(world, contracts)
-    redlining.propose(redlining.replace("rounds", "Four rounds."))
+    redlining.propose(redlining.replace("warranty", "Own work."))
     redlining.answer(1, "accepted")
     draft = redlining.draft()["version"]["number"]
     path = f"/v1{redlining.path}/versions"

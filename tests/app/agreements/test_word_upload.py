@@ -75,7 +75,7 @@ def test_a_document_that_nobody_edited_proposes_nothing(upload: Upload):
 
 def test_a_document_of_an_earlier_version_names_what_changed_since(upload: Upload):
     first, about = upload.document(), upload.clause("about")["title"]
-    upload.propose(upload.replace("rounds", "Four rounds."))
+    upload.propose(upload.replace("warranty", "Own work."))
     upload.answer(1, "accepted")
     upload.sent = upload.contracts.send(upload.sent)
     number = upload.sent["version"]["number"]
