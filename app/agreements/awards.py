@@ -1,22 +1,27 @@
 """An award opens a draft contract with the figures of the bid."""
 
-from collections.abc import Sequence
+import math
+from collections.abc import Mapping, Sequence
 from typing import Any
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
+from app.agreements.amounts import split
 from app.agreements.lifecycle import create_contract
 from app.agreements.models import Contract
 from app.agreements.plan import PlannedCue, PlannedMilestone, save_plan
+from app.agreements.plan_proposal import DEPOSIT_BP, WantedCue, propose_milestones
+from app.agreements.plan_queries import today_of
 from app.agreements.rules import ContractKind
 from app.hiring.comparison import award_bid, record_contract
 from app.hiring.models import Bid, Posting
 from app.hiring.postings import asked_cue_ids
-from app.hiring.rules import BidLineKind, PostingPhase, amount_minor
+from app.hiring.rules import BidLineKind, PostingPhase, amount_minor, total_minor
 from app.hiring.schemas import BidContent
 from app.kit.events import publish
+from app.kit.money import BASIS_POINTS
 from app.projects.engagements import engage
 from app.projects.rules import EngagementKind
 
@@ -38,30 +43,51 @@ def award(session: Session, actor: Actor, bid_id: UUID) -> Contract:
         title=posting.title,
         currency=posting.currency,
     )
-    save_plan(session, actor, contract.id, _plan(session, posting, bid))
+    save_plan(session, actor, contract.id, _plan(session, contract, posting, bid))
     record_contract(session, posting, contract.id)
     publish(session, "posting.awarded", studio_id=posting.studio_id, project_id=posting.project_id, bid_id=bid.id)
     return contract
 
 
-def _plan(session: Session, posting: Posting, bid: Bid) -> list[PlannedMilestone]:
+def _plan(session: Session, contract: Contract, posting: Posting, bid: Bid) -> list[PlannedMilestone]:
+    """Return the plan that a bid leads to: its whole price with the deposit in it, in parts over the time of the work.
+
+    A cue weighs what its line offers for it. Lines without a cue, such as voice or direction, are in the price.
+    """
     content = BidContent.model_validate(bid.sent)
     lines: Sequence[dict[str, Any]] = (bid.sent or {})["lines"]
     labels = {line["key"]: line["label"] for line in posting.lines}
-    due_on = content.to_on or posting.work_to_on
-    asked = [
+    cues: list[WantedCue] = []
+    for line in lines:
+        if line["kind"] == BidLineKind.ASKED and line["key"] in labels:
+            cue_ids = asked_cue_ids(session, posting, [line["key"]])
+            weight = amount_minor(line) // max(len(cue_ids), 1)
+            cues += [WantedCue(cue_id, labels[line["key"]], None, weight) for cue_id in cue_ids]
+    ends_on = content.to_on or posting.work_to_on
+    whole_minor = total_minor(lines)
+    if not cues:  # nothing of the list is asked for: a deposit and the rest
+        deposit_minor = math.ceil(whole_minor * DEPOSIT_BP / BASIS_POINTS)
+        rest = PlannedMilestone(posting.title, whole_minor - deposit_minor, ends_on)
+        return [PlannedMilestone("Deposit", deposit_minor, None, is_deposit=True), rest]
+    weights = {cue.cue_id: cue.weight for cue in cues}
+    proposed = propose_milestones(
+        cues, today=today_of(session, contract), ends_on=ends_on, total_minor=whole_minor, deposit_bp=DEPOSIT_BP
+    )
+    return [
         PlannedMilestone(
-            labels[line["key"]],
-            amount_minor(line),
-            due_on,
-            cues=[PlannedCue(cue_id) for cue_id in asked_cue_ids(session, posting, [line["key"]])],
+            one.name,
+            one.amount_minor,
+            one.due_on,
+            is_deposit=one.is_deposit,
+            cues=_priced(one.cue_ids, one.amount_minor or 0, weights),
         )
-        for line in lines
-        if line["kind"] == BidLineKind.ASKED and line["key"] in labels
+        for one in proposed
     ]
-    extras = [
-        PlannedMilestone(line["key"] or line["kind"].capitalize(), amount_minor(line), due_on)
-        for line in lines
-        if line["kind"] != BidLineKind.ASKED
-    ]
-    return asked + extras
+
+
+def _priced(cue_ids: Sequence[UUID], amount: int, weights: Mapping[UUID, int]) -> list[PlannedCue]:
+    """Return the cues of a part with their prices, which add up to what it pays."""
+    if not cue_ids:
+        return []
+    shares = split(amount, [weights[cue_id] for cue_id in cue_ids])
+    return [PlannedCue(cue_id, price_minor) for cue_id, price_minor in zip(cue_ids, shares, strict=True)]

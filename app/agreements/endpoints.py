@@ -1,7 +1,7 @@
 """The endpoints of contracts."""
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 from uuid import UUID
 
@@ -15,6 +15,7 @@ from app.agreements import lifecycle, queries, redlines, schemas, signing, versi
 from app.agreements.access import party_of, visible_contract
 from app.agreements.documents import TextPdf
 from app.agreements.errors import (
+    AmountsNeeded,
     BadDraft,
     BriefOpen,
     ContractNotFound,
@@ -31,7 +32,7 @@ from app.agreements.errors import (
     WrongState,
 )
 from app.agreements.last_contract import last_contract
-from app.agreements.models import Contract, ContractVersion
+from app.agreements.models import Contract, ContractEvent, ContractVersion
 from app.agreements.redline_rules import TURNS
 from app.agreements.rules import ORDERS, ContractKind, ContractState, Party
 from app.agreements.signing_endpoints import SIGNING, signature_sent
@@ -52,17 +53,26 @@ def _waits_for(contract: Contract, to_sign: Sequence[Party]) -> list[Party]:
     return list(to_sign) if contract.state is ContractState.SENT else []
 
 
-def _brief(contract: Contract, actor: Actor, to_sign: Sequence[Party]) -> dict[str, Any]:
+def _brief(
+    contract: Contract, actor: Actor, to_sign: Sequence[Party], notices: Mapping[UUID, ContractEvent]
+) -> dict[str, Any]:
     same = {
         name: getattr(contract, name)
         for name in schemas.ContractBrief.model_fields
-        if name not in ("designer", "my_party", "waits_for")
+        if name not in ("designer", "my_party", "waits_for", "notice")
     }
     return same | {
         "designer": PersonBrief.model_validate(contract.designer),
         "my_party": party_of(actor, contract),
         "waits_for": _waits_for(contract, to_sign),
+        "notice": _notice(notices[contract.id])
+        if contract.id in notices and contract.state is ContractState.AGREED
+        else None,
     }
+
+
+def _notice(entry: ContractEvent) -> schemas.NoticeBrief:
+    return schemas.NoticeBrief(given_at=entry.at, ends_on=json.loads(entry.payload)["ends_on"] or None)
 
 
 def _contract(session: DbSession, actor: Actor, contract: Contract) -> schemas.ContractRead:
@@ -76,7 +86,12 @@ def _contract(session: DbSession, actor: Actor, contract: Contract) -> schemas.C
     asked = queries.newest_event_of(session, contract.id, TURNS) if is_draft else None
     change = json.loads(asked.payload) if asked and asked.kind == "change_requested" else None
     return schemas.ContractRead(
-        **_brief(contract, actor, order.parties_left(signing.yeses(acceptances))),
+        **_brief(
+            contract,
+            actor,
+            order.parties_left(signing.yeses(acceptances)),
+            queries.notices_in_effect(session, [contract.id]),
+        ),
         studio_name=contract.project.studio.name,
         version=version_read(shown, is_team=is_team),
         acceptances=[schemas.AcceptanceRead.model_validate(each) for each in acceptances],
@@ -149,7 +164,10 @@ def list_contracts(
     """Return the project's contracts, the oldest first; a designer sees their own, once they were sent."""
     found = lifecycle.contracts_of(session, actor, project_id)
     to_sign = queries.turns_to_sign(session, found)
-    return [schemas.ContractBrief(**_brief(contract, actor, to_sign[contract.id].parties)) for contract in found]
+    notices = queries.notices_in_effect(session, [contract.id for contract in found])
+    return [
+        schemas.ContractBrief(**_brief(contract, actor, to_sign[contract.id].parties, notices)) for contract in found
+    ]
 
 
 @router.post(
@@ -210,15 +228,22 @@ def read_contract(
 
 @router.put(
     "/contracts/{contract_id}/draft",
-    responses=problems(ContractNotFound, ProducerNeeded, WrongState, DraftChanged, BadDraft),
+    responses=problems(ContractNotFound, ProducerNeeded, WrongState, DraftChanged, BadDraft, AmountsNeeded),
     max_body_size=LARGE_BODY_BYTES,
 )
 def save_contract_draft(
     contract_id: UUID, body: schemas.DraftSave, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.ContractRead:
     """Save the draft as its next version."""
+    amounts = None if body.amounts is None else {one.milestone_id: one.amount_minor for one in body.amounts}
     lifecycle.save_draft(
-        session, actor, contract_id, _draft(body), based_on_version=body.based_on_version, note=body.note
+        session,
+        actor,
+        contract_id,
+        _draft(body),
+        based_on_version=body.based_on_version,
+        note=body.note,
+        amounts=amounts,
     )
     return _contract(session, actor, visible_contract(session, actor, contract_id))
 

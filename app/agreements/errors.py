@@ -123,6 +123,10 @@ class BadDraft(Invalid):
     """Clauses or terms cannot stand so; `errors` names the places."""
 
 
+class AmountsNeeded(Invalid):
+    """A draft changes its currency, and its amounts were not entered again in the new one; `errors` names them."""
+
+
 class BadTemplate(Invalid):
     """What was sent is not a template; says where and why."""
 

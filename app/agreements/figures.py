@@ -96,6 +96,7 @@ _TYPED_FACTS: Mapping[str, Sequence[str]] = {
     ),
     "currency": (rf"\bin (?-i:{_CODES})\b", r"\bin (?:euros|(?:us )?dollars|pounds)\b"),
 }
+_AMOUNT = re.compile(_MONEY, re.IGNORECASE)
 _SENTENCE_END = re.compile(r"(?<=[.;!?])[\s*]+|\n\s*\n|\n\s*(?=[-|#]|\d+\.\s)")
 _TELLING = re.compile(
     rf"\d|\b(?:{'|'.join(_WORD_VALUES)}|half|third|quarters?|unlimited|number of|as many|euros|dollars|pounds"
@@ -108,13 +109,17 @@ _FIELD_OR_WORD = re.compile(r"(?<!\\)\{[^{}\n]*\}|\w+|[^\w\s]")
 Fault = tuple[str, str]  # where, as `clauses.KEY` or `terms.NAME`, and what is wrong in words
 
 
-def faults_of_text(clauses: Sequence[Clause], terms: Mapping[str, Any], kind: ContractKind) -> Iterator[Fault]:
-    """Yield what is wrong with a text of a kind, its figures included."""
+def faults_of_text(
+    clauses: Sequence[Clause], terms: Mapping[str, Any], kind: ContractKind, *, is_template: bool = False
+) -> Iterator[Fault]:
+    """Yield what is wrong with a text of a kind, its figures included; a template may lack what a contract needs."""
     yield from faults_of(clauses, terms)
-    yield from faults_of_figures(clauses, terms, kind)
+    yield from faults_of_figures(clauses, terms, kind, is_template=is_template)
 
 
-def faults_of_figures(clauses: Sequence[Clause], terms: Mapping[str, Any], kind: ContractKind) -> Iterator[Fault]:
+def faults_of_figures(
+    clauses: Sequence[Clause], terms: Mapping[str, Any], kind: ContractKind, *, is_template: bool = False
+) -> Iterator[Fault]:
     """Yield the figures that a text lacks, and the numbers that it types where a figure belongs."""
     if len({clause.key for clause in clauses}) < len(clauses):
         return  # the fault is the key that two clauses have
@@ -124,7 +129,8 @@ def faults_of_figures(clauses: Sequence[Clause], terms: Mapping[str, Any], kind:
     for name, clause in missing.items():
         yield f"clauses.{clause.key}", _words_for_missing(name, clause, terms)
     yield from _typed_over_others(in_force, named, terms)
-    yield from _values_missing(named | missing.keys(), terms, kind)
+    if not is_template:
+        yield from _values_missing(named | missing.keys(), terms, kind)
     for clause in in_force:
         for name, words in typed_figures(f"{clause.title}.\n\n{clause.text}", terms):
             if missing.get(name) is not clause:
@@ -178,6 +184,23 @@ def _first_hit(patterns: Sequence[re.Pattern[str]], text: str, sentences: Sequen
 def _telling_sentences(text: str) -> list[tuple[int, int]]:
     """Return the sentences that may type a figure: those with a number, a currency, or a word that stands for one."""
     return [(begins, ends) for begins, ends in _sentences(text) if _TELLING.search(text, begins, ends)]
+
+
+def faults_of_prose(text: str, terms: Mapping[str, Any]) -> Iterator[str]:
+    """Yield the terms that the words of a change order type as numbers, which change nothing by themselves."""
+    for name, words in typed_figures(text, terms):
+        if name not in FACTS:
+            yield (
+                f"“{words}” is typed, and no change of this order sets it: the contract counts "
+                f"{written_term(name, terms[name], '').strip() if name in terms else 'nothing'} for "
+                f"“{known_terms()[name].label}”; leave the number out"
+            )
+
+
+def other_amounts(text: str, amount_minor: int, currency: str) -> list[str]:
+    """Return the amounts that a text types and that are not the one given."""
+    found = [each[0] for each in _AMOUNT.finditer(text)]
+    return [words for words in found if _minor(words, currency) != amount_minor]
 
 
 def with_fields(text: str, before: str, terms: Mapping[str, Any], currency: str) -> tuple[str, Terms]:
@@ -301,12 +324,12 @@ def _plain(text: str) -> str:
 @cache
 def _patterns() -> Mapping[str, Sequence[re.Pattern[str]]]:
     """Return by figure how a text types it as a number: the patterns of the library, and those of the plan's facts."""
-    sources = {name: term.typed for name, term in known_terms().items() if term.typed} | _TYPED_FACTS
+    sources = {**{name: term.typed for name, term in known_terms().items() if term.typed}, **_TYPED_FACTS}
     return {name: [_compiled(pattern) for pattern in patterns] for name, patterns in sources.items()}
 
 
 def _compiled(pattern: str) -> re.Pattern[str]:
-    spaced = pattern.replace(" ", r"[\s*]+")
+    spaced = pattern.replace(" ?", r"[\s*]*").replace(" ", r"[\s*]+")
     return re.compile(_MACRO.sub(lambda macro: f"({_MACROS[macro[1]]})", spaced), re.IGNORECASE | re.DOTALL)
 
 

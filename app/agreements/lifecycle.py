@@ -1,6 +1,6 @@
 """From a draft to a text that both parties accepted."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from uuid import UUID
 
@@ -14,6 +14,7 @@ from app.agreements.access import contract_for_producer, contract_to_change, par
 from app.agreements.clauses import Clause, Terms, render, terms_in_force
 from app.agreements.documents import TextPdf
 from app.agreements.errors import (
+    AmountsNeeded,
     BadDraft,
     DraftChanged,
     FrameworkNeeded,
@@ -23,6 +24,8 @@ from app.agreements.errors import (
 from app.agreements.facts import ensure_open_answers_are_said, facts_of
 from app.agreements.last_contract import begun_like
 from app.agreements.models import Contract, ContractVersion
+from app.agreements.plan import enter_amounts
+from app.agreements.plan_queries import milestones_of
 from app.agreements.redlines import ensure_answered
 from app.agreements.rules import (
     KIND_WORDS,
@@ -45,6 +48,7 @@ from app.kit import clock
 from app.kit.db import Database
 from app.kit.errors import FieldProblem
 from app.kit.events import publish
+from app.kit.money import money
 from app.kit.storage import Store
 from app.projects.errors import EngagementNotFound
 from app.projects.queries import engagement_by_id
@@ -159,9 +163,20 @@ def _ensure_framework(session: Session, actor: Actor, framework_id: UUID, studio
 
 
 def save_draft(
-    session: Session, actor: Actor, contract_id: UUID, draft: Draft, *, based_on_version: int, note: str = ""
+    session: Session,
+    actor: Actor,
+    contract_id: UUID,
+    draft: Draft,
+    *,
+    based_on_version: int,
+    note: str = "",
+    amounts: Mapping[UUID, int] | None = None,
 ) -> ContractVersion:
-    """Save a draft as its next version; the same text again is the version that it was."""
+    """Save a draft as its next version; the same text again is the version that it was.
+
+    Another currency converts nothing: `amounts` are those of the plan's milestones in the new one. Raises AmountsNeeded
+    where they are left out.
+    """
     contract = contract_to_change(session, actor, contract_id)
     ensure_state(contract.state, {ContractState.DRAFT}, way_on(contract.state, contract.kind))
     newest = newest_of(session, contract)
@@ -171,6 +186,9 @@ def save_draft(
             fix=f"compare with version {newest.number}, then save what you still want",
         )
     _ensure_whole(session, contract, draft)
+    if draft.currency != contract.currency:
+        _ensure_amounts_entered(session, contract, draft, amounts)
+        enter_amounts(session, contract, amounts or {})
     _put(contract, draft)
     return add_version(session, actor, contract, draft.clauses, draft.terms, note=note)
 
@@ -267,6 +285,41 @@ def mark_ended(session: Session, contract: Contract, *, reason: str) -> None:
     """Put a locked contract into its last state; callers record why."""
     contract.state, contract.ended_at, contract.end_reason = ContractState.ENDED, clock.now(), reason
     session.flush()
+
+
+def _ensure_amounts_entered(
+    session: Session, contract: Contract, draft: Draft, amounts: Mapping[UUID, int] | None
+) -> None:
+    """Raise AmountsNeeded unless every amount was entered again in the currency that a draft is to have.
+
+    The plan's amounts are given beside the draft; with them, those among the terms count as entered again.
+    """
+    named = clause_rules.names_in([clause for clause in draft.clauses if clause.stands])
+    known = clause_rules.known_terms()
+    before = newest_of(session, contract).terms
+    missing = [
+        FieldProblem(where=f"milestones.{one.id}", message=f"{one.name}: {money(one.amount_minor, contract.currency)}")
+        for one in milestones_of(session, contract.id)
+        if one.amount_minor and one.id not in (amounts or {})
+    ]
+    if amounts is None:
+        missing += [
+            FieldProblem(
+                where=f"terms.{name}",
+                message=f"{known[name].label if name in known else name}: {money(value, contract.currency)}",
+            )
+            for name, value in draft.terms.items()
+            if name.endswith("_minor") and isinstance(value, int) and value and name in named
+            if before.get(name) == value and not (name in known and known[name].default == value)
+        ]
+    if missing:
+        listed = "; ".join(problem["message"] for problem in missing[:5])
+        more = f" and {len(missing) - 5} more" if len(missing) > 5 else ""
+        raise AmountsNeeded(
+            f"the currency becomes {draft.currency}, and nothing is converted: {listed}{more}",
+            errors=missing,
+            fix=f"enter each amount again in {draft.currency}, or keep {contract.currency}",
+        )
 
 
 def _put(contract: Contract, draft: Draft) -> None:

@@ -1,7 +1,7 @@
 """A contract's plan: milestones with dates, cues and amounts; free in a draft, fixed when both have agreed."""
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import date
 from uuid import UUID
@@ -21,6 +21,8 @@ from app.agreements.plan_queries import terms_of
 from app.agreements.rules import KIND_WORDS, ContractKind, ContractState, way_on
 from app.agreements.sealed_facts import sealed_milestone
 from app.agreements.terms import PriceMode
+from app.hiring.queries import bid_behind
+from app.hiring.rules import total_minor as total_of_bid
 from app.kit.errors import FieldProblem
 from app.kit.money import BASIS_POINTS, money
 from app.sound_lists.rules import CueState
@@ -56,19 +58,113 @@ class PlannedMilestone:
         return sum(cue.price_minor or 0 for cue in self.cues)
 
 
+@dataclass(frozen=True)
+class Price:
+    """What a plan comes to, with its deposit in it, beside the bid that its contract began from."""
+
+    total_minor: int
+    deposit_minor: int
+    bid_minor: int | None = None  # None: the contract began from no bid
+    bid_currency: str | None = None
+    above_bid_minor: int | None = None  # negative below it; None where it is in another currency
+
+
+@dataclass(frozen=True)
+class Concepts:
+    """The cues of a plan that are an idea still, of how many, and what is paid for them."""
+
+    count: int
+    cues: int
+    amount_minor: int
+
+
+def concepts_in(session: Session, contract: Contract, plan: Sequence[PlannedMilestone]) -> Concepts:
+    """Return how many cues of a plan are concepts, and what it pays for them: what is ordered so may change or go."""
+    cue_ids = [cue.cue_id for planned in plan for cue in planned.cues]
+    known = plan_queries.cues_in_project(session, contract.project_id, cue_ids)
+    concepts = {cue.id for cue in known if cue.state is CueState.CONCEPT}
+    paid_minor = 0
+    for planned in plan:
+        if planned.cues and planned.whole_minor >= 0:
+            shares = split(planned.whole_minor, [max(cue.price_minor or 0, 0) for cue in planned.cues])
+            paid_minor += sum(share for cue, share in zip(planned.cues, shares, strict=True) if cue.cue_id in concepts)
+    return Concepts(len(concepts), len(set(cue_ids)), paid_minor)
+
+
+def concepts_of(session: Session, contract: Contract) -> Concepts:
+    """Return how many cues of a contract's plan are concepts, and what it pays for them."""
+    covered = plan_queries.cues_of(session, contract.id)
+    plan = [
+        PlannedMilestone(
+            one.name,
+            one.amount_minor,
+            one.due_on,
+            cues=[PlannedCue(cue.cue_id, cue.price_minor) for cue in covered if cue.milestone_id == one.id],
+        )
+        for one in plan_queries.milestones_of(session, contract.id)
+    ]
+    return concepts_in(session, contract, plan)
+
+
+def price_of(session: Session, contract: Contract, payments: Sequence[PlannedPayment]) -> Price:
+    """Return the price of a plan beside the bid."""
+    total_minor = sum(one.amount_minor for one in payments)
+    deposit_minor = sum(one.amount_minor for one in payments if one.is_deposit)
+    bid = bid_behind(session, contract.id)
+    if bid is None or bid.sent is None:
+        return Price(total_minor, deposit_minor)
+    bid_minor, currency = total_of_bid(bid.sent["lines"]), bid.posting.currency
+    above = total_minor - bid_minor if currency == contract.currency else None
+    return Price(total_minor, deposit_minor, bid_minor, currency, above)
+
+
+def payments_of(session: Session, contract: Contract) -> list[PlannedPayment]:
+    """Return the milestones of a contract as its plan is checked."""
+    cues = Counter(cue.milestone_id for cue in plan_queries.cues_of(session, contract.id))
+    return [
+        PlannedPayment(
+            name=milestone.name,
+            amount_minor=milestone.amount_minor,
+            due_on=milestone.due_on,
+            cues=cues[milestone.id],
+            is_deposit=milestone.is_deposit,
+        )
+        for milestone in plan_queries.milestones_of(session, contract.id)
+    ]
+
+
+def _beside_bid(price: Price, currency: str) -> list[Advice]:
+    """Return the warning that a plan comes to another sum than the bid."""
+    if not price.above_bid_minor or price.bid_minor is None or not price.total_minor:
+        return []
+    is_above = price.above_bid_minor > 0
+    return [
+        Advice(
+            "above-bid" if is_above else "below-bid",
+            f"The price is {money(price.total_minor, currency)}, {money(abs(price.above_bid_minor), currency)} "
+            f"{'above' if is_above else 'below'} the bid of {money(price.bid_minor, currency)}.",
+            "The bid is the whole price, and a deposit is a part of it.",
+            excess=abs(price.above_bid_minor),
+        )
+    ]
+
+
 def review_plan(
     session: Session, actor: Actor, contract_id: UUID, plan: Sequence[PlannedMilestone]
-) -> tuple[list[FieldProblem], list[Advice]]:
-    """Return the errors and warnings of a plan while it is written; nothing is saved."""
+) -> tuple[list[FieldProblem], list[Advice], Price, Concepts]:
+    """Return the errors and warnings of a plan while it is written, its price and its concepts; nothing is saved."""
     contract = contract_for_producer(session, actor, contract_id)
     payments = [
         PlannedPayment(one.name, one.whole_minor, one.due_on, len(one.cues), is_deposit=one.is_deposit) for one in plan
     ]
     cue_ids = [cue.cue_id for one in plan for cue in one.cues]
-    return _faults(session, contract, plan), [
+    price = price_of(session, contract, payments)
+    advice = [
         *check_plan(payments, contract.currency),
+        *_beside_bid(price, contract.currency),
         *_covered_elsewhere(session, contract, cue_ids),
     ]
+    return _faults(session, contract, plan), advice, price, concepts_in(session, contract, plan)
 
 
 def propose_plan(
@@ -79,6 +175,7 @@ def propose_plan(
     cues = plan_queries.wanted_cues(session, contract.project_id)
     return propose_milestones(
         [WantedCue(cue.id, cue.category, cue.due_on) for cue in cues],
+        today=plan_queries.today_of(session, contract),
         total_minor=total_minor,
         deposit_bp=contract.deposit_bp or DEPOSIT_BP,
     )
@@ -125,6 +222,23 @@ def save_plan(session: Session, actor: Actor, contract_id: UUID, plan: Sequence[
     return contract
 
 
+def enter_amounts(session: Session, contract: Contract, amounts: Mapping[UUID, int]) -> None:
+    """Give milestones of a draft other amounts; the prices of their cues keep their shares of them."""
+    cues = plan_queries.cues_of(session, contract.id)
+    for milestone in plan_queries.milestones_of(session, contract.id):
+        if milestone.id not in amounts:
+            continue
+        milestone.amount_minor = amounts[milestone.id]
+        own = [cue for cue in cues if cue.milestone_id == milestone.id]
+        if own and all(cue.price_minor is not None for cue in own):
+            for cue, price_minor in zip(own, _shares(milestone, own), strict=True):
+                cue.price_minor = price_minor
+        else:
+            for cue in own:
+                cue.price_minor = None  # it was a price in the other currency
+    session.flush()
+
+
 def _faults(session: Session, contract: Contract, plan: Sequence[PlannedMilestone]) -> list[FieldProblem]:
     faults: list[FieldProblem] = []
 
@@ -163,20 +277,11 @@ def _faults(session: Session, contract: Contract, plan: Sequence[PlannedMileston
 
 def advice_on(session: Session, contract: Contract) -> list[Advice]:
     """Return the warnings about a contract's plan, with reasons."""
-    covered = plan_queries.cues_of(session, contract.id)
-    cues = Counter(cue.milestone_id for cue in covered)
-    payments = [
-        PlannedPayment(
-            name=milestone.name,
-            amount_minor=milestone.amount_minor,
-            due_on=milestone.due_on,
-            cues=cues[milestone.id],
-            is_deposit=milestone.is_deposit,
-        )
-        for milestone in plan_queries.milestones_of(session, contract.id)
-    ]
+    payments = payments_of(session, contract)
     advice = check_plan(payments, contract.currency)
     if contract.state in (ContractState.DRAFT, ContractState.SENT):
+        covered = plan_queries.cues_of(session, contract.id)
+        advice += _beside_bid(price_of(session, contract, payments), contract.currency)
         advice += _covered_elsewhere(session, contract, [cue.cue_id for cue in covered])
     return advice
 
@@ -187,6 +292,7 @@ def _covered_elsewhere(session: Session, contract: Contract, cue_ids: Sequence[U
             "covered-elsewhere",
             f"{cue} is part of {title}, which is signed.",
             "Two contracts would pay for it twice; remove it from one of them before signing.",
+            subject=cue,
         )
         for cue, title in plan_queries.covered_elsewhere(session, contract.id, cue_ids)
     ]

@@ -1,24 +1,34 @@
-"""Milestones as the sound list suggests them: one for each day on which sounds are needed, else for each category."""
+"""Milestones as the sound list suggests them: parts by the days on which sounds are needed, at least two weeks apart.
 
-from collections.abc import Sequence
+What is proposed draws no warning of `plan_check`: the price includes the deposit, every part has a day and cues, the
+parts rise, and the largest is the last. Where three parts or more are possible, none is over 30 % of the price.
+"""
+
+import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from datetime import date
+from datetime import date, timedelta
 from uuid import UUID
 
-from app.agreements.amounts import split
 from app.kit.money import BASIS_POINTS
 
-DEPOSIT_BP = 2_500  # where the studio has no custom of its own
+DEPOSIT_BP = 2_000  # where the studio has no custom of its own
 REST = "Other sounds"
+APART = timedelta(days=14)  # from one part to the next
+FEWEST_PARTS, MOST_PARTS = 3, 6  # of a plan whose cues and days allow them
+LARGEST_PART_BP = 3_000  # of the price
+LAST_OVER_EVEN_BP = 12_000  # of an even part, where the last one may be that large
+MAX_NAME_CHARS = 200
 
 
 @dataclass(frozen=True)
 class WantedCue:
-    """A cue that no contract covers yet."""
+    """A cue that no contract covers yet; what it was offered for says how heavy it is in a part."""
 
     cue_id: UUID
     category: str
     due_on: date | None
+    weight: int = 1
 
 
 @dataclass(frozen=True)
@@ -32,37 +42,119 @@ class ProposedMilestone:
     is_deposit: bool = False
 
 
+@dataclass(frozen=True)
+class _Part:
+    due_on: date
+    cues: Sequence[WantedCue]
+
+
 def propose_milestones(
-    cues: Sequence[WantedCue], *, total_minor: int | None = None, deposit_bp: int = DEPOSIT_BP
+    cues: Sequence[WantedCue],
+    *,
+    today: date,
+    ends_on: date | None = None,
+    total_minor: int | None = None,
+    deposit_bp: int = DEPOSIT_BP,
 ) -> list[ProposedMilestone]:
-    """Return milestones over all cues: those of a day in order, then those without a day by category, in list order.
+    """Return milestones over all cues, in the order of their days; cues without a day are needed by the last one.
 
-    The price of the whole, where it is given, is a deposit and shares by the number of cues.
+    `ends_on` is the last day of work where no cue has one. The price of the whole, where it is given, includes the
+    deposit.
     """
-    groups: dict[tuple[date | None, str], list[WantedCue]] = {}
-    for cue in cues:
-        groups.setdefault((cue.due_on, "" if cue.due_on else cue.category), []).append(cue)
-    dated = sorted((day, found) for (day, _), found in groups.items() if day is not None)
-    undated = [(category, found) for (day, category), found in groups.items() if day is None]
-    parts: list[tuple[str, date | None, list[WantedCue]]] = [
-        (_day_name(day, found), day, found) for day, found in dated
-    ]
-    parts += [(_called(category) if category else REST, None, found) for category, found in undated]
-    deposit_minor = (total_minor or 0) * deposit_bp // BASIS_POINTS if parts else 0
-    shares: Sequence[int | None] = [None] * len(parts)
+    parts = _parts(cues, today=today, ends_on=ends_on)
+    amounts: Sequence[int | None] = [None] * len(parts)
+    deposit: list[ProposedMilestone] = []
     if total_minor is not None and parts:
-        shares = split(total_minor - deposit_minor, [len(found) for _, _, found in parts])
-    deposit = [ProposedMilestone("Deposit", None, [], deposit_minor, is_deposit=True)] if deposit_minor else []
+        deposit_minor = math.ceil(total_minor * deposit_bp / BASIS_POINTS)
+        if len(parts) == 2:
+            deposit_minor += (total_minor - deposit_minor) % 2  # so that neither half is larger
+        amounts = _rising(total_minor, total_minor - deposit_minor, len(parts))
+        if deposit_minor:
+            deposit = [ProposedMilestone("Deposit", None, [], deposit_minor, is_deposit=True)]
     return deposit + [
-        ProposedMilestone(name, day, [cue.cue_id for cue in found], share)
-        for (name, day, found), share in zip(parts, shares, strict=True)
+        ProposedMilestone(_name(part), part.due_on, [cue.cue_id for cue in part.cues], amount)
+        for part, amount in zip(parts, amounts, strict=True)
     ]
 
 
-def _day_name(day: date, cues: Sequence[WantedCue]) -> str:
-    categories = {cue.category for cue in cues}
-    what = _called(*categories) if len(categories) == 1 and "" not in categories else "Sounds"
-    return f"{what}, {day.day} {day:%B}"
+def _rising(total_minor: int, left_minor: int, parts: int) -> list[int]:
+    """Return what each part pays: even amounts, the last one larger where it stays within its bounds."""
+    even = left_minor // parts
+    last = even
+    if parts > 2:
+        most = total_minor * LARGEST_PART_BP // BASIS_POINTS
+        last = max(even, min(most, even * LAST_OVER_EVEN_BP // BASIS_POINTS))
+    earlier = [min(even, (left_minor - last) // (parts - 1))] * (parts - 1) if parts > 1 else []
+    return [*earlier, left_minor - sum(earlier)]  # what is left after rounding down is in the last one
+
+
+def _parts(cues: Sequence[WantedCue], *, today: date, ends_on: date | None) -> list[_Part]:
+    if not cues:
+        return []
+    days = [cue.due_on for cue in cues if cue.due_on]
+    last_day = max([*days, *([ends_on] if ends_on else [])], default=None)
+    if last_day is None:
+        last_day = today + APART * min(FEWEST_PARTS, len(cues))
+    by_day: dict[date, list[WantedCue]] = {}
+    for cue in cues:
+        by_day.setdefault(cue.due_on or last_day, []).append(cue)
+    parts = [_Part(day, by_day[day]) for day in sorted(by_day)]
+    parts = list(_apart(parts))
+    wanted = min(max((last_day - today) // APART, FEWEST_PARTS), MOST_PARTS, len(cues))
+    while len(parts) < wanted and (more := _parted(parts, today, wanted)) is not None:
+        parts = more
+    return parts
+
+
+def _apart(parts: Sequence[_Part]) -> Iterator[_Part]:
+    """Yield parts that are at least two weeks apart: what is needed sooner after another is one part with it."""
+    waiting: _Part | None = None
+    for part in parts:
+        if waiting is None:
+            waiting = part
+        elif part.due_on - waiting.due_on < APART:
+            waiting = _Part(part.due_on, [*waiting.cues, *part.cues])
+        else:
+            yield waiting
+            waiting = part
+    if waiting is not None:
+        yield waiting
+
+
+def _parted(parts: Sequence[_Part], today: date, wanted: int) -> list[_Part] | None:
+    """Return parts with the heaviest that can be in several, the earlier ones due before it; None where none can be."""
+    for place in sorted(range(len(parts)), key=lambda at: -sum(cue.weight for cue in parts[at].cues)):
+        part = parts[place]
+        room_days = (part.due_on - (parts[place - 1].due_on if place else today)).days
+        if len(part.cues) < 2 or (place and room_days < 2):
+            continue
+        count = min(wanted - len(parts) + 1, len(part.cues), max(room_days // APART.days, 2))
+        apart_days = max(min(APART.days, room_days // count), 1)
+        shares = _shared(part.cues, count)
+        days = [part.due_on - timedelta(days=apart_days * (count - 1 - at)) for at in range(count)]
+        made = [_Part(day, cues) for day, cues in zip(days, shares, strict=True)]
+        return [*parts[:place], *made, *parts[place + 1 :]]
+    return None
+
+
+def _shared(cues: Sequence[WantedCue], count: int) -> list[Sequence[WantedCue]]:
+    """Return cues in order in so many shares, each with one at least, as even by weight as their order allows."""
+    shares: list[Sequence[WantedCue]] = []
+    left = list(cues)
+    for others in range(count - 1, 0, -1):
+        aim, so_far, at = sum(cue.weight for cue in left) / (others + 1), left[0].weight, 1
+        while at < len(left) - others and so_far + left[at].weight <= aim:
+            so_far += left[at].weight
+            at += 1
+        shares.append(left[:at])
+        left = left[at:]
+    return [*shares, left]
+
+
+def _name(part: _Part) -> str:
+    categories = list(dict.fromkeys(cue.category for cue in part.cues))
+    what = " and ".join(_called(each) if each else REST for each in categories) if len(categories) <= 2 else "Sounds"
+    return f"{what[: MAX_NAME_CHARS - 20]}, {part.due_on.day} {part.due_on:%B}"
 
 
 def _called(category: str) -> str:

@@ -1,16 +1,20 @@
 """Milestones and priced cues of contracts, read from the database; callers have checked who looks."""
 
 from collections.abc import Collection, Sequence
+from datetime import date
 from typing import Any
 from uuid import UUID
+from zoneinfo import ZoneInfo
 
 from sqlalchemy import Row, exists, select
 from sqlalchemy.orm import Session, joinedload
 
+from app.accounts.queries import time_zones_of
 from app.agreements.clauses import Clause, terms_in_force
 from app.agreements.models import Contract, ContractCue, ContractVersion, Milestone
 from app.agreements.rules import ContractState
 from app.agreements.terms import MoneyTerms
+from app.kit import clock
 from app.sound_lists.models import Cue, CueChange, Revision
 from app.sound_lists.rules import CueState
 
@@ -121,6 +125,12 @@ def agreed_terms(session: Session, contract: Contract) -> dict[str, object]:
             if newest is not None:
                 terms |= terms_in_force([Clause.of(row) for row in newest.clauses], newest.terms)
     return terms | contract.changed_terms
+
+
+def today_of(session: Session, contract: Contract) -> date:
+    """Return today by the calendar of the time zone of a contract's studio."""
+    (time_zone,) = time_zones_of(session, {contract.studio_id}).values()
+    return clock.now().astimezone(ZoneInfo(time_zone)).date()
 
 
 def terms_of(session: Session, contract: Contract) -> MoneyTerms:

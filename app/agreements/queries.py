@@ -27,6 +27,9 @@ from app.projects.models import Liaison, Project
 WHOLE = (joinedload(Contract.project).joinedload(Project.studio), joinedload(Contract.designer))
 
 
+NOTICE_GIVEN, NOTICE_WITHDRAWN = "notice_given", "notice_withdrawn"  # kinds of entries of the record
+
+
 def in_reach(actor: Actor) -> ColumnElement[bool]:
     """Return which contracts a caller may see: a producer the studio's, a liaison the project's, a designer their own.
 
@@ -258,6 +261,17 @@ def newest_event_of(session: Session, contract_id: UUID, kinds: Collection[str])
         .order_by(ContractEvent.seq.desc())
         .limit(1)
     )
+
+
+def notices_in_effect(session: Session, contract_ids: Collection[UUID]) -> dict[UUID, ContractEvent]:
+    """Return by contract the notice in its record that was not withdrawn since."""
+    entries = session.scalars(
+        select(ContractEvent)
+        .where(ContractEvent.contract_id.in_(contract_ids), ContractEvent.kind.in_((NOTICE_GIVEN, NOTICE_WITHDRAWN)))
+        .order_by(ContractEvent.contract_id, ContractEvent.seq)
+    )
+    newest = {entry.contract_id: entry for entry in entries}
+    return {contract_id: entry for contract_id, entry in newest.items() if entry.kind == NOTICE_GIVEN}
 
 
 def events_of_kinds(session: Session, contract_id: UUID, kinds: Collection[str]) -> Sequence[ContractEvent]:

@@ -57,13 +57,21 @@ class AcceptedBy(StrEnum):
 
 
 class WorkState(StrEnum):
-    """How far the work on a cue was when it was cut."""
+    """How far the work on a cue was when it was cut; `WORK_STATE_WORDS` define each."""
 
     NOT_BEGUN = "not_begun"
     IN_WORK = "in_work"
-    DELIVERED = "delivered"  # every variation conforms and waits for the approver
+    DELIVERED = "delivered"
     ACCEPTED = "accepted"
 
+
+# The clause on cut cues and the settlement statement define the states in these words, so a cue has one of them.
+WORK_STATE_WORDS = {
+    WorkState.NOT_BEGUN: "not begun, with no file delivered",
+    WorkState.IN_WORK: "in work, with a file delivered and one missing, unchecked, returned, set aside or to change",
+    WorkState.DELIVERED: "delivered, with every file of the cue conforming and in review, or approved",
+    WorkState.ACCEPTED: "accepted",
+}
 
 KIND_WORDS = {
     ContractKind.NDA: "non-disclosure agreement",

@@ -1,6 +1,6 @@
 """What contracts are asked and answer."""
 
-from datetime import datetime
+from datetime import date, datetime
 from typing import Annotated, Any, Literal
 from uuid import UUID
 
@@ -145,11 +145,24 @@ class DraftChange(Schema):
     holdback_bp: BasisPoints = 0
 
 
+class MilestoneAmount(Schema):
+    """What a milestone pays."""
+
+    milestone_id: UUID
+    amount_minor: int = Field(ge=0, le=10**12)
+
+
 class DraftSave(DraftChange):
     """The draft to save, and the version that it was made from."""
 
     note: Prose = ""
     based_on_version: int = Field(ge=1, le=LARGEST_NUMBER)
+    amounts: list[MilestoneAmount] | None = Field(
+        None,
+        max_length=100,
+        description="Needed where the currency changes: what each milestone of the plan pays in the new one. "
+        "With it the amounts among the terms are in the new currency too.",
+    )
 
 
 class SpanRead(Schema):
@@ -248,6 +261,13 @@ class LastContract(Schema):
     created_at: datetime
 
 
+class NoticeBrief(Schema):
+    """A notice in effect: since when, and the last day of the contract."""
+
+    given_at: datetime
+    ends_on: date | None = Field(description="Null: it ends when both agree to the statement.")
+
+
 class ContractBrief(Schema):
     """A contract as lists show it."""
 
@@ -270,6 +290,7 @@ class ContractBrief(Schema):
     end_reason: str | None
     my_party: Party | None
     waits_for: list[Party] = Field(description="Whose step is next.")
+    notice: NoticeBrief | None = Field(description="While the contract runs and a party has given notice.")
 
 
 class ContractRead(ContractBrief):

@@ -142,4 +142,7 @@ def library_toml(kind: ContractKind) -> str:
 
 
 def _problems(clauses: Sequence[Clause], terms: Terms, kind: ContractKind) -> list[FieldProblem]:
-    return [{"where": where, "message": message} for where, message in faults_of_text(clauses, terms, kind)]
+    return [
+        {"where": where, "message": message}
+        for where, message in faults_of_text(clauses, terms, kind, is_template=True)
+    ]

@@ -1,7 +1,7 @@
 """What a change order would do to a contract as it stands, and what is wrong with it."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from functools import cached_property
 from uuid import UUID
 
@@ -9,8 +9,9 @@ from sqlalchemy.orm import Session
 
 from app.agreements import plan_queries
 from app.agreements.facts import in_words
+from app.agreements.figures import faults_of_prose, other_amounts
 from app.agreements.models import Contract, ContractCue, Milestone
-from app.agreements.plan_check import check_plan
+from app.agreements.plan_check import check_plan, resolved, worsened
 from app.agreements.plan_queries import agreed_terms, terms_of
 from app.agreements.terms import MoneyTerms
 from app.amendments import schemas
@@ -101,7 +102,7 @@ class Reviewer:
         if change.kind == "add_cue":
             return self._problems_of_added(change.cue_id)
         if change.kind == "add_work":
-            return []
+            return self._problems_of_work(change)
         if change.kind == "set_caps":
             return self.caps.problems(change)
         covered = self.covered.get(change.cue_id)
@@ -115,6 +116,15 @@ class Reviewer:
         if change.kind == "add_round" and not self.round_minor(covered):
             return [f"the contract names no price of a further round of {name}; change the price of the cue instead"]
         return []
+
+    def _problems_of_work(self, change: schemas.AddWork) -> list[str]:
+        problems = list(faults_of_prose(change.text, agreed_terms(self.session, self.contract)))
+        if others := other_amounts(change.text, change.amount_minor, self.contract.currency):
+            problems.append(
+                f"“{others[0]}” is typed, and the work costs {self.money(change.amount_minor)}; "
+                "leave the amount out of the text, or enter it as the price"
+            )
+        return problems
 
     def _problems_of_date(self, change: schemas.MoveDate) -> list[str]:
         name = self.milestones[change.milestone_id].name
@@ -173,7 +183,8 @@ class Reviewer:
         warnings = warnings_of(
             before,
             after,
-            clock.now().date(),
+            plan_queries.today_of(self.session, self.contract),
+            more_work=self._with_more_work(changes),
             rush_days=_number(terms, "rush_days"),
             rush_bp=_number(terms, "rush_bp"),
         )
@@ -194,10 +205,15 @@ class Reviewer:
                 )
                 for old, new in zip(before, after, strict=True)
             ],
-            warnings=[AdviceRead(**asdict(one)) for one in warnings],
-            advice=[AdviceRead(**asdict(one)) for one in advice_after],
-            advice_gone=[AdviceRead(**asdict(one)) for one in advice_before if one not in advice_after],
+            warnings=[AdviceRead.model_validate(one) for one in warnings],
+            advice=[AdviceRead.model_validate(one) for one in worsened(advice_before, advice_after)],
+            advice_gone=[AdviceRead.model_validate(one) for one in resolved(advice_before, advice_after)],
         )
+
+    def _with_more_work(self, changes: Sequence[schemas.Change]) -> set[UUID]:
+        """Return the milestones to which changes add work that is no cue of theirs."""
+        rounds = {self.covered[one.cue_id].milestone_id for one in changes if one.kind == "add_round"}
+        return rounds | {one.milestone_id for one in changes if one.kind == "add_work"}
 
     def plan(self) -> list[Planned]:
         """Return the milestones as they stand; cues that were cut no longer count."""

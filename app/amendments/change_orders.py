@@ -12,6 +12,7 @@ from app.agreements.access import party_of, visible_contract
 from app.agreements.certificates import signatures_page, studio_zone
 from app.agreements.documents import TextPdf, sha256_of
 from app.agreements.errors import NotYourContract
+from app.agreements.figures import faults_of_prose
 from app.agreements.models import Contract
 from app.agreements.queries import newest_version
 from app.agreements.rules import ORDERS, ContractKind, ContractState, Party, way_on
@@ -35,6 +36,7 @@ from app.amendments.models import ChangeOrder
 from app.amendments.rules import ChangeOrderState
 from app.amendments.signing import locked_for_party, sign, signatures
 from app.kit import clock
+from app.kit.errors import FieldProblem
 from app.kit.events import publish
 from app.money import overview
 from app.reviews.clock_pauses import begin_pause, end_pause
@@ -100,10 +102,14 @@ def propose(session: Session, actor: Actor, contract_id: UUID, order: schemas.Ch
     _ensure_in_force(contract, party)
     reviewer = Reviewer(session, contract)
     review = reviewer.review(order.changes)
-    if review.problems:
+    of_reason = list(faults_of_prose(order.reason, plan_queries.agreed_terms(session, contract)))
+    if review.problems or of_reason:
         raise BadChangeOrder(
-            "; ".join(review.problems[:5]),
-            errors=[{"where": "changes", "message": problem} for problem in review.problems],
+            "; ".join([*review.problems, *of_reason][:5]),
+            errors=[
+                *[FieldProblem(where="changes", message=problem) for problem in review.problems],
+                *[FieldProblem(where="reason", message=problem) for problem in of_reason],
+            ],
             fix="change what the message names, and propose it again",
         )
     proposed = ChangeOrder(

@@ -15,7 +15,7 @@ from app.agreements.documents import TextPdf, sha256_of
 from app.agreements.errors import NotYourContract
 from app.agreements.models import Contract
 from app.agreements.plan_queries import terms_of
-from app.agreements.queries import lock_contract
+from app.agreements.queries import NOTICE_GIVEN, NOTICE_WITHDRAWN, lock_contract
 from app.agreements.rules import ORDERS, ContractState, Party, way_on
 from app.agreements.signing import Signature
 from app.agreements.terms import MoneyTerms, PriceMode
@@ -70,7 +70,7 @@ def give_notice(session: Session, actor: Actor, contract_id: UUID, *, reason: st
     session.add(notice)
     session.flush()
     facts = {"notice": notice.number, "reason": reason, "ends_on": last_day.isoformat() if last_day else ""}
-    record.append(session, contract.id, "notice_given", facts, by=actor.person)
+    record.append(session, contract.id, NOTICE_GIVEN, facts, by=actor.person)
     _publish(session, contract, "contract.notice_given")
 
 
@@ -85,7 +85,7 @@ def withdraw_notice(session: Session, actor: Actor, contract_id: UUID) -> None:
         )
     notice.withdrawn_at = clock.now()
     session.flush()
-    record.append(session, contract.id, "notice_withdrawn", {"notice": notice.number}, by=actor.person)
+    record.append(session, contract.id, NOTICE_WITHDRAWN, {"notice": notice.number}, by=actor.person)
 
 
 def agree_to_statement(

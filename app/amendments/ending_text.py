@@ -1,7 +1,9 @@
 """The settlement statement as the text that both parties agree to."""
 
+from collections.abc import Collection
+
 from app.agreements.facts import in_words
-from app.agreements.rules import Party, WorkState
+from app.agreements.rules import WORK_STATE_WORDS, Party, WorkState
 from app.agreements.terms import DepositAtEnd
 from app.agreements.text import literal
 from app.amendments.schemas import EndingRead, StatedCueRead
@@ -63,12 +65,19 @@ def statement_text(ending: EndingRead, studio: str) -> str:
         )
         if ending.cues
         else "The contract covers no cue.",
+        _state_definitions({cue.state for cue in ending.cues} - {WorkState.ACCEPTED}),
         "\n".join(["| What | Amount |", "| --- | --- |", *sums]),
         "Hours that were logged and not refused count as approved." if ending.hours_minor else "",
         "\n".join(["Not counted, since the studio has not agreed to it:", "", *left]) if left else "",
         "With this the contract is settled. Who owns what stays as the contract says, for cues accepted and cut.",
     ]
     return "\n\n".join(paragraph for paragraph in paragraphs if paragraph) + "\n"
+
+
+def _state_definitions(states: Collection[WorkState]) -> str:
+    """Return what the states in a statement mean, as the clause on cut cues defines them."""
+    meanings = [WORK_STATE_WORDS[state] for state in WorkState if state in states]
+    return f"Of the states, a cue is {'; '.join(meanings)}." if meanings else ""
 
 
 def _row(cue: StatedCueRead, currency: str) -> str:

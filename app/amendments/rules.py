@@ -1,6 +1,6 @@
 """When a contract may end early, and what a change order does to a plan, stated without a database."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from datetime import date, timedelta
 from enum import StrEnum
@@ -91,13 +91,23 @@ def changed_plan(plan: Sequence[Planned], differences: Sequence[Difference]) -> 
 
 
 def warnings_of(
-    before: Sequence[Planned], after: Sequence[Planned], today: date, *, rush_days: int, rush_bp: int
+    before: Sequence[Planned],
+    after: Sequence[Planned],
+    today: date,
+    *,
+    rush_days: int,
+    rush_bp: int,
+    more_work: Collection[UUID] = (),
 ) -> list[Advice]:
-    """Return what a change order should not do unsaid: less time for more work, and work at a rush."""
+    """Return what a change order should not do unsaid: less time for more work, and work at a rush.
+
+    `more_work` are the milestones to which it adds work beside their cues.
+    """
     said: list[Advice] = []
     for old, new in zip(before, after, strict=True):
         is_earlier = old.due_on is not None and new.due_on is not None and new.due_on < old.due_on
-        if is_earlier and (new.cues > old.cues or new.amount_minor > old.amount_minor):
+        has_more = new.cues > old.cues or new.milestone_id in more_work
+        if is_earlier and (has_more or new.amount_minor > old.amount_minor):
             said.append(
                 Advice(
                     "earlier-and-more",
@@ -105,8 +115,7 @@ def warnings_of(
                     "Less time for more work is how dates are missed; move the date back, or take a cue out.",
                 )
             )
-        has_more = new.cues > old.cues or is_earlier
-        if has_more and rush_bp and new.due_on and working_days(today, new.due_on) < rush_days:
+        if (has_more or is_earlier) and rush_bp and new.due_on and working_days(today, new.due_on) < rush_days:
             said.append(
                 Advice(
                     "rush",

@@ -244,7 +244,7 @@ class DifferenceRead(Schema):
     price_after_minor: int
     milestones: list[ChangedMilestone]
     warnings: list[AdviceRead] = Field(description="What the change order itself makes harder.")
-    advice: list[AdviceRead] = Field(description="Warnings about the changed plan.")
+    advice: list[AdviceRead] = Field(description="Warnings about the plan that the change adds or makes worse.")
     advice_gone: list[AdviceRead] = Field(description="Warnings that the change resolves.")
 
 

@@ -16,7 +16,7 @@ from app.hiring.models import Bid, Candidate, Posting, Score
 from app.hiring.postings import posting_seen
 from app.hiring.roster import entries_of_bidders
 from app.hiring.roster_rules import Busy, clashes
-from app.hiring.rules import amount_minor, hourly_rate_minor, missing_lines, takes_bids, total_minor
+from app.hiring.rules import amount_minor, concept_minor, hourly_rate_minor, missing_lines, takes_bids, total_minor
 from app.hiring.samples import samples_read
 from app.hiring.schemas import (
     AskedLine,
@@ -147,6 +147,7 @@ def _own_bid(session: Session, posting: Posting, bid: Bid) -> OwnBidRead:
         revision=bid.revision,
         content=BidContent.model_validate(bid.content),
         total_minor=total_minor(bid.content["lines"]),
+        concept_minor=concept_minor(posting.lines, bid.content["lines"]),
         missing=missing_lines(posting.lines, bid.content["lines"]),
         sent_at=bid.sent_at,
         resent_at=bid.resent_at,
@@ -205,6 +206,7 @@ def comparison_read(session: Session, actor: Actor, posting_id: UUID) -> BidComp
                 content=content,
                 amounts_minor=[amount_minor(line) for line in lines],
                 total_minor=whole,
+                concept_minor=concept_minor(posting.lines, lines),
                 missing=missing_lines(posting.lines, lines),
                 hourly_rate_minor=rate,
                 is_below_floor=rate is not None

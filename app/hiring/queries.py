@@ -27,11 +27,14 @@ _WITH_PROJECT = joinedload(Posting.project).joinedload(Project.studio)
 def counted_cues(session: Session, project_id: UUID) -> list[CountedCue]:
     """Return the cues of a project that are not cut, in list order, as postings count them."""
     rows = session.execute(
-        select(Cue.id, Cue.category, Cue.variations)
+        select(Cue.id, Cue.category, Cue.variations, Cue.state)
         .where(Cue.project_id == project_id, Cue.state != CueState.CUT)
         .order_by(Cue.position, Cue.number)
     )
-    return [CountedCue(str(cue_id), category, variations) for cue_id, category, variations in rows]
+    return [
+        CountedCue(str(cue_id), category, variations, state is CueState.CONCEPT)
+        for cue_id, category, variations, state in rows
+    ]
 
 
 def posting_for(session: Session, actor: Actor, posting_id: UUID) -> Posting | None:
@@ -137,6 +140,16 @@ def sample_for(session: Session, actor: Actor, sample_id: UUID) -> Sample | None
     """Return a sample of a bid to one of the caller's studios, or of the caller's own."""
     of_caller = or_(Sample.studio_id.in_(actor.roles), Sample.designer_id == actor.person)
     return session.scalar(select(Sample).where(Sample.id == sample_id, of_caller))
+
+
+def bid_behind(session: Session, contract_id: UUID) -> Bid | None:
+    """Return the bid whose award opened a draft contract, with its posting; None where none did."""
+    return session.scalar(
+        select(Bid)
+        .join(Posting, Posting.awarded_bid_id == Bid.id)
+        .where(Posting.contract_id == contract_id)
+        .options(joinedload(Bid.posting))
+    )
 
 
 def sent_bids(session: Session, posting_id: UUID) -> Sequence[Bid]:

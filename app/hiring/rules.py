@@ -90,6 +90,7 @@ class CountedCue:
     id: str
     category: str
     variations: int
+    is_concept: bool = False
 
 
 def asked_lines(cues: Iterable[CountedCue]) -> list[dict[str, Any]]:
@@ -97,9 +98,11 @@ def asked_lines(cues: Iterable[CountedCue]) -> list[dict[str, Any]]:
     lines: dict[str, dict[str, Any]] = {}
     for cue in cues:
         line = lines.setdefault(
-            cue.category, {"key": cue.category, "label": category_label(cue.category), "cues": 0, "files": 0}
+            cue.category,
+            {"key": cue.category, "label": category_label(cue.category), "cues": 0, "files": 0, "concepts": 0},
         )
         line["cues"] += 1
+        line["concepts"] += cue.is_concept
         line["files"] += cue.variations
     return list(lines.values())
 
@@ -153,6 +156,16 @@ def amount_minor(line: Mapping[str, Any]) -> int:
 def total_minor(lines: Iterable[Mapping[str, Any]]) -> int:
     """Return what the lines of a bid add up to."""
     return sum(amount_minor(line) for line in lines)
+
+
+def concept_minor(asked: Iterable[Mapping[str, Any]], lines: Iterable[Mapping[str, Any]]) -> int:
+    """Return what a bid asks for cues that are concepts still: the share of each line that they are in."""
+    counts = {line["key"]: (line.get("concepts", 0), line["cues"]) for line in asked}
+    found = 0
+    for line in lines:
+        concepts, cues = counts.get(line["key"], (0, 0)) if line["kind"] == BidLineKind.ASKED else (0, 0)
+        found += amount_minor(line) * concepts // cues if cues else 0
+    return found
 
 
 def missing_lines(asked: Sequence[Mapping[str, Any]], lines: Iterable[Mapping[str, Any]]) -> list[str]:

@@ -78,6 +78,7 @@ class AskedLine(Schema):
     label: str
     cues: int
     files: int
+    concepts: int = Field(0, description="Cues that are an idea still: what is ordered for them may change or go.")
 
 
 class CandidateRead(Schema):
@@ -184,6 +185,7 @@ class OwnBidRead(Schema):
     revision: int
     content: BidContent
     total_minor: int
+    concept_minor: int = Field(description="The part of it that is for cues that are concepts still.")
     missing: list[str] = Field(description="Asked lines that it does not offer.")
     sent_at: datetime | None
     resent_at: datetime | None
@@ -338,6 +340,7 @@ class ComparedBid(Schema):
     content: BidContent
     amounts_minor: list[int] = Field(description="Of each line, in the order of the lines.")
     total_minor: int
+    concept_minor: int = Field(description="The part of it that is for cues that are concepts still.")
     missing: list[str] = Field(description="Asked lines without an offer: the total is not comparable.")
     hourly_rate_minor: int | None = Field(description="The total divided by the hours; null without hours.")
     is_below_floor: bool

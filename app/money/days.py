@@ -239,7 +239,7 @@ def _ensure_loggable(session: Session, contract: Contract, work: Work, *, instea
     """Raise an error for work that the contract does not pay for, that lies ahead, or that says not what it was."""
     if contract.state is not ContractState.AGREED:
         raise not_agreed(contract, "work can be logged once both have signed the contract")
-    ensure_not_ahead(work.worked_on, clock.now().date(), "log work only after it was done")
+    ensure_not_ahead(work.worked_on, plan_queries.today_of(session, contract), "log work only after it was done")
     if work.minutes is None:
         terms = terms_of(session, contract)
         if terms.price_mode is not PriceMode.DAY_RATE:

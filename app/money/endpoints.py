@@ -1,6 +1,5 @@
 """The endpoints of plans, ledgers, invoices and payments."""
 
-from dataclasses import asdict
 from typing import Any
 from uuid import UUID
 
@@ -107,10 +106,12 @@ def check_plan(
     contract_id: UUID, body: schemas.PlanSet, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.PlanChecked:
     """Return the errors and warnings of a plan, with reasons; nothing is saved."""
-    faults, advice = plan.review_plan(session, actor, contract_id, _planned(body))
+    faults, advice, price, concepts = plan.review_plan(session, actor, contract_id, _planned(body))
     return schemas.PlanChecked(
         faults=[schemas.PlanFault(**fault) for fault in faults],
-        advice=[schemas.AdviceRead(**asdict(one)) for one in advice],
+        advice=[schemas.AdviceRead.model_validate(one) for one in advice],
+        price=schemas.PriceRead.model_validate(price),
+        concepts=schemas.ConceptsRead.model_validate(concepts),
     )
 
 

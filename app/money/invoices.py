@@ -14,7 +14,6 @@ from app.agreements.models import Contract
 from app.agreements.plan_queries import terms_of
 from app.agreements.queries import lock_contract
 from app.agreements.rules import ContractState, WorkState
-from app.kit import clock
 from app.kit.events import publish
 from app.kit.money import money, percent
 from app.money import invoice_numbers, queries, schemas
@@ -97,7 +96,7 @@ def issue_invoice(
     cue_ids = [str(line.cue_id) for line in billed if line.kind in SHARES and line.cue_id]
     publish(session, "invoice.drafted", studio_id=contract.studio_id, contract_id=contract.id, cue_ids=cue_ids)
     taxes: Sequence[Entry] = tax_entries(billed, tax_rates_of(session, contract), default_bp=terms.invoiced_tax_bp)
-    today = clock.now().date()
+    today = plan_queries.today_of(session, contract)
     invoice = Invoice(
         studio_id=contract.studio_id,
         project_id=contract.project_id,
@@ -137,7 +136,9 @@ def _next_number(session: Session, contract: Contract) -> str:
     if newest is None:
         return "1"
     used = queries.full_numbers_of(session, contract.designer_id)
-    return invoice_numbers.following(newest.full_number, newest.issued_on, clock.now().date(), used)
+    return invoice_numbers.following(
+        newest.full_number, newest.issued_on, plan_queries.today_of(session, contract), used
+    )
 
 
 def _for_designer(session: Session, actor: Actor, contract_id: UUID) -> Contract:
@@ -244,7 +245,7 @@ def charge_late_interest(session: Session, actor: Actor, invoice_id: UUID) -> sc
     if contract.designer_id != actor.person:
         raise OtherPartyNeeded("the designer of this contract charges interest", fix="ask the designer for it")
     lock_contract(session, contract.id)
-    book, today = load_ledger_book(session, contract), clock.now().date()
+    book, today = load_ledger_book(session, contract), plan_queries.today_of(session, contract)
     accrued_minor, charged_minor = _late_interest(session, contract, book, found, today)
     if accrued_minor <= charged_minor:
         raise NoInterestDue(
@@ -292,7 +293,7 @@ def invoice_read(session: Session, contract: Contract, book: LedgerBook, invoice
     paid_minor = sum(payment.amount_minor for payment in payments)
     is_paid = paid_minor == whole_minor
     last_on = max((payment.paid_on for payment in payments if payment.refund_of_id is None), default=None)
-    today = clock.now().date()
+    today = plan_queries.today_of(session, contract)
     is_late = today > invoice.due_on
     accrued_minor, charged_minor = _late_interest(session, contract, book, invoice, today)
     return schemas.InvoiceRead(

@@ -12,7 +12,7 @@ from app.agreements import plan_queries
 from app.agreements.access import visible_contract
 from app.agreements.authorship import SERVER
 from app.agreements.models import Contract, ContractCue, Milestone
-from app.agreements.plan import advice_on
+from app.agreements.plan import advice_on, concepts_of, payments_of, price_of
 from app.agreements.plan_queries import terms_of
 from app.agreements.queries import contract_for
 from app.agreements.rules import ContractState
@@ -43,12 +43,15 @@ def plan(session: Session, actor: Actor, contract_id: UUID) -> schemas.PlanRead:
 
 def plan_of(session: Session, contract: Contract) -> schemas.PlanRead:
     """Return the milestones of a contract that the caller was found to see."""
+    price = price_of(session, contract, payments_of(session, contract))
     return schemas.PlanRead(
         contract_id=contract.id,
         state=contract.state,
         currency=contract.currency,
         milestones=milestones_read(session, contract, load_ledger_book(session, contract)),
-        advice=[schemas.AdviceRead(**asdict(one)) for one in advice_on(session, contract)],
+        advice=[schemas.AdviceRead.model_validate(one) for one in advice_on(session, contract)],
+        price=schemas.PriceRead.model_validate(price),
+        concepts=schemas.ConceptsRead.model_validate(concepts_of(session, contract)),
     )
 
 

@@ -7,8 +7,8 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor, Role
 from app.agreements.models import Contract
+from app.agreements.plan_queries import today_of
 from app.agreements.queries import lock_contract
-from app.kit import clock
 from app.kit.events import publish
 from app.money import queries
 from app.money.errors import InvoiceNotFound, PaymentNotFound
@@ -26,7 +26,7 @@ def record_payment(
     """Record what was paid on an invoice, in part or whole; raise Overpayment beyond what is open."""
     invoice, contract = visible_invoice(session, actor, invoice_id)
     _ensure_pays(actor, contract)
-    ensure_not_ahead(paid_on, clock.now().date(), "record a payment only after it was made")
+    ensure_not_ahead(paid_on, today_of(session, contract), "record a payment only after it was made")
     lock_contract(session, contract.id)
     entries = allocate(load_ledger_book(session, contract), invoice.id, amount_minor)
     return _keep(session, actor, contract, invoice, entries, reference=reference, paid_on=paid_on)
@@ -44,7 +44,7 @@ def refund_payment(
     except InvoiceNotFound:
         raise PaymentNotFound(f"no payment {payment_id}") from None
     _ensure_pays(actor, contract)
-    ensure_not_ahead(paid_on, clock.now().date(), "record a refund only after it was made")
+    ensure_not_ahead(paid_on, today_of(session, contract), "record a refund only after it was made")
     lock_contract(session, contract.id)
     entries = refund(load_ledger_book(session, contract), payment.id, amount_minor)
     return _keep(

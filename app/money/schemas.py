@@ -116,11 +116,31 @@ class PlanFault(Schema):
     message: str
 
 
+class PriceRead(Schema):
+    """What a plan comes to, with its deposit in it, beside the bid that its contract began from."""
+
+    total_minor: int
+    deposit_minor: int = Field(description="A part of the total.")
+    bid_minor: int | None = Field(description="Null: the contract began from no bid.")
+    bid_currency: str | None
+    above_bid_minor: int | None = Field(description="Negative below the bid; null where it is in another currency.")
+
+
+class ConceptsRead(Schema):
+    """The cues of a plan that are an idea still: what is ordered for them may change or go."""
+
+    count: int
+    cues: int = Field(description="Of how many cues in the plan.")
+    amount_minor: int = Field(description="What the plan pays for them.")
+
+
 class PlanChecked(Schema):
     """The errors and warnings of a plan that is not saved."""
 
     faults: Sequence[PlanFault]
     advice: Sequence[AdviceRead]
+    price: PriceRead
+    concepts: ConceptsRead
 
 
 class PlanRead(Schema):
@@ -131,6 +151,8 @@ class PlanRead(Schema):
     currency: str
     milestones: Sequence[MilestoneRead]
     advice: Sequence[AdviceRead]
+    price: PriceRead
+    concepts: ConceptsRead
 
 
 class FiguresRead(Schema):

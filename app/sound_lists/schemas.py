@@ -95,7 +95,9 @@ class CueFields(Schema):
 
 
 class CueAdd(CueFields):
-    """A typed row; only a name or a file name is needed."""
+    """A typed row; only a name or a file name is needed. It is a concept until the team says otherwise."""
+
+    state: OpenState = "concept"
 
 
 class CuesAdd(Schema):

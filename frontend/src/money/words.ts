@@ -76,3 +76,10 @@ export function slipInWords(
   const parts = [they > 0 ? `${they} with ${whose}` : '', you > 0 ? `${you} with you` : ''].filter(Boolean)
   return `${late}: ${parts.join(', ')}`
 }
+
+/** "3 of 12 cues are concepts, for EUR 480.00 …": what is ordered so may change or go. */
+export const conceptWords = (
+  { count, cues, amount_minor: minor }: { count: number; cues: number; amount_minor: number },
+  currency: string,
+): string =>
+  `${count} of ${cues} ${cues === 1 ? 'cue' : 'cues'} ${count === 1 ? 'is a concept' : 'are concepts'} still, for ${money(minor, currency)}: settle ${count === 1 ? 'it' : 'them'} before you order, or the work may be thrown away.`

@@ -191,7 +191,7 @@ EDITS = st.sampled_from(["type", "word", "delete", "move", "copy", "strike"])
 
 
 @given(st.data())
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=12, deadline=None)
 def test_a_text_without_faults_says_what_is_counted(data: st.DataObject):
     """Edit clauses at random: where nothing is refused, each counted number stands in the text, and no other does."""
     clauses = list(ALL)

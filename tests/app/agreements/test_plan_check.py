@@ -4,7 +4,7 @@ from datetime import date, timedelta
 
 import pytest
 
-from app.agreements.plan_check import PlannedPayment, check_plan
+from app.agreements.plan_check import PlannedPayment, check_plan, resolved, worsened
 
 FIRST = date(2027, 3, 1)
 
@@ -31,6 +31,7 @@ def plan(deposit: int, *amounts: int) -> list[PlannedPayment]:
         (plan(200, 300, 301), ["too-much-held-back"]),
         (plan(200, 300, 300), []),
         (plan(200, 600), ["one-milestone"]),
+        ([*plan(200), PlannedPayment("Alpha", 600, FIRST, cues=1)], []),  # one cue cannot be parted
         ([], []),
     ],
 )
@@ -57,3 +58,12 @@ def test_advice_names_figures_and_a_reason():
     (advice,) = check_plan(plan(144_000, 180_000, 144_000, 252_000), "USD")
     assert advice.message == "Alpha pays USD 1,440.00, less than Palette with USD 1,800.00."
     assert advice.why
+
+
+def test_plans_are_compared_by_rule_and_subject() -> None:
+    bad = check_plan(plan(100, 400, 300, 200), "USD")
+    worse = check_plan(plan(100, 400, 300, 300), "USD")  # the deposit falls, and the last milestone rises
+    assert [one.code for one in bad] == ["deposit-low", "not-rising", "not-rising", "completion-not-largest"]
+    assert [one.code for one in worsened(bad, worse)] == ["deposit-low"]
+    assert [(one.code, one.subject) for one in resolved(bad, worse)] == [("not-rising", "Beta")]
+    assert worsened(bad, bad) == resolved(bad, bad) == []

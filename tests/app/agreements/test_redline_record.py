@@ -44,14 +44,14 @@ def test_the_producers_are_mailed_what_is_proposed(world: World, redlining: Redl
         return [line for mail in mails for line in mail.lines]
 
     assert any(
-        "Effects for Alpha: 2 proposed changes: Rounds, Tea. See you at four." in text
+        "Effects for Alpha: 2 proposed changes: Originality, Tea. See you at four." in text
         for text in world.server.in_database(texts)
     )
 
 
 def test_the_record_names_each_act_and_who_did_it(world: World, redlining: Redlining):
     redlining.propose(redlining.replace("warranty", "Own work."))
-    redlining.answer(1, "countered", title="Rounds", text="Licensed work.", comment="Half way.")
+    redlining.answer(1, "countered", title="Originality", text="Licensed work.", comment="Half way.")
     proposed, answered = redlining.contracts.entries(redlining.sent, world.designer)[-2:]
     assert (proposed["kind"], proposed["payload"]["by"], proposed["payload"]["role"]) == (
         "redlines_proposed",
@@ -99,7 +99,7 @@ def test_verify_names_an_entry_on_redlines_that_was_altered(world: World, redlin
     def tamper(session: Session) -> None:
         of_it = (ContractEvent.contract_id == UUID(redlining.sent["id"])) & (ContractEvent.kind == kind)
         event = session.scalars(sa.select(ContractEvent).where(of_it)).one()
-        event.payload = event.payload.replace("Four", "Five").replace("accepted", "refused")
+        event.payload = event.payload.replace("Own work", "Any work").replace("accepted", "refused")
 
     world.server.in_database(tamper)
     assert any("was altered" in fault for fault in redlining.faults())
@@ -113,4 +113,4 @@ def test_versions_say_which_answer_made_them(world: World, redlining: Redlining)
         of_it = ContractVersion.contract_id == UUID(redlining.sent["id"])
         return list(session.scalars(sa.select(ContractVersion.note).where(of_it).order_by(ContractVersion.number)))
 
-    assert world.server.in_database(notes)[-1] == "Redline 1 accepted: Rounds"
+    assert world.server.in_database(notes)[-1] == "Redline 1 accepted: Originality"

@@ -68,6 +68,17 @@ def test_its_changes_are_a_draft_that_is_sent_as_if_typed(upload: Upload):
     assert proposed["unanswered"] == 2
 
 
+def test_a_number_in_words_is_the_new_value_of_its_field(upload: Upload):
+    read = upload.upload(edited(upload.document(), ("2 rounds", "three rounds")))
+    (change,) = read["changes"]
+    assert change["terms"] == {"rounds_included": 3}
+    assert change["text"] == upload.clause("rounds")["text"]
+    assert "read as its new value: 3" in read["findings"][0]["message"]
+    upload.propose(change)
+    upload.answer(1, "accepted")
+    assert upload.contracts.send(upload.draft())["version"]["terms"]["rounds_included"] == 3
+
+
 def test_a_document_that_nobody_edited_proposes_nothing(upload: Upload):
     read = upload.upload(upload.document())
     assert read == {"version": 1, "changes": [], "note": "", "findings": []}
@@ -75,7 +86,7 @@ def test_a_document_that_nobody_edited_proposes_nothing(upload: Upload):
 
 def test_a_document_of_an_earlier_version_names_what_changed_since(upload: Upload):
     first, about = upload.document(), upload.clause("about")["title"]
-    upload.propose(upload.replace("warranty", "Own work."))
+    upload.propose(upload.replace("rounds", upload.clause("rounds")["text"] + "\n\nEach is asked for in writing."))
     upload.answer(1, "accepted")
     upload.sent = upload.contracts.send(upload.sent)
     number = upload.sent["version"]["number"]

@@ -313,3 +313,72 @@ def warned(*differences: Difference, days: int = 0) -> list[str]:
 )
 def test_less_time_for_more_work_is_pointed_out(differences: list[Difference], days: int, codes: list[str]) -> None:
     assert warned(*differences, days=days) == codes
+
+
+@pytest.mark.parametrize("kind", ["add_work", "add_round"])
+def test_work_beside_the_cues_is_more_work_too(order: Order, kind: str) -> None:
+    work = {"kind": "add_work", "milestone_id": order.milestones["Alpha"], "text": "Voice session", "amount_minor": 900}
+    added = work if kind == "add_work" else about("add_round", order.cues[0])
+    body = {"changes": [added, move(order, "Alpha", day(10))]}
+    preview = body_of(order.world.producer.post(f"/v1/contracts/{order.contract_id}/change-order-preview", json=body))
+    assert preview["problems"] == []
+    assert [one["code"] for one in preview["difference"]["warnings"]] == ["earlier-and-more"]
+    body = {"changes": [added, move(order, "Alpha", day(20))]}
+    later = body_of(order.world.producer.post(f"/v1/contracts/{order.contract_id}/change-order-preview", json=body))
+    assert later["difference"]["warnings"] == []
+
+
+def test_only_what_a_change_adds_or_worsens_is_warned_of(world: World) -> None:
+    order = Order(world)
+    # Its plan has warnings of its own: the last milestone holds more than half back.
+    before = body_of(world.producer.get(f"/v1/contracts/{order.contract_id}/milestones"))["advice"]
+    assert [one["code"] for one in before] == ["too-much-held-back"]
+    moved = {"changes": [move(order, "Beta", day(40))]}
+    difference = body_of(world.producer.post(f"/v1/contracts/{order.contract_id}/change-order-preview", json=moved))[
+        "difference"
+    ]
+    assert (difference["advice"], difference["advice_gone"]) == ([], [])
+    dearer = {"changes": [add(order, order.cue("shield_down"), 40_000)]}
+    difference = body_of(world.producer.post(f"/v1/contracts/{order.contract_id}/change-order-preview", json=dearer))[
+        "difference"
+    ]
+    assert [one["code"] for one in difference["advice"]] == ["deposit-low", "too-much-held-back"]
+    assert difference["advice_gone"] == []
+    evened = {"changes": [add(order, order.cue("hatch"), 30_000, to="Alpha")]}
+    difference = body_of(world.producer.post(f"/v1/contracts/{order.contract_id}/change-order-preview", json=evened))[
+        "difference"
+    ]
+    assert [one["code"] for one in difference["advice_gone"]] == ["too-much-held-back"]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("Mixing, USD 2,000", "“USD 2,000” is typed"),
+        ("Mixing for 2,000 dollars", "is typed"),
+        ("Three further rounds for the UI", "the contract counts 2"),
+    ],
+)
+def test_a_change_order_types_no_figure_that_it_does_not_set(order: Order, text: str, words: str) -> None:
+    work = {"kind": "add_work", "milestone_id": order.milestones["Beta"], "text": text, "amount_minor": 50_000}
+    unproposed = order.propose(work)
+    assert refused(unproposed) == (422, "bad-change-order")
+    assert words in unproposed.json()["detail"]
+    fine = work | {"text": "Mixing, USD 500"}
+    because = order.propose(fine, reason="The price now includes 4 rounds.")
+    assert refused(because) == (422, "bad-change-order")
+    assert [one["where"] for one in because.json()["errors"]] == ["reason"]
+    assert order.propose(fine).status_code == 201
+
+
+def test_a_contract_under_notice_says_when_it_ends(order: Order) -> None:
+    world, path = order.world, f"/v1/contracts/{order.contract_id}"
+    assert body_of(world.producer.get(path))["notice"] is None
+    body_of(world.producer.post(f"{path}/ending/notice", json={"reason": "The game was cancelled."}))
+    read = body_of(world.producer.get(path))
+    assert (read["state"], read["notice"]["ends_on"]) == ("agreed", day(14))
+    for by in (world.producer, world.designer):
+        (listed,) = body_of(by.get(f"/v1/projects/{world.project_id}/contracts"))
+        assert (listed["state"], listed["notice"]) == ("agreed", read["notice"])
+    body_of(world.producer.post(f"{path}/ending/withdraw", json={}))
+    assert body_of(world.producer.get(path))["notice"] is None

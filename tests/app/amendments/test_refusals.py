@@ -23,6 +23,8 @@ OF_CONTENT = ("agreements.comparison.", "agreements.heads.")
 OTHERS = {
     "agreements.facts.ensure_open_answers_are_said BriefOpen": "test_open_answers",
     "agreements.redlines.answer BadRedlines 2": "test_redlines",
+    "agreements.text_faults.ensure_text_whole BadDraft": "test_redlines",
+    "agreements.lifecycle._ensure_amounts_entered AmountsNeeded": "test_currency",
     "agreements.rules.ensure_another_person SamePersonOnBothSides": "test_both_sides",
     "agreements.rules.ensure_address_proven AddressNotProven": "test_signing",
     "agreements.access.contract_for_producer SamePersonOnBothSides": "test_both_sides",

@@ -5,8 +5,8 @@ from typing import Any
 from tests.app.amendments.refusal_parties import ENDED, Parties, advised, granted, scene
 
 
-def redline(parties: Parties, contract: dict[str, Any], text: str = "Three rounds.", version: int = 0) -> Any:
-    change = {"kind": "replace", "clause_key": "rounds", "title": "Rounds", "text": text}
+def redline(parties: Parties, contract: dict[str, Any], text: str = "Own work alone.", version: int = 0) -> Any:
+    change = {"kind": "replace", "clause_key": "warranty", "title": "Originality", "text": text}
     number = version or contract["version"]["number"]
     return parties.post(parties.designer, contract, "redlines", version=number, changes=[change])
 
@@ -58,7 +58,8 @@ def _redlines_are_answered_before_the_next_version(parties: Parties) -> None:
     granted(answer(parties, sent, "refused", comment="Two are enough"))
     granted(answer(parties, sent, "accepted"))
     drafted = granted(parties.producer.get(f"/v1/contracts/{sent['id']}"))
-    clauses = [one | ({"text": "Four."} if one["key"] == "rounds" else {}) for one in drafted["version"]["clauses"]]
+    rows = drafted["version"]["clauses"]
+    clauses = [one | ({"text": "Any work."} if one["key"] == "warranty" else {}) for one in rows]
     parties.contracts.save(drafted, clauses=clauses)
     advised(send(), "redlines-open", "answer it again on the page Redlines")
     granted(answer(parties, sent, "accepted"))

@@ -5,11 +5,14 @@ from typing import Any
 import pytest
 from fastapi.testclient import TestClient
 from httpx import Response
-from sqlalchemy import select
+from sqlalchemy import select, update
 
 from app.notifications.models import Mail
 from app.projects.models import Engagement
+from app.sound_lists.models import Cue
+from app.sound_lists.rules import CueState
 from tests.app.hiring.test_postings import add_cues, join, mails_to, opened
+from tests.app.sound_lists.lists import add
 from tests.support.server import World
 
 DATES = {"work_from_on": "2027-01-04", "work_to_on": "2027-03-31"}
@@ -196,6 +199,34 @@ def test_what_one_offered_elsewhere_in_these_days_is_shown(world: World, posting
     assert world.producer.get(f"/v1/postings/{posting['id']}").json()["clashes"] == []
 
 
+def same(milestone: dict[str, Any]) -> dict[str, Any]:
+    """Return a milestone as it is sent back unchanged."""
+    cues = [{"cue_id": one["cue"]["id"], "price_minor": one["price_minor"]} for one in milestone["cues"]]
+    return {name: milestone[name] for name in ("name", "amount_minor", "due_on")} | {"cues": cues}
+
+
+@pytest.mark.both_databases
+def test_concepts_are_named_with_their_money(world: World) -> None:
+    add_cues(world)
+    (typed,) = add(world, {"name": "typed"})
+    assert typed["state"] == "concept", "until the team says otherwise"
+    cut = world.producer.post(f"/v1/cues/{typed['id']}/cut", json={"reason": "It was a try."})
+    assert cut.is_success, cut.text
+    concepts = update(Cue).where(Cue.state == CueState.PROTOTYPE).values(state=CueState.CONCEPT)
+    world.server.in_database(lambda session: session.execute(concepts) and None)
+    posting = opened(world, budget_minor=90_000, **DATES)
+    send(world, posting, world.designer, WHOLE)
+    (bid,) = compared(world, posting)["bids"]
+    assert (bid["total_minor"], bid["concept_minor"]) == (96_000, 96_000)
+    own = world.designer.get(f"/v1/postings/{posting['id']}").json()
+    assert sum(one["concepts"] for one in own["lines"]) == sum(one["cues"] for one in own["lines"]) == 4
+    assert own["own_bid"]["concept_minor"] == 96_000
+    contract_id = world.producer.post(f"/v1/bids/{bid['id']}/award").json()["contract_id"]
+    plan = world.producer.get(f"/v1/contracts/{contract_id}/milestones").json()
+    deposit_minor = plan["price"]["deposit_minor"]
+    assert plan["concepts"] == {"count": 4, "cues": 4, "amount_minor": 96_000 - deposit_minor}
+
+
 @pytest.mark.both_databases
 def test_an_award_opens_a_draft_with_the_bids_figures(world: World, posting: dict[str, Any]) -> None:
     voice = line("Oath", 20_000, 1, kind="voice", unit="flat")
@@ -211,11 +242,25 @@ def test_an_award_opens_a_draft_with_the_bids_figures(world: World, posting: dic
     assert (contract["state"], contract["title"], contract["currency"]) == ("draft", "Effects for Alpha", "USD")
     assert contract["designer"]["id"] == str(world.other_designer_id)
     plan = world.producer.get(f"/v1/contracts/{contract_id}/milestones").json()
-    assert [(one["name"], one["amount_minor"], one["due_on"], len(one["cues"])) for one in plan["milestones"]] == [
-        ("Footsteps", 81_000, "2027-03-01", 3),
-        ("UI", 15_000, "2027-03-01", 1),
-        ("Oath", 20_000, "2027-03-01", 0),
-    ]
+    deposit, *parts = plan["milestones"]
+    assert (deposit["is_deposit"], deposit["amount_minor"]) == (True, 23_200), "a fifth of the price, and in it"
+    assert sum(one["amount_minor"] for one in plan["milestones"]) == 81_000 + 15_000 + 20_000
+    assert (parts[-1]["due_on"], sum(len(one["cues"]) for one in parts)) == ("2027-03-01", 4)
+    assert len(parts) >= 3
+    assert plan["advice"] == [], "our own check has nothing to say about it"
+    assert plan["price"] == {
+        "total_minor": 116_000,
+        "deposit_minor": 23_200,
+        "bid_minor": 116_000,
+        "bid_currency": "USD",
+        "above_bid_minor": 0,
+    }
+    more = {"name": "More", "amount_minor": 100_000, "is_deposit": True}
+    checked = world.producer.post(
+        f"/v1/contracts/{contract_id}/plan-check", json={"milestones": [more, *map(same, parts)]}
+    )
+    assert checked.json()["price"]["above_bid_minor"] == 100_000 - 23_200
+    assert "above-bid" in [one["code"] for one in checked.json()["advice"]]
     engaged = select(Engagement).where(Engagement.designer_id == world.other_designer_id)
     assert world.server.in_database(lambda session: session.scalars(engaged).one()).kind == "contract"
     seen = world.producer.get(f"/v1/postings/{posting['id']}").json()

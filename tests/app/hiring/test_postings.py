@@ -88,11 +88,11 @@ def test_what_is_asked_for_is_counted_from_the_list(world: World) -> None:
     cues = add_cues(world)
     everything = create(world).json()
     assert everything["lines"] == [
-        {"key": "footsteps", "label": "Footsteps", "cues": 3, "files": 10},
-        {"key": "ui", "label": "UI", "cues": 1, "files": 1},
+        {"key": "footsteps", "label": "Footsteps", "cues": 3, "files": 10, "concepts": 0},
+        {"key": "ui", "label": "UI", "cues": 1, "files": 1, "concepts": 0},
     ]
     one_category = create(world, scope="categories", categories=["ui"]).json()
-    assert one_category["lines"] == [{"key": "ui", "label": "UI", "cues": 1, "files": 1}]
+    assert one_category["lines"] == [{"key": "ui", "label": "UI", "cues": 1, "files": 1, "concepts": 0}]
     chosen = create(world, scope="cues", cue_ids=[cues[0], cues[3]]).json()
     assert [(line["key"], line["files"]) for line in chosen["lines"]] == [("footsteps", 4), ("ui", 1)]
     assert everything["state"] == "draft"

@@ -1,8 +1,11 @@
+import itertools
+import re
 from datetime import UTC, datetime, timedelta
 
 import pytest
 
-from app.agreements.rules import WorkState
+from app.agreements.clauses import library
+from app.agreements.rules import WORK_STATE_WORDS, WorkState
 from app.deliveries.rules import TakeState
 from app.reviews.errors import RangeInvalid, StaleView, TooLateToUndo
 from app.reviews.rules import (
@@ -49,6 +52,34 @@ def test_only_reversals_alone_are_no_round():
 )
 def test_how_far_the_work_on_a_cue_is(variations, states, work):
     assert work_state(variations, states) is work
+
+
+DELIVERED_OR_MORE = {TakeState.APPROVED, TakeState.CONFORMING}
+
+
+def definitions_met(takes: tuple[set[TakeState], set[TakeState]]) -> list[WorkState]:
+    """Return the states whose definition, as the clause on cut cues words it, holds for a cue with two files."""
+    has_file = any(takes)
+    is_accepted = all(TakeState.APPROVED in each for each in takes)
+    is_delivered = all(DELIVERED_OR_MORE & each for each in takes)
+    holds = {
+        WorkState.NOT_BEGUN: not has_file,
+        WorkState.IN_WORK: has_file and any(not DELIVERED_OR_MORE & each for each in takes),
+        WorkState.DELIVERED: is_delivered and not is_accepted,
+        WorkState.ACCEPTED: is_accepted,
+    }
+    return [state for state, is_met in holds.items() if is_met]
+
+
+def test_every_cue_is_in_one_state_and_the_clause_defines_it():
+    subsets = [set(each) for size in range(3) for each in itertools.combinations(TakeState, size)]
+    for one, other in itertools.product(subsets, subsets):
+        states = {1: one, 2: other}
+        assert definitions_met((one, other)) == [work_state(2, states)], states
+    (clause,) = (each.clause for each in library() if each.clause.key == "kill_fee")
+    bullets = [line.removeprefix("- ") for line in clause.text.splitlines() if line.startswith("- ")]
+    assert [re.sub(r": (?:\{\w+\}|all of it)[;.]$", "", line) for line in bullets] == list(WORK_STATE_WORDS.values())
+    assert list(WORK_STATE_WORDS) == list(WorkState)
 
 
 def test_a_verdict_can_be_taken_back_for_a_minute():

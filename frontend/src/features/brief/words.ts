@@ -9,8 +9,8 @@ export function refused(text: string): string {
 export const questionsOf = (brief: Brief): Question[] =>
   brief.topics.flatMap(({ questions }) => questions).filter(({ applies }) => applies)
 
-/** "5 open, 4 needed to sign" */
+/** "5 open, 4 of them named in the contract" */
 export function openWords({ open, open_required: needed }: Brief): string {
   if (open.length === 0) return 'all answered'
-  return needed.length === 0 ? `${open.length} open` : `${open.length} open, ${needed.length} needed to sign`
+  return needed.length === 0 ? `${open.length} open` : `${open.length} open, ${needed.length} of them named in the contract`
 }

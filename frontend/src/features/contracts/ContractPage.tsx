@@ -7,6 +7,8 @@ import { contractQuery } from '@/api/project'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
+import { planQuery } from '@/money/api'
+import { conceptWords, money } from '@/money/words'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { clock, day, plural } from '@/ui/format'
@@ -148,6 +150,7 @@ function SendIt({ contract, projectId }: { contract: Contract; projectId: string
   return (
     <>
       <p>{`${contract.designer.name} receives the text as a PDF, with the current sound list and open questions.`}</p>
+      {isOrder(contract) && <BeforeSending contract={contract} />}
       <SendVersion contract={contract} back={back}>
         {isOrder(contract) && (
           <ButtonLink component={Link} icon="lines" to={`${back}/plan`}>
@@ -155,6 +158,24 @@ function SendIt({ contract, projectId }: { contract: Contract; projectId: string
           </ButtonLink>
         )}
       </SendVersion>
+    </>
+  )
+}
+
+/** What to look at before the text is sent: the price beside the bid, and cues that are concepts still. */
+function BeforeSending({ contract }: { contract: Contract }) {
+  const { data: plan } = useQuery(planQuery(contract.id))
+  if (!plan) return null
+  const { price, concepts, currency } = plan
+  const above = price.above_bid_minor ?? 0
+  return (
+    <>
+      {price.bid_minor !== null && above !== 0 && (
+        <p className="tone-warn">
+          {`The price is ${money(price.total_minor, currency)}, ${money(Math.abs(above), currency)} ${above > 0 ? 'above' : 'below'} the bid of ${money(price.bid_minor, currency)}.`}
+        </p>
+      )}
+      {concepts.count > 0 && <p className="tone-warn">{conceptWords(concepts, currency)}</p>}
     </>
   )
 }

@@ -13,6 +13,7 @@ import { ProblemNote } from '@/ui/ProblemNote'
 import { useDebounced } from '@/ui/useDebounced'
 
 import { AddClause } from './AddClause'
+import { AmountsAgain, amountsOf } from './AmountsAgain'
 import { type Clause, type Contract, type Draft, libraryQuery, previewQuery, useDeed } from './api'
 import { ClauseFields, Percent } from './ClauseFields'
 import { moveButtonId, movedClause, withClauseBack, withoutClause } from './clauses'
@@ -79,6 +80,8 @@ function Editor({ contract: newest, back }: { contract: Contract; back: string }
   const save = useDeed(contract.id)
   const isChanged = !save.isSuccess && JSON.stringify(draft) !== JSON.stringify(draftOf(contract))
   const problems = shown.data?.problems ?? []
+  const [again, setAgain] = useState<Record<string, string>>({})
+  const isOtherCurrency = draft.currency !== contract.currency && /^[A-Z]{3}$/.test(draft.currency)
   const change = (key: string, changes: Partial<Clause>) =>
     setDraft((now) => ({
       ...now,
@@ -103,7 +106,15 @@ function Editor({ contract: newest, back }: { contract: Contract; back: string }
   }
   const keep = () =>
     save.mutate(
-      { does: 'save', body: { ...draft, note, based_on_version: basedOn } },
+      {
+        does: 'save',
+        body: {
+          ...draft,
+          note,
+          based_on_version: basedOn,
+          ...(isOtherCurrency ? { amounts: amountsOf(again, draft.currency) } : {}),
+        },
+      },
       {
         onSuccess: ({ version }) => {
           kept.discard()
@@ -189,6 +200,15 @@ function Editor({ contract: newest, back }: { contract: Contract; back: string }
               />
             </div>
           </Card>
+          {isOtherCurrency && contract.kind !== 'nda' && contract.kind !== 'framework' && (
+            <AmountsAgain
+              contractId={contract.id}
+              before={contract.currency}
+              draft={draft}
+              typed={again}
+              onChange={setAgain}
+            />
+          )}
           <Card aria-labelledby="clauses">
             <CardHead
               id="clauses"

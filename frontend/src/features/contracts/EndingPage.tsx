@@ -79,6 +79,13 @@ const STATES: Record<StatedCue['state'], { kind: StateKind; word: string }> = {
   not_begun: { kind: 'to_make', word: 'Not begun' },
 }
 
+/** The states as the clause on cut cues defines them. */
+const MEANINGS: Partial<Record<StatedCue['state'], string>> = {
+  delivered: 'Delivered: every file of the cue conforms and is in review, or is approved.',
+  in_work: 'In work: a file was delivered and one is missing, unchecked, returned, set aside or to change.',
+  not_begun: 'Not begun: no file was delivered.',
+}
+
 interface Line {
   cues: StatedCue[]
   first: StatedCue
@@ -95,6 +102,11 @@ function linesOf(cues: readonly StatedCue[]): Line[] {
   }
   return [...lines.values()]
 }
+
+/** What the states of some cues mean, each once. */
+const meaningsOf = (cues: readonly StatedCue[]): string[] => [
+  ...new Set(cues.flatMap(({ state }) => MEANINGS[state] ?? [])),
+]
 
 function Statement({ ending }: { ending: Ending }) {
   const { currency, cues, figures } = ending
@@ -193,6 +205,7 @@ function Statement({ ending }: { ending: Ending }) {
           </tfoot>
         </table>
       </div>
+      <p className={`small mid ${classes.foot}`}>{meaningsOf(cues).join(' ')}</p>
       <p className={`small mid ${classes.foot}`}>
         {`Agreed ${money(figures.agreed_minor, currency)} = paid ${one(figures.paid_minor)} + to pay ${one(figures.due_minor)} + not owed ${one(figures.saved_minor)}`}
       </p>

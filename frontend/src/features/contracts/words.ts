@@ -1,5 +1,5 @@
 import { ApiProblem } from '@/api'
-import { day } from '@/ui/format'
+import { day, dueDay } from '@/ui/format'
 import type { StateKind } from '@/ui/State'
 
 import type { ContractBrief, ContractKind, Entry } from './api'
@@ -31,6 +31,10 @@ export function progress(contract: ContractBrief): { kind: StateKind; text: stri
       if (mine) return { kind: 'to_review', text: 'Needs your signature' }
       return { kind: 'waiting', text: `Waiting for the ${contract.waits_for.join(' and the ')} to sign` }
     case 'agreed':
+      if (contract.notice) {
+        const { ends_on: last } = contract.notice
+        return { kind: 'warning', text: last ? `Signed, ends ${dueDay(last)}` : 'Signed, notice given' }
+      }
       return { kind: 'accepted', text: contract.agreed_at ? `Signed ${day(contract.agreed_at)}` : 'Agreed' }
     case 'ended':
       return { kind: 'cut', text: contract.ended_at ? `Ended ${day(contract.ended_at)}` : 'Ended' }

@@ -12,7 +12,7 @@ import { day } from '@/ui/format'
 import { Select } from '@/ui/Select'
 
 import { type BidLine, type Posting, useAsk, useSaveBid, useSendBid, useWithdrawBid } from './api'
-import { contentOf, totalOf, type TypedLine, typedBid } from './bid'
+import { conceptsOf, contentOf, totalOf, type TypedLine, typedBid } from './bid'
 import classes from './Hiring.module.css'
 import { PostingFacts } from './PostingFacts'
 import { Refusal } from './Refusal'
@@ -87,6 +87,7 @@ function BidForm({ posting }: { posting: Posting }) {
   const withdraw = useWithdrawBid(posting.id)
   const labels = new Map(posting.lines.map(({ key, label }) => [key, label]))
   const put = (changes: Partial<typeof now>) => set((before) => ({ ...before, ...changes }))
+  const concepts = conceptsOf(now, posting.lines, currency)
   const missing = now.lines.filter(({ kind, isOffered }) => kind === 'asked' && !isOffered)
   const keep = async (thenSend: boolean) => {
     if (save.isPending || send.isPending || !isTaking) return
@@ -183,6 +184,9 @@ function BidForm({ posting }: { posting: Posting }) {
       </div>
       <p className={classes.total}>
         <span className="strong">{`Total ${money(totalOf(now, currency), currency)}`}</span>
+        {concepts > 0 && (
+          <span className="tone-warn">{`${money(concepts, currency)} of it for cues that are concepts still`}</span>
+        )}
         {missing.length > 0 && (
           <span className="mid">{`without ${missing.map(({ key }) => labels.get(key) ?? key).join(', ')}`}</span>
         )}

@@ -94,6 +94,11 @@ export function BidsTable({ comparison, chosenId, player, onMark, onAward }: Bid
                   <span className="toned">{`without ${bid.missing.join(', ')}: not comparable`}</span>
                 </p>
               )}
+              {bid.concept_minor > 0 && (
+                <p className="tone-warn">
+                  <span className="toned">{`${money(bid.concept_minor, currency)} of it for concepts`}</span>
+                </p>
+              )}
               {bid.over_budget_minor !== null && bid.missing.length === 0 && (
                 <p className={bid.over_budget_minor > 0 ? 'tone-warn' : 'mid'}>
                   <span className="toned">{overBudget(bid.over_budget_minor, currency)}</span>

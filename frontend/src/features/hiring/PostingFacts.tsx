@@ -1,7 +1,7 @@
 import { money } from '@/money/words'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
-import { day } from '@/ui/format'
+import { day, plural } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
 import type { AskedLine, PostingPreview } from './api'
@@ -63,9 +63,11 @@ export function PostingFacts({ posting, ndaOpen }: { posting: Shown; ndaOpen: bo
 }
 
 export function AskedCard({ lines }: { lines: readonly AskedLine[] }) {
+  const cues = lines.reduce((sum, line) => sum + line.cues, 0)
+  const concepts = lines.reduce((sum, line) => sum + line.concepts, 0)
   return (
     <Card aria-labelledby="asked">
-      <CardHead id="asked" title="Asked for" count={lines.reduce((sum, { cues }) => sum + cues, 0)} note="cues" />
+      <CardHead id="asked" title="Asked for" count={cues} note="cues" />
       <Rows>
         {lines.map((line) => (
           <Row key={line.key}>
@@ -74,6 +76,11 @@ export function AskedCard({ lines }: { lines: readonly AskedLine[] }) {
           </Row>
         ))}
       </Rows>
+      {concepts > 0 && (
+        <p className="small tone-warn">
+          {`${concepts} of ${plural(cues, 'cue')} ${concepts === 1 ? 'is a concept' : 'are concepts'} still: what is asked for may change.`}
+        </p>
+      )}
     </Card>
   )
 }

@@ -89,11 +89,20 @@ export function contentOf(typed: TypedBid, currency: string): { content: BidCont
   }
 }
 
-/** The sum of the lines that can be read; each is rounded once, as the server does. */
+/** What a line comes to as far as it can be read; it is rounded once, as the server does. */
+function lineMinor({ isOffered, unit, quantity, price }: TypedLine, currency: string): number {
+  if (!isOffered) return 0
+  const count = unit === 'flat' ? 100 : (hundredthsOf(quantity) ?? 0)
+  return Math.floor((count * (minorOf(price, currency) ?? 0) + 50) / 100)
+}
+
+/** The sum of the lines that can be read. */
 export const totalOf = (typed: TypedBid, currency: string): number =>
-  typed.lines
-    .filter(({ isOffered }) => isOffered)
-    .reduce((sum, { unit, quantity, price }) => {
-      const count = unit === 'flat' ? 100 : (hundredthsOf(quantity) ?? 0)
-      return sum + Math.floor((count * (minorOf(price, currency) ?? 0) + 50) / 100)
-    }, 0)
+  typed.lines.reduce((sum, line) => sum + lineMinor(line, currency), 0)
+
+/** The part of it that is for cues that are concepts still. */
+export const conceptsOf = (typed: TypedBid, asked: readonly AskedLine[], currency: string): number =>
+  typed.lines.reduce((sum, line) => {
+    const of = line.kind === 'asked' ? asked.find(({ key }) => key === line.key) : undefined
+    return of && of.cues > 0 ? sum + Math.floor((lineMinor(line, currency) * of.concepts) / of.cues) : sum
+  }, 0)

@@ -12,8 +12,8 @@ import { type ComparedBid, type Comparison, type Posting, postingQuery } from '.
 import { contentOf, hundredthsOf, totalOf, typedBid } from './bid'
 
 const LINES = [
-  { key: 'footsteps', label: 'Footsteps', cues: 3, files: 10 },
-  { key: 'ui', label: 'UI', cues: 1, files: 1 },
+  { key: 'footsteps', label: 'Footsteps', cues: 3, files: 10, concepts: 0 },
+  { key: 'ui', label: 'UI', cues: 1, files: 1, concepts: 0 },
 ]
 const HEADINGS = ['Quality of work', 'Reliability']
 
@@ -74,6 +74,7 @@ const aBid = (id: string, name: string, more: Partial<ComparedBid> = {}): Compar
   },
   amounts_minor: [81000, 15000],
   total_minor: 96000,
+  concept_minor: 0,
   missing: [],
   hourly_rate_minor: 4000,
   is_below_floor: false,
@@ -110,6 +111,7 @@ const second = aBid('b2', 'Sound designer B', {
   content: { ...aBid('', '').content, lines: aBid('', '').content.lines.slice(0, 1) },
   amounts_minor: [81000],
   total_minor: 81000,
+  concept_minor: 0,
   missing: ['UI'],
   hourly_rate_minor: 3375,
   is_below_floor: true,
@@ -232,6 +234,7 @@ test('a designer bids on the asked lines; what cannot be read is said, and what 
     revision: 1,
     content: { ...aBid('', '').content, lines: aBid('', '').content.lines.slice(0, 1) },
     total_minor: 81000,
+  concept_minor: 0,
     missing: ['UI'],
     sent_at: null,
     resent_at: null,

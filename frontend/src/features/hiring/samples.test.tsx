@@ -36,8 +36,8 @@ const RETURNED = aSample('click', 'ui', {
 })
 
 const LINES = [
-  { key: 'footsteps', label: 'Footsteps', cues: 3, files: 10 },
-  { key: 'ui', label: 'UI', cues: 1, files: 1 },
+  { key: 'footsteps', label: 'Footsteps', cues: 3, files: 10, concepts: 0 },
+  { key: 'ui', label: 'UI', cues: 1, files: 1, concepts: 0 },
 ]
 
 const POSTING = {
@@ -85,6 +85,7 @@ const own = (samples: Sample[]) => ({
   revision: 1,
   content: CONTENT,
   total_minor: 0,
+  concept_minor: 0,
   missing: [],
   sent_at: null,
   resent_at: null,
@@ -148,6 +149,7 @@ const bid = (id: string, name: string, samples: Sample[]): ComparedBid => ({
   content: CONTENT,
   amounts_minor: [],
   total_minor: 0,
+  concept_minor: 0,
   missing: [],
   hourly_rate_minor: null,
   is_below_floor: false,

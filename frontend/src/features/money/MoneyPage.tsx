@@ -36,7 +36,7 @@ export function MoneyPage() {
           <p className="mid">
             {data &&
               data.contracts.length > 0 &&
-              'You pay for accepted cues and the deposit. Each entry shows its cue, its clause and who triggered it.'}
+              `${side === 'designer' ? 'You are paid' : 'You pay'} for accepted cues and the deposit. Each entry shows its cue, its clause and who triggered it.`}
           </p>
         </div>
         {data && data.contracts.length > 0 && (

@@ -12,12 +12,13 @@ import {
   type Contract,
   type ListedCue,
   type Plan,
+  type PlanChecked,
   plannableQuery,
   planCheckQuery,
   planQuery,
   useSavePlan,
 } from '@/money/api'
-import { money } from '@/money/words'
+import { conceptWords, money } from '@/money/words'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
@@ -26,7 +27,17 @@ import { ProblemNote } from '@/ui/ProblemNote'
 import { useDebounced } from '@/ui/useDebounced'
 
 import classes from './Plan.module.css'
-import { type Fault, NO_CUE, paysMinor, planOf, type TypedCue, typedOf, type TypedPlan, typedProposal } from './plan'
+import {
+  type Fault,
+  NO_CUE,
+  paysMinor,
+  planOf,
+  type TypedCue,
+  typedOf,
+  type TypedPlan,
+  typedProposal,
+  withDeposit,
+} from './plan'
 import { PlannedCues } from './PlannedCues'
 import { PlannedMilestones } from './PlannedMilestones'
 import { ProposePlan } from './ProposePlan'
@@ -176,7 +187,13 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
           <PlannedCues cues={cues} typed={typed} currency={currency} projectId={projectId} onChange={change} />
         </div>
         <aside className="stack" aria-label="Plan total">
-          <Sums contract={contract} pays={wanted.milestones} />
+          <Sums
+            contract={contract}
+            pays={wanted.milestones}
+            bid={looked.data?.price}
+            concepts={looked.data?.concepts}
+            onDeposit={() => setTyped((now) => withDeposit(now, wanted.milestones.map(paysMinor), currency))}
+          />
           <Advice
             faults={faults.filter(({ where }) => where === 'milestones')}
             advice={looked.data?.advice ?? []}
@@ -216,18 +233,48 @@ function timeInWords({ version, currency }: Contract): string {
   return parts.length > 0 ? `Beside the milestones this contract pays ${parts.join(' and ')}.` : ''
 }
 
-function Sums({ contract, pays }: { contract: Contract; pays: ReturnType<typeof planOf>['plan']['milestones'] }) {
+/** How a price compares with the bid. */
+function beside(price: number, bid: number, bidCurrency: string, currency: string): string {
+  if (bidCurrency !== currency) return `the price is in ${currency}`
+  if (price === bid) return 'the price is the same'
+  return `the price is ${money(Math.abs(price - bid), currency)} ${price > bid ? 'above' : 'below'} it`
+}
+
+interface SumsProps {
+  contract: Contract
+  pays: ReturnType<typeof planOf>['plan']['milestones']
+  bid?: PlanChecked['price']
+  concepts?: PlanChecked['concepts']
+  onDeposit: () => void
+}
+
+/** The price, with the deposit in it, beside the bid that the contract began from. */
+function Sums({ contract, pays, bid, concepts, onDeposit }: SumsProps) {
   const sum = (wanted: boolean) =>
     pays.filter(({ is_deposit }) => (is_deposit ?? false) === wanted).reduce((all, one) => all + paysMinor(one), 0)
   const [deposit, milestones] = [sum(true), sum(false)]
+  const price = deposit + milestones
+  const bidMinor = bid?.bid_minor ?? null
+  const bidCurrency = bid?.bid_currency ?? contract.currency
   return (
     <Card aria-labelledby="sums">
       <CardHead id="sums" title="Price" end="excluding tax" />
       <div className={classes.pad}>
-        <p className="figure">{money(deposit + milestones, contract.currency)}</p>
+        <p className="figure">{money(price, contract.currency)}</p>
         <p className="small mid">
-          {`${money(deposit, contract.currency)} at signing, ${money(milestones, contract.currency)} by milestones.`}
+          {`${money(deposit, contract.currency)} of it at signing, ${money(milestones, contract.currency)} by milestones.`}
         </p>
+        {bidMinor !== null && (
+          <p className="small">
+            {`The bid is ${money(bidMinor, bidCurrency)}: ${beside(price, bidMinor, bidCurrency, contract.currency)}.`}
+          </p>
+        )}
+        {concepts !== undefined && concepts.count > 0 && (
+          <p className="small tone-warn">{conceptWords(concepts, contract.currency)}</p>
+        )}
+        {deposit === 0 && milestones > 0 && (
+          <Button onClick={onDeposit}>Make 20 % of the price the deposit</Button>
+        )}
       </div>
     </Card>
   )

@@ -193,6 +193,14 @@ describe('the plan of a draft', () => {
       .on(CHECK, {
         faults: [{ where: 'milestones.0', message: 'the cues of Alpha add up to $1.00' }],
         advice: [{ code: 'one-milestone', message: 'All is paid for Alpha alone.', why: 'Neither side sees early.' }],
+        price: {
+          total_minor: 30_000,
+          deposit_minor: 0,
+          bid_minor: 639_000,
+          bid_currency: 'USD',
+          above_bid_minor: -609_000,
+        },
+        concepts: { count: 1, cues: 2, amount_minor: 15_000 },
       })
   })
 
@@ -211,6 +219,8 @@ describe('the plan of a draft', () => {
     type(screen.getByLabelText('Hours estimated for vo_oath'), '2')
     expect(await screen.findByText('All is paid for Alpha alone.')).toBeVisible()
     expect(screen.getByText('the cues of Alpha add up to $1.00')).toBeVisible()
+    expect(screen.getByText('The bid is $6,390.00: the price is $6,090.00 below it.')).toBeVisible()
+    expect(screen.getByText(/^1 of 2 cues is a concept still, for \$150.00/)).toBeVisible()
     expect(await faults()).toEqual([])
     await userEvent.click(screen.getByRole('button', { name: 'Save plan' }))
     await waitFor(() => expect(server.of(SAVE)).toHaveLength(1))

@@ -147,6 +147,40 @@ export function planOf(
 export const paysMinor = ({ amount_minor, cues }: PlanSet['milestones'][number]): number =>
   amount_minor ?? (cues ?? []).reduce((sum, { price_minor }) => sum + (price_minor ?? 0), 0)
 
+/** Whole parts of a sum by their weights; what is left after rounding down goes to the last one. */
+function shares(sum: number, weights: readonly number[]): number[] {
+  const whole = weights.reduce((all, one) => all + one, 0)
+  const parts = weights.map((one) => (whole === 0 ? 0 : Math.floor((one * sum) / whole)))
+  const left = sum - parts.reduce((all, one) => all + one, 0)
+  return parts.map((one, at) => (at === parts.length - 1 ? one + left : one))
+}
+
+/** The plan with a fifth of its price as its deposit: the price stays, and the other amounts are lowered by as much. */
+export function withDeposit(typed: TypedPlan, pays: readonly number[], currency: string): TypedPlan {
+  const total = pays.reduce((all, one) => all + one, 0)
+  const deposit = Math.ceil(total / 5)
+  const others = typed.milestones.flatMap((one, at) => (one.isDeposit ? [] : [{ one, minor: pays[at] ?? 0 }]))
+  const lowered = shares(
+    total - deposit,
+    others.map(({ minor }) => minor),
+  )
+  const cues: Record<string, TypedCue> = { ...typed.cues }
+  const milestones = others.map(({ one }, at) => {
+    const minor = lowered[at] ?? 0
+    if (one.amount.trim() !== '') return { ...one, amount: amount(minor, currency) }
+    const own = Object.entries(typed.cues).filter(([, { milestone }]) => milestone === one.key)
+    const prices = shares(
+      minor,
+      own.map(([, { price }]) => minorOf(price, currency) ?? 0),
+    )
+    own.forEach(([id, cue], place) => (cues[id] = { ...cue, price: amount(prices[place] ?? 0, currency) }))
+    return one
+  })
+  const first = typed.milestones.find(({ isDeposit }) => isDeposit)
+  const kept = first ?? { key: crypto.randomUUID(), name: 'Deposit', dueOn: '', tax: '' }
+  return { cues, milestones: [{ ...kept, amount: amount(deposit, currency), isDeposit: true }, ...milestones] }
+}
+
 /** The list with one of its places exchanged with its neighbour; the same list at its ends. */
 export function moved<T>(items: readonly T[], place: number, by: 1 | -1): T[] {
   const result = [...items]

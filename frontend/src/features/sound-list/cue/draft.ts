@@ -47,7 +47,7 @@ export const EMPTY_DRAFT: CueDraft = {
   loop: false,
   reverb: '',
   variations: '1',
-  state: 'prototype',
+  state: 'concept',
   need: 'must',
   playback_priority: '',
   due_on: '',

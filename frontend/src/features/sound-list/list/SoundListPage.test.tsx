@@ -149,7 +149,7 @@ describe('adding', () => {
     await userEvent.keyboard('{Control>}{Enter}{/Control}')
     expect(await screen.findByText('2 cues added: SW-004 to SW-005.')).toBeInTheDocument()
     expect(server.sent('POST', cues)[1]?.body).toMatchObject({
-      cues: [{ name: 'door_open', duration_s: 1.2, variations: 1, state: 'prototype' }, { name: 'shield_hit_2' }],
+      cues: [{ name: 'door_open', duration_s: 1.2, variations: 1, state: 'concept' }, { name: 'shield_hit_2' }],
     })
     expect(await row('door_open')).toBeInTheDocument()
   })

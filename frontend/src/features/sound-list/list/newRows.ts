@@ -43,7 +43,7 @@ const YES = ['yes', 'y', 'true', '1', 'x', 'loop', 'ja']
 
 function read(field: (typeof NEW_FIELDS)[number], cell: string): string | boolean {
   if (field === 'loop') return YES.includes(cell.toLowerCase())
-  if (field === 'state') return ['concept', 'locked'].includes(cell.toLowerCase()) ? cell.toLowerCase() : 'prototype'
+  if (field === 'state') return ['prototype', 'locked'].includes(cell.toLowerCase()) ? cell.toLowerCase() : 'concept'
   if (field === 'need') return ['should', 'wish'].includes(cell.toLowerCase()) ? cell.toLowerCase() : 'must'
   if (field === 'variations') return cell === '' ? '1' : cell
   return cell

@@ -1,0 +1,23 @@
+import { expect, test } from 'vitest'
+
+import type { ContractBrief } from './api'
+import { progress } from './words'
+
+const SIGNED = {
+  state: 'agreed',
+  my_party: 'designer',
+  waits_for: [],
+  agreed_at: '2026-11-26T11:00:00Z',
+  notice: null,
+} as unknown as ContractBrief
+const notice = (last: string | null): ContractBrief => ({
+  ...SIGNED,
+  notice: { given_at: '2026-11-30T10:00:00Z', ends_on: last },
+})
+
+test('a contract under notice says when it ends', () => {
+  expect(progress(SIGNED)).toEqual({ kind: 'accepted', text: 'Signed Thursday 26 November' })
+  expect(progress(notice('2026-12-14')).text).toMatch(/^Signed, ends Monday 14 December/)
+  expect(progress(notice('2026-12-14')).kind).toBe('warning')
+  expect(progress(notice(null)).text).toBe('Signed, notice given')
+})
