@@ -34,6 +34,15 @@ const byTheDay = () =>
     totals: [],
   })
 
+test.each([
+  ['producer', 'You pay for accepted cues'],
+  ['designer', 'You are paid for accepted cues'],
+] as const)('a %s reads who pays', async (part, words) => {
+  if (part === 'designer') server.on('GET /v1/me', aMe({ part, is_liaison: false, is_approver: false }))
+  await opened()
+  expect(screen.getByText(new RegExp(`^${words}`))).toBeVisible()
+})
+
 describe('a producer', () => {
   test('downloads an electronic invoice, and reads what it lacks and who can enter it', async () => {
     const address = 'GET /v1/invoices/invoice-effects/electronic-invoice.pdf'
