@@ -78,7 +78,7 @@ export function limitPageSizes(arrivals: readonly string[]): Plugin {
       folder = resolve(root, build.outDir)
     },
     writeBundle: (_, written) => {
-      bundle = written as unknown as Record<string, Chunk>
+      bundle = written
     },
     closeBundle: {
       sequential: true,

@@ -18,7 +18,12 @@ type Tokens = Record<string, string>
 function tokensOf(css: string): Record<'light' | 'dark', Tokens> {
   const [light = '', dark = ''] = css.split(":root[data-mantine-color-scheme='dark']")
   const read = (block: string): Tokens =>
-    Object.fromEntries([...block.matchAll(/--sl-([\w-]+): (#[0-9a-f]{6});/g)].map(([, name, value]) => [name, value]))
+    Object.fromEntries(
+      Array.from(block.matchAll(/--sl-([\w-]+): (#[0-9a-f]{6});/g), ([, name = '', value = '']): [string, string] => [
+        name,
+        value,
+      ]),
+    )
   return { light: read(light), dark: { ...read(light), ...read(dark) } }
 }
 

@@ -16,7 +16,7 @@ configure({
     error.name = 'TestingLibraryElementError'
     Object.defineProperty(error, 'message', {
       get: () => {
-        const page = prettyDOM(container as HTMLElement) || ''
+        const page = prettyDOM(container) || ''
         return message?.includes(page) ? message : [message, page].filter(Boolean).join('\n\n')
       },
       set(text: string) {

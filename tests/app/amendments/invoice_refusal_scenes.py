@@ -33,7 +33,11 @@ def _each_party_enters_its_details(parties: Parties) -> None:
 @scene(f"{ELECTRONIC}._billed NoElectronicInvoice")
 def _amounts_of_three_digits_go_as_pdf(parties: Parties) -> None:
     begun = parties.planned(deposit(10_000), milestone("Alpha", parties.cue(), amount_minor=20_000))
-    parties.contracts.agree(parties.contracts.save(begun, currency="TND"))
+    plan = granted(parties.producer.get(f"/v1/contracts/{begun['id']}/milestones"))
+    amounts = [
+        {"milestone_id": milestone["id"], "amount_minor": milestone["amount_minor"]} for milestone in plan["milestones"]
+    ]
+    parties.contracts.agree(parties.contracts.save(begun, currency="TND", amounts=amounts))
     fill_in(parties.world)
     bill = granted(invoice(parties, begun))
     advised(electronic(parties, bill, "xml"), "no-electronic-invoice", "send the PDF of the invoice")

@@ -74,9 +74,9 @@ def test_the_countdown_says_how_much_is_left_and_what_comes_next(world: World) -
     (_, laser, _, door) = add_cues(
         world,
         {"name": "Hum", "category": "ambience", "state": "concept"},
-        {"name": "Laser fire", "category": "weapon", "variations": 2},
-        {"name": "Siren", "category": "weapon"},
-        {"name": "Door", "category": "foley"},
+        {"name": "Laser fire", "category": "weapon", "variations": 2, "state": "locked"},
+        {"name": "Siren", "category": "weapon", "state": "locked"},
+        {"name": "Door", "category": "foley", "state": "locked"},
     )
     assert world.producer.post(f"/v1/cues/{door['id']}/cut", json={"reason": "no doors any more"}).is_success
     first = countdown(world)

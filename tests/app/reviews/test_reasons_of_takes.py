@@ -1,16 +1,14 @@
 """Why takes stand as they do, in the lists that the desk and the page of a cue read."""
 
-import runpy
 from pathlib import Path
 from typing import Any
 from uuid import UUID
 
 import pytest
-from sqlalchemy import text, update
+from sqlalchemy import update
 from sqlalchemy.orm import Session
 
 from app.deliveries.models import Take
-from app.deliveries.rules import TakeState
 from app.deliveries.take_states import start_recheck
 from tests.app.reviews.making import Stage, body_of
 from tests.support.server import World
@@ -128,25 +126,3 @@ def test_the_list_asks_the_database_as_often_for_many_reasons_as_for_none(stage:
         stage.approve(take_id, reasons=["Cleanest"])
     assert statements() == before
     assert set(map(tuple, listed(stage, cue_id).values())) == {("Cleanest",)}
-
-
-def test_the_update_copies_what_was_said_before(stage: Stage) -> None:
-    cue_id, other = stage.cue(), stage.cue("door")
-    first = stage.take(cue_id)
-    stage.approve(first, reasons=["Cleanest"])
-    second, changed = stage.take(cue_id), stage.take(other)
-    stage.approve(second, reasons=["Best weight"])
-    body_of(stage.undo(second))
-    stage.draft(changed, "Too loud.", reasons=["Too loud"])
-    stage.send()
-    bare = stage.take(other)
-    stage.approve(bare)
-
-    def copy(session: Session) -> None:
-        session.execute(update(Take).values(verdict_reasons=[]))
-        session.execute(text(runpy.run_path(str(MIGRATION))["COPY"]))
-
-    stage.world.server.in_database(copy)
-    assert listed(stage, cue_id) == {str(first): ["Cleanest"], str(second): []}
-    assert listed(stage, other) == {str(changed): ["Too loud"], str(bare): []}
-    assert stage.states(changed) == [TakeState.CHANGE_REQUESTED]

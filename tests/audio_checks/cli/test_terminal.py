@@ -93,7 +93,9 @@ class TestProgress:
     def test_a_pipe_gets_none(self, folder, run):
         for name in ("a.wav", "b.wav"):
             write_wav(folder / name, GOOD)
-        assert run("check", *SPEC, "--no-cache", ".")[2] == ""
+        err = run("check", *SPEC, "--no-cache", ".")[2]
+        assert err.startswith("audio-checks: no sound list (--list)")
+        assert err.count("\n") == 1  # said once, and no progress
 
 
 @pytest.mark.parametrize(

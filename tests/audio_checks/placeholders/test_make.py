@@ -235,7 +235,7 @@ class TestCommand:
         out = capsys.readouterr().out
         assert sorted(path.parent.name for path in (folder / "out").rglob("*.wav")) == ["game"] * 5 + ["handheld"] * 5
         assert "SW-004 -> out/handheld/vo_welcome.wav: a pattern, 1.000 s" in out
-        assert out.splitlines()[-1] == "10 placeholders; 1 takes need none"
+        assert out.splitlines()[-1] == "10 placeholders; 1 take needs none"
         assert is_placeholder(folder / "out" / "game" / "vo_welcome.wav")
 
     def test_a_placeholder_is_not_a_take(self, capsys):

@@ -224,7 +224,10 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
         <div className={classes.foot}>
           <div className="wide-only">
             <p className="strong">{nextOpen ? `Next open: ${lower(nextOpen.text)}` : 'No other question is open.'}</p>
-            <p className="small mid">Every question can be skipped. What a contract needs and is still open is named in its text, so both sides see it.</p>
+            <p className="small mid">
+              Every question can be skipped. What a contract needs and is still open is named in its text, so both sides
+              see it.
+            </p>
           </div>
           <div className={classes.footActs}>
             <Button keys="p" disabled={at === 0} onClick={() => go(at - 1)}>

@@ -12,5 +12,7 @@ export const questionsOf = (brief: Brief): Question[] =>
 /** "5 open, 4 of them named in the contract" */
 export function openWords({ open, open_required: needed }: Brief): string {
   if (open.length === 0) return 'all answered'
-  return needed.length === 0 ? `${open.length} open` : `${open.length} open, ${needed.length} of them named in the contract`
+  return needed.length === 0
+    ? `${open.length} open`
+    : `${open.length} open, ${needed.length} of them named in the contract`
 }

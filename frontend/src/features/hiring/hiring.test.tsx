@@ -205,7 +205,7 @@ test('a producer writes a posting, saves it and opens it', async () => {
     }),
   )
   await userEvent.click(await screen.findByRole('button', { name: 'Open for bids' }))
-  expect(await screen.findByRole('button', { name: 'Close' })).toBeVisible()
+  expect(await screen.findByText('Close', { selector: 'button' })).toBeVisible() // not that of the toast
 })
 
 function bidOpened(more: Partial<Posting> = {}) {
@@ -234,7 +234,7 @@ test('a designer bids on the asked lines; what cannot be read is said, and what 
     revision: 1,
     content: { ...aBid('', '').content, lines: aBid('', '').content.lines.slice(0, 1) },
     total_minor: 81000,
-  concept_minor: 0,
+    concept_minor: 0,
     missing: ['UI'],
     sent_at: null,
     resent_at: null,

@@ -272,9 +272,7 @@ function Sums({ contract, pays, bid, concepts, onDeposit }: SumsProps) {
         {concepts !== undefined && concepts.count > 0 && (
           <p className="small tone-warn">{conceptWords(concepts, contract.currency)}</p>
         )}
-        {deposit === 0 && milestones > 0 && (
-          <Button onClick={onDeposit}>Make 20 % of the price the deposit</Button>
-        )}
+        {deposit === 0 && milestones > 0 && <Button onClick={onDeposit}>Make 20 % of the price the deposit</Button>}
       </div>
     </Card>
   )

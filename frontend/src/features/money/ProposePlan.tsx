@@ -35,7 +35,8 @@ export function ProposePlan({ contractId, currency, isByDay, onProposed }: Propo
   return (
     <div className={classes.pad}>
       <EmptyState head="No milestones yet" level={3}>
-        Propose them from the sound list: parts by due dates, two weeks apart or more, with a deposit of 20 % in the price.
+        Propose them from the sound list: parts by due dates, two weeks apart or more, with a deposit of 20 % in the
+        price.
       </EmptyState>
       <form className={classes.propose} onSubmit={send} noValidate aria-label="Propose milestones">
         {!isByDay && (

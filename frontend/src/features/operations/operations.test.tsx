@@ -28,8 +28,8 @@ const KEPT = {
   ],
 }
 const STUCK = {
-  id: 'e1:conformance.check_take',
-  job: 'conformance.check_take',
+  id: 'e1:renders.prepare_take',
+  job: 'renders.prepare_take',
   studio_id: 's1',
   studio_name: 'Shield Wing studio',
   state: 'parked',
@@ -46,7 +46,7 @@ const LANE: Lane = {
   delayed: 0,
   oldest_at: AT,
 }
-const counted = (state: JobState, jobs: number, job = 'conformance.check_take') => ({ job, state, jobs, oldest_at: AT })
+const counted = (state: JobState, jobs: number, job = 'renders.prepare_take') => ({ job, state, jobs, oldest_at: AT })
 
 const as = (me: typeof ME, more: Answers): Answers => ({
   'GET /v1/session': { signed_in: true, demo: false, person: me.person },
@@ -76,11 +76,15 @@ test('a producer sees what gave up and tries it again', async () => {
   openApp('/operations')
   expect(await screen.findByText(/1 job failed. No jobs are waiting. 1 worker running./)).toBeVisible()
   const row = within(screen.getByRole('list', { name: 'Jobs' })).getByRole('listitem')
-  expect(row).toHaveTextContent('Check a version')
+  expect(row).toHaveTextContent('Check a version, draw its waveform and render game files')
   expect(row).toHaveTextContent('6 tries')
   expect(row).toHaveTextContent('BlobMissing')
-  await userEvent.click(within(row).getByRole('button', { name: 'Try again: Check a version' }))
-  expect(await screen.findByText('Check a version is queued again.')).toBeVisible()
+  await userEvent.click(
+    within(row).getByRole('button', { name: 'Try again: Check a version, draw its waveform and render game files' }),
+  )
+  expect(
+    await screen.findByText('Check a version, draw its waveform and render game files is queued again.'),
+  ).toBeVisible()
   expect(await screen.findByText('No jobs')).toBeVisible()
   expect(asked.filter(({ method }) => method === 'POST')).toHaveLength(1)
   expect(screen.getByText(/1 master 864.0 kB, 2 game files 1.2 MB/)).toBeVisible()
@@ -100,7 +104,9 @@ test('a refused try is said in the card, and the job stays', async () => {
     }),
   )
   openApp('/operations')
-  await userEvent.click(await screen.findByRole('button', { name: 'Try again: Check a version' }))
+  await userEvent.click(
+    await screen.findByRole('button', { name: 'Try again: Check a version, draw its waveform and render game files' }),
+  )
   expect(await screen.findByRole('alert')).toHaveTextContent('only one that gave up can be tried again.')
 })
 
@@ -224,6 +230,6 @@ test('a lane says how much of what it has, and nothing of what it has not', () =
 })
 
 test('a job is called by what it does, and one without words by its own name', () => {
-  expect(jobWords('conformance.check_take')).toBe('Check a version')
+  expect(jobWords('renders.prepare_take')).toBe('Check a version, draw its waveform and render game files')
   expect(jobWords('orchards.pick_ripe_apples')).toBe('Pick ripe apples')
 })

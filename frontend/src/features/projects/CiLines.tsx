@@ -22,7 +22,11 @@ export function CiCard({ projectId }: { projectId: string }) {
   const { data, error } = useQuery(ciQuery(projectId))
   return (
     <Card aria-labelledby="runs">
-      <CardHead id="runs" title="CI command" end={data && <CopyLines lines={[data.command]} label="Copy the CI command" />} />
+      <CardHead
+        id="runs"
+        title="CI command"
+        end={data && <CopyLines lines={[data.command]} label="Copy the CI command" />}
+      />
       <Refusal error={error} />
       {data && (
         <>
@@ -32,8 +36,8 @@ export function CiCard({ projectId }: { projectId: string }) {
             {data.command}
           </pre>
           <p className={`small mid ${classes.steps}`}>
-            It fetches spec, list and baseline, checks, audits and posts the build. <code className="mono">audio-checks</code>{' '}
-            must be installed.
+            It fetches spec, list and baseline, checks, audits and posts the build.{' '}
+            <code className="mono">audio-checks</code> must be installed.
           </p>
           <details className={classes.steps}>
             <summary className="small">The same steps with curl</summary>
@@ -52,8 +56,8 @@ export function CiCard({ projectId }: { projectId: string }) {
         </dd>
         <dt>Label</dt>
         <dd>
-          <code className="mono">BUILD</code> and <code className="mono">COMMIT</code>, or the numbers of the CI, name the
-          build here.
+          <code className="mono">BUILD</code> and <code className="mono">COMMIT</code>, or the numbers of the CI, name
+          the build here.
         </dd>
         <dt>Exit code</dt>
         <dd>0: all files conform. 1: some don’t. 2: wrong usage or an internal error.</dd>
