@@ -67,7 +67,7 @@ test('the menu switches between approver, producer, designer and build', async (
   await page.getByRole('button', { name: /: account and settings$/ }).click()
   await page.getByRole('menuitem', { name: /^Build/ }).click()
   await expect(page.getByRole('heading', { level: 1, name: 'Builds' })).toBeVisible()
-  await expect(page.getByText('audio-checks check').first()).toBeVisible()
+  await expect(page.getByText('soundlist.pyz ci').first()).toBeVisible()
 
   await playAs(page, 'Approver')
   await expect(page.getByRole('button', { name: /^Approve A/ })).toBeVisible()

@@ -310,7 +310,7 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
 
   await test.step('the game’s CI checks the pack by the lines shown, and its report stands on the project page', async () => {
     const builds = card(producer, 'Builds')
-    await expect(builds.getByText('audio-checks check')).toBeVisible()
+    await expect(builds.getByText('soundlist.pyz ci')).toBeVisible()
     await builds.getByRole('button', { name: 'Create token' }).click()
     await builds.getByRole('button', { name: 'Create token' }).click()
     const token = await builds.getByText(/^slt_/).textContent()

@@ -59,7 +59,7 @@ async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: s
     { name: 'review', path: `${project}/review/${cue('shield_hit')}`, shows: 'Match level' },
     { name: 'review-set', path: `${project}/review/${cue('thruster_burst')}`, shows: 'Randomise' },
     { name: 'people', path: `${project}/people`, shows: 'approves or returns every sound' },
-    { name: 'builds', path: `${project}/builds`, shows: /^audio-checks check/m },
+    { name: 'builds', path: `${project}/builds`, shows: 'soundlist.pyz ci' },
     { name: 'projects', path: '/projects', shows: 'Shield Wing' },
     { name: 'studio', path: '/studio', shows: 'Shield Wing studio' },
     ...list,
