@@ -75,13 +75,13 @@ def _plan(session: Session, contract: Contract, posting: Posting, bid: Bid) -> l
     )
     return [
         PlannedMilestone(
-            one.name,
-            one.amount_minor,
-            one.due_on,
-            is_deposit=one.is_deposit,
-            cues=_priced(one.cue_ids, one.amount_minor or 0, weights),
+            milestone.name,
+            milestone.amount_minor,
+            milestone.due_on,
+            is_deposit=milestone.is_deposit,
+            cues=_priced(milestone.cue_ids, milestone.amount_minor or 0, weights),
         )
-        for one in proposed
+        for milestone in proposed
     ]
 
 

@@ -235,7 +235,7 @@ def save_contract_draft(
     contract_id: UUID, body: schemas.DraftSave, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.ContractRead:
     """Save the draft as its next version."""
-    amounts = None if body.amounts is None else {one.milestone_id: one.amount_minor for one in body.amounts}
+    amounts = None if body.amounts is None else {entry.milestone_id: entry.amount_minor for entry in body.amounts}
     lifecycle.save_draft(
         session,
         actor,

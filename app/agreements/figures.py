@@ -166,11 +166,11 @@ def typed_figures(text: str, terms: Mapping[str, Any]) -> Iterator[tuple[str, st
     for name, patterns in _patterns().items():
         if name in fields:  # the field itself is no number that was typed
             marked = _filled(text, terms, marked=name)
-            found = _first_hit(patterns, marked, _telling_sentences(marked))
+            words = _first_hit(patterns, marked, _telling_sentences(marked))
         else:
-            found = _first_hit(patterns, filled, telling)
-        if found:
-            yield name, _quoted(found)
+            words = _first_hit(patterns, filled, telling)
+        if words:
+            yield name, _quoted(words)
 
 
 def _first_hit(patterns: Sequence[re.Pattern[str]], text: str, sentences: Sequence[tuple[int, int]]) -> str:
@@ -199,8 +199,8 @@ def faults_of_prose(text: str, terms: Mapping[str, Any]) -> Iterator[str]:
 
 def other_amounts(text: str, amount_minor: int, currency: str) -> list[str]:
     """Return the amounts that a text types and that are not the one given."""
-    found = [each[0] for each in _AMOUNT.finditer(text)]
-    return [words for words in found if _minor(words, currency) != amount_minor]
+    amounts = [match[0] for match in _AMOUNT.finditer(text)]
+    return [words for words in amounts if _minor(words, currency) != amount_minor]
 
 
 def with_fields(text: str, before: str, terms: Mapping[str, Any], currency: str) -> tuple[str, Terms]:
@@ -213,9 +213,9 @@ def with_fields(text: str, before: str, terms: Mapping[str, Any], currency: str)
     for name in variables_in(before):
         if name in FACTS or name not in terms or name in variables_in(text):
             continue
-        found = _typed_over(name, text, before, currency) or _typed_as_usual(name, text, terms, currency)
-        if found is not None:
-            begins, ends, value = found
+        typed = _typed_over(name, text, before, currency) or _typed_as_usual(name, text, terms, currency)
+        if typed is not None:
+            begins, ends, value = typed
             text = f"{text[:begins]}{{{name}}}{text[ends:]}"
             changed[name] = value
     return text, changed
@@ -309,7 +309,7 @@ def _counted_now(name: str, terms: Mapping[str, Any]) -> str:
 
 
 def _other_choices(clause: Clause, terms: Mapping[str, Any]) -> Iterator[str]:
-    """Yield where a clause has the words of a choice that is not the one made."""
+    """Yield the choices that a clause states although the terms hold another."""
     read = _plain(clause.text)
     for name, term in known_terms().items():
         for choice in term.choices if term.counted else ():

@@ -298,9 +298,12 @@ def _ensure_amounts_entered(
     known = clause_rules.known_terms()
     before = newest_of(session, contract).terms
     missing = [
-        FieldProblem(where=f"milestones.{one.id}", message=f"{one.name}: {money(one.amount_minor, contract.currency)}")
-        for one in milestones_of(session, contract.id)
-        if one.amount_minor and one.id not in (amounts or {})
+        FieldProblem(
+            where=f"milestones.{milestone.id}",
+            message=f"{milestone.name}: {money(milestone.amount_minor, contract.currency)}",
+        )
+        for milestone in milestones_of(session, contract.id)
+        if milestone.amount_minor and milestone.id not in (amounts or {})
     ]
     if amounts is None:
         missing += [

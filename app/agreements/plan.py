@@ -79,7 +79,7 @@ class Concepts:
 
 
 def concepts_in(session: Session, contract: Contract, plan: Sequence[PlannedMilestone]) -> Concepts:
-    """Return how many cues of a plan are concepts, and what it pays for them: what is ordered so may change or go."""
+    """Return the number of concept cues in a plan, and the sum that it pays for them."""
     cue_ids = [cue.cue_id for planned in plan for cue in planned.cues]
     known = plan_queries.cues_in_project(session, contract.project_id, cue_ids)
     concepts = {cue.id for cue in known if cue.state is CueState.CONCEPT}
