@@ -72,6 +72,7 @@ from app.sound_lists.coverage_endpoints import router as coverage
 from app.sound_lists.endpoints import router as sound_lists
 from app.sound_lists.kit_endpoints import router as kits
 from app.sound_lists.matrix_endpoints import router as matrices
+from app.sound_lists.naming_endpoints import router as refused_names
 from app.sound_lists.own_column_endpoints import router as own_columns
 from app.sound_lists.people_endpoints import router as cue_people
 from app.sound_lists.spoken_endpoints import router as spoken_placeholders
@@ -95,6 +96,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     specs,
     briefs,
     sound_lists,
+    refused_names,
     category_guess,
     spoken_placeholders,
     coverage,

@@ -54,7 +54,7 @@ TESTED_BY = {
     "app/reviews/rules.py": "tests/app/reviews/test_rules.py",
     "app/scenes/rules.py": "tests/app/scenes/test_rules.py",
     "app/shares/rules.py": "tests/app/shares/test_rules.py",
-    "app/sound_lists/columns.py": "tests/app/sound_lists/test_imports.py tests/app/sound_lists/test_import_faults.py",
+    "audio_checks/spec/list_cells.py": "tests/audio_checks/spec/test_list_cells.py",
     "app/voice_lines/rules.py": "tests/app/voice_lines/test_rules.py",
     "app/webhooks/rules.py": "tests/app/webhooks/test_webhooks.py",
     "audio_checks/audio/flac.py": "tests/audio_checks/audio/test_flac.py",

@@ -27,6 +27,7 @@ from app.deliveries.slots import Slot, slot_given, slot_named, stems_of_slots
 from app.projects.queries import current_spec
 from app.projects.service import ProjectAccess, project_access
 from app.sound_lists.matching import ListNames, MatchedCue, list_names
+from app.sound_lists.models import Cue
 from app.sound_lists.rules import label
 from app.sound_lists.service import cue_facts
 
@@ -50,7 +51,7 @@ def preview_checks(session: Session, actor: Actor, project_id: UUID, body: Check
             specs.append(_view_read(view))
         stem = next(stems) if slot else None
         checked_name = name if stem is None else named_for(name, stem)
-        findings = _of_name(checked_name, view)
+        findings = _of_name(checked_name, view, slot.cue if slot else None)
         is_dry_stem = slot is None and dry_stem_for(name) is not None
         proposed = None if is_dry_stem else _proposed(name, (stem if findings else None) or likely_stem, view)
         files.append(
@@ -134,6 +135,6 @@ def _view_read(view: audio_checks.DeliverySpec) -> SpecView:
     return SpecView.model_validate(facts | {"levels": levels_in_browser(view)})
 
 
-def _of_name(name: str, view: audio_checks.DeliverySpec) -> list[FindingRead]:
-    found = audio_checks.check_name(base_name(name), view)
+def _of_name(name: str, view: audio_checks.DeliverySpec, cue: Cue | None) -> list[FindingRead]:
+    found = audio_checks.check_name(base_name(name), view, cue_facts(cue) if cue else None)
     return [FindingRead.model_validate({**one.to_dict(), "waived": False}) for one in found]

@@ -3,6 +3,7 @@
 import io
 import os
 import stat
+import struct
 import zipfile
 import zlib
 from collections.abc import Iterator
@@ -10,6 +11,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
+import audio_checks
 from app.deliveries.errors import ArchiveRefused
 from app.deliveries.rules import MAX_FILE_BYTES, base_name
 
@@ -21,6 +23,7 @@ MAX_READ_BYTES = 8 << 20  # the directory is read at once: 5,000 entries with lo
 READ_BYTES = 1 << 20
 METHODS = frozenset({zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED})
 ENCRYPTED, UTF8_NAME = 0x1, 0x800
+UNICODE_PATH = 0x7075
 UNIX = 3
 ARCHIVES = (".zip", ".7z", ".rar", ".tar", ".gz", ".tgz", ".bz2", ".xz")
 SOUNDS = (".wav", ".wave", ".bwf", ".rf64", ".bw64", ".w64", ".flac", ".aif", ".aiff", ".aifc", ".au", ".snd", ".caf",
@@ -47,9 +50,10 @@ class OpenArchive:
 
     def __init__(self, archive: zipfile.ZipFile) -> None:
         self._archive = archive
+        paths = paths_of(archive.infolist())
         self.entries = [
-            Entry(place, _path(info), _why_left_out(info))
-            for place, info in enumerate(archive.infolist())
+            Entry(place, path, _why_left_out(info, path))
+            for place, (info, path) in enumerate(zip(archive.infolist(), paths, strict=True))
             if not info.is_dir()
         ]
 
@@ -105,17 +109,51 @@ def _ensure_harmless(entries: list[zipfile.ZipInfo], archive_bytes: int) -> None
         raise ArchiveRefused(f"it would grow {total // archive_bytes}-fold; nothing was unpacked. Send the files alone")
 
 
-def _path(info: zipfile.ZipInfo) -> str:
-    if info.flag_bits & UTF8_NAME:
-        return info.filename
+def paths_of(entries: list[zipfile.ZipInfo]) -> list[str]:
+    """Return the paths of all entries: as they say themselves, or in the code page that fits them all together."""
+    raw = {place: name for place, info in enumerate(entries) if (name := _undeclared_name(info)) is not None}
+    encoding = None
+    if raw:  # many packers write UTF-8 and do not say so
+        joined = audio_checks.decode_text(b"\n".join(raw.values()), guessed=audio_checks.GUESSED_FOR_ZIP)
+        encoding = audio_checks.CODE_PAGES[joined.encoding]
+    return [
+        _unicode_path(info) or (raw[place].decode(encoding, "replace") if encoding and place in raw else info.filename)
+        for place, info in enumerate(entries)
+    ]
+
+
+def _undeclared_name(info: zipfile.ZipInfo) -> bytes | None:
+    """Return the bytes of a name whose encoding the entry does not say; None where it does, or is plain ASCII."""
+    if info.flag_bits & UTF8_NAME or info.filename.isascii() or _unicode_path(info):
+        return None
     try:
-        return info.filename.encode("cp437").decode()  # many packers write UTF-8 and do not say so
+        return info.filename.encode("cp437")
     except UnicodeError:
-        return info.filename
+        return None
 
 
-def _why_left_out(info: zipfile.ZipInfo) -> str | None:
-    path = _path(info)
+def _unicode_path(info: zipfile.ZipInfo) -> str | None:
+    """Return the path in the Unicode path field of an entry, None where it has none or one of another name.
+
+    APPNOTE 6.3.10, 4.6.9: version 1, the CRC-32 of the plain name, then the path in UTF-8.
+    """
+    extra, place = info.extra, 0
+    while place + 4 <= len(extra):
+        kind, length = struct.unpack_from("<HH", extra, place)
+        body = extra[place + 4 : place + 4 + length]
+        place += 4 + length
+        if kind != UNICODE_PATH or len(body) < 6 or body[0] != 1:
+            continue
+        try:
+            plain = info.orig_filename.encode("utf-8" if info.flag_bits & UTF8_NAME else "cp437")
+            if zlib.crc32(plain) == int.from_bytes(body[1:5], "little"):
+                return body[5:].decode()
+        except UnicodeError:
+            continue
+    return None
+
+
+def _why_left_out(info: zipfile.ZipInfo, path: str) -> str | None:
     name = base_name(path)
     if any(path.startswith(litter) or name.startswith(litter) for litter in IGNORED_ENTRIES):
         return "not a sound: written by the system that packed it"

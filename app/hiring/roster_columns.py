@@ -11,7 +11,7 @@ from app.accounts.errors import BadAddress
 from app.accounts.rules import ensure_address
 from app.hiring.roster_rules import Exclusivity, RateUnit, RosterService, tidy_values
 from app.kit.money import minor_digits
-from app.sound_lists.columns import read_day, read_number
+from audio_checks import read_day, read_number
 
 MAX_HEAD_CHARS = 100
 MAX_CELL_CHARS = 5_000  # as many as the longest text of an entry

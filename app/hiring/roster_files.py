@@ -14,7 +14,7 @@ from icalendar import Calendar
 from app.hiring.errors import CalendarUnreadable
 from app.hiring.roster_columns import known_heads_in
 from app.hiring.roster_rules import MAX_RANGES, Busy, BusyKind, merged
-from app.sound_lists.sheets import Rows, parse_bytes, parse_text
+from app.sound_lists.sheets import ParsedSheet, parse_bytes, parse_text
 
 MAX_CALENDAR_BYTES = 2_000_000
 MAX_EVENTS = 10_000
@@ -28,12 +28,12 @@ Range = tuple[str, str, str]  # first day, last day, kind
 Event = Any  # a component: what its properties are depends on what was sent
 
 
-def parse_roster_bytes(data: bytes) -> tuple[int | None, tuple[str, ...], Rows]:
+def parse_roster_bytes(data: bytes) -> ParsedSheet:
     """Return the fields of a sheet of designers in a CSV or XLSX file."""
     return parse_bytes(data, known_heads_in)
 
 
-def parse_roster_text(text: str, pasted: bool) -> tuple[int | None, tuple[str, ...], Rows]:
+def parse_roster_text(text: str, pasted: bool) -> ParsedSheet:
     """Return the fields of a sheet of designers in CSV text or in pasted cells."""
     return parse_text(text, pasted, known_heads_in)
 

@@ -8,7 +8,7 @@ from typing import Any, Literal, TypeVar
 import structlog
 
 from app.kit.errors import FieldProblem, Refused
-from audio_checks import Sandbox, SandboxFailed, SandboxTimedOut, ensure_declared, new_spec, parse_spec
+from audio_checks import CODE_PAGES, Sandbox, SandboxFailed, SandboxTimedOut, ensure_declared, new_spec, parse_spec
 
 TIMEOUT_S = 5.0
 MEMORY_BYTES = 512 << 20  # of address space, of which the interpreter and what it has loaded take some 100 MiB
@@ -78,7 +78,7 @@ class Parsers:
 def rehearse() -> None:
     """Import modules that are otherwise loaded on first use."""
     parse_spec(new_spec())
-    for name in ("utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "cp1252", "latin-1", "cp437", "ascii"):
+    for name in ("ascii", *CODE_PAGES.values()):
         codecs.lookup(name)
 
 

@@ -18,7 +18,7 @@ from app.projects.rules import EngagementKind
 from app.projects.schemas import ResolvedSpec
 from app.projects.service import ensure_speaks_in, invitation_by_secret, project_access
 from app.projects.specs import read_spec
-from app.sound_lists import queries, questions, revisions, service, workbook
+from app.sound_lists import naming, queries, questions, revisions, service, workbook
 from app.sound_lists.clarity_endpoints import router as clarity_router
 from app.sound_lists.errors import (
     ColumnUnknown,
@@ -55,7 +55,8 @@ from app.sound_lists.schemas import (
     RevisionRead,
     SoundListRead,
 )
-from app.sound_lists.sheets import Sheet, parse_bytes, parse_text
+from app.sound_lists.sheets import Sheet, SheetOptions, parse_bytes, parse_text
+from audio_checks import known_heads_in
 
 router = Router(prefix="/v1", tags=["sound-lists"], route_class=Route)
 router.include_router(clarity_router)
@@ -81,7 +82,7 @@ def get_sound_list(
     cues, following = service.page_of(session, project_id, cursor=cursor, limit=limit)
     return SoundListRead(
         revision=queries.revision_number(session, project_id),
-        cues=service.cues_read(session, access, cues),
+        cues=naming.with_refusals(session, project_id, service.cues_read(session, access, cues)),
         next=following,
     )
 
@@ -131,7 +132,7 @@ def add_cues(
     added = service.add_cues(session, actor, project_id, [cue.model_dump() for cue in body.cues])
     access = project_access(session, actor, project_id)
     cues = queries.cues_by_id(session, project_id, [cue.id for cue in added])
-    return [service.cue_read(access, cues[cue.id]) for cue in added]
+    return naming.with_refusals(session, project_id, [service.cue_read(access, cues[cue.id]) for cue in added])
 
 
 @router.get("/cues/{cue_id}", response_model=CueDetail, responses=problems(CueNotFound))
@@ -140,8 +141,9 @@ def get_cue(cue_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRO
     access, cue = service.visible_cue(session, actor, cue_id)
     asked = queries.questions_of(session, cue.project_id, cue_id=cue.id)
     still_open = sum(question.answered_at is None for question in asked)
+    [read] = naming.with_refusals(session, cue.project_id, [service.cue_read(access, cue, still_open)])
     return CueDetail(
-        **service.cue_read(access, cue, still_open).model_dump(),
+        **read.model_dump(),
         project_id=cue.project_id,
         questions=[questions.question_read(question, access) for question in asked],
     )
@@ -179,7 +181,8 @@ def _changed(
     cue = service.change_cue(session, actor, cue_id, edition, changes)
     access = project_access(session, actor, cue.project_id)
     open_questions = queries.open_question_counts(session, cue.project_id)
-    return service.cue_read(access, cue, open_questions.get(cue.id, 0))
+    read = service.cue_read(access, cue, open_questions.get(cue.id, 0))
+    return naming.with_refusals(session, cue.project_id, [read])[0]
 
 
 @router.post(
@@ -196,11 +199,14 @@ def order_cues(project_id: UUID, body: CueOrder, session: DbSession, actor: Acto
 async def _parsed(project_id: UUID, body: ImportAsk, request: Request) -> SentSheet:
     if body.text is not None:
         arguments: tuple[Any, ...] = (parse_text, body.text, body.format == "paste")
+        if body.tab is not None:
+            raise SheetUnreadable("this is text, which has no tabs; leave out the tab")
     elif body.content_base64 is None:
         raise SheetUnreadable("nothing was sent; give text or content_base64")
     else:
         try:
-            arguments = (parse_bytes, base64.b64decode(body.content_base64, validate=True))
+            options = SheetOptions(body.tab, body.encoding, body.fill_down, body.keep_hidden)
+            arguments = (parse_bytes, base64.b64decode(body.content_base64, validate=True), known_heads_in, options)
         except ValueError:
             raise SheetUnreadable("content_base64 is not base64") from None
     parsed = await parse_request(
@@ -221,17 +227,9 @@ def import_sound_list(
     actor: Actor = allows(Audience.TEAM),
     sent: SentSheet = Depends(_parsed),
 ) -> ImportRead:
-    """Read a spreadsheet into the list; with an error in any row nothing is imported."""
+    """Read a spreadsheet into the list; rows with an error are left out, and every guess is named."""
     body, sheet = sent
-    return import_sheet(
-        session,
-        actor,
-        project_id,
-        sheet,
-        mapping=body.mapping,
-        match=body.match,
-        dry_run=body.dry_run,
-    )
+    return import_sheet(session, actor, project_id, sheet, body)
 
 
 @router.get(

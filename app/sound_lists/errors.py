@@ -69,3 +69,7 @@ class MatrixInvalid(Invalid):
 
 class OrderInvalid(Invalid):
     """The new order names a cue twice or one of another list."""
+
+
+class NamesNotResolved(Invalid):
+    """A refused name cannot be resolved as asked; nothing was changed."""

@@ -1,7 +1,7 @@
-"""A spreadsheet becomes rows of the list: all of them, or none."""
+"""A spreadsheet becomes rows of the list: the rows without errors, each guess and each row left out named."""
 
 from collections.abc import Iterator, Mapping, Sequence, Set
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 from uuid import UUID
 
@@ -10,8 +10,7 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor
 from app.projects.models import Project
 from app.projects.service import project_access
-from app.sound_lists import queries
-from app.sound_lists.columns import Head, head_of, is_day_first, looks_like, read_cell, says_loop
+from app.sound_lists import naming, queries
 from app.sound_lists.errors import ColumnUnknown
 from app.sound_lists.models import Cue
 from app.sound_lists.own_column_rules import Column as OwnColumn
@@ -20,13 +19,38 @@ from app.sound_lists.people import known_people
 from app.sound_lists.people_rules import KnownPeople
 from app.sound_lists.rules import NEW_CUE, PEOPLE, CueState, Facts, label, read_label, tidy_text, typed_text
 from app.sound_lists.save_edits import Edit, RowFault, row_faults, save, whole_facts, with_fitted_values
-from app.sound_lists.schemas import FieldChange, ImportColumn, ImportFault, ImportRead, ImportRow
+from app.sound_lists.schemas import (
+    CellGuess,
+    FieldChange,
+    ImportAsk,
+    ImportColumn,
+    ImportEncoding,
+    ImportFault,
+    ImportRead,
+    ImportRow,
+    ImportTab,
+    SkippedRow,
+    UnreadColumn,
+)
 from app.sound_lists.sheets import Sheet
+from audio_checks import (
+    CellContext,
+    ColumnGuess,
+    guess_column,
+    head_of,
+    is_broken_formula,
+    names_in_row,
+    reading_of,
+    rows_without_cue,
+)
 
 SAMPLES = 3
 MISMAPPED = 3  # wrong cells of one column, from which on they are one fault
+MAX_ROUNDS = 10  # of leaving out rows whose names depend on a row that was left out
 KEPT: frozenset[str] = frozenset({"extra", "ignore"})
+NAMES = frozenset({"name", "file_name", "number"})
 OWN = "own:"  # before the name of a column of the project's own
+AS_WRITTEN = "{} (as written)"  # the column that keeps a cell which says more than its field holds
 
 
 @dataclass(frozen=True)
@@ -38,8 +62,9 @@ class Column:
     samples: tuple[str, ...]
     guess: str | None
     field: str
-    unit_s: float
-    day_first: bool | None  # whether 4/5/2026 is in May; None where no cell of the column shows it
+    context: CellContext
+    note: str  # what was guessed, or why the column is not read
+    is_chosen: bool  # by the caller
 
 
 @dataclass
@@ -48,19 +73,11 @@ class Plan:
 
     edits: list[Edit] = field(default_factory=list)
     faults: list[RowFault] = field(default_factory=list)
+    guesses: list[CellGuess] = field(default_factory=list)
 
 
-def import_sheet(
-    session: Session,
-    actor: Actor,
-    project_id: UUID,
-    sheet: Sheet,
-    *,
-    mapping: Mapping[str, str] | None,
-    match: str,
-    dry_run: bool,
-) -> ImportRead:
-    """Return the changes of a sheet, and apply them if it has no errors and it is not a dry run."""
+def import_sheet(session: Session, actor: Actor, project_id: UUID, sheet: Sheet, ask: ImportAsk) -> ImportRead:
+    """Return the changes of a sheet, and apply those of its rows without errors if it is not a dry run."""
     access = project_access(session, actor, project_id)
     access.ensure_may_speak()
     project = access.project
@@ -69,25 +86,44 @@ def import_sheet(
     own = by_key(queries.own_columns(session, project.id))
     kept = {key_of(name) for cue in cues for name in cue.extra}
     people = known_people(session, access)
-    columns = _columns(sheet, _Known(project.cue_prefix, own, kept), mapping or {})
-    plan = _plan(cues, project, sheet, columns, match, _Into(project.cue_prefix, own, people))
+    columns = _columns(sheet, _Known(project.cue_prefix, own, kept, people), ask)
+    filled = _fill_down(sheet, ask.fill_down_columns)
+    skipped = _skipped(sheet, columns, ask)
+    without = {row.row for row in skipped}
+    read = replace(sheet, rows=[(row, cells) for row, cells in sheet.rows if row not in without])
+    plan = _plan(cues, project, read, columns, ask.match, _Into(project.cue_prefix, own, people))
     plan.edits, unfit = with_fitted_values(session, project, plan.edits)
     plan.faults += unfit
-    failed = {fault.row for fault in plan.faults}
-    plan.faults += row_faults(session, project, [edit for edit in plan.edits if edit.row not in failed])
-    plan.faults = list(_by_column(plan.faults, columns, sheet))
-    if not sheet.rows:
+    if ask.use_proposed_names:
+        plan.edits = naming.with_proposals(session, project, plan.edits)
+    plan.edits = _faultless(session, project, plan)
+    failed = sorted({fault.row for fault in plan.faults})
+    plan.faults = list(_by_column(plan.faults, columns, read))
+    if not read.rows:
         plan.faults.append(RowFault(sheet.header_row or 1, None, "there are no rows below the header"))
-    imports = not dry_run and not plan.faults
+    imports = not ask.dry_run and bool(plan.edits) and not (ask.atomic and plan.faults)
     rows = [_row_read(edit, project.cue_prefix, people) for edit in plan.edits]
-    names = _names(sheet, columns)
+    names = _names(read, columns)
+    refused = naming.refusals_of_edits(session, project, plan.edits)
     if imports:
         save(session, project, actor.person, plan.edits)
     return ImportRead(
         header_row=sheet.header_row,
+        tabs=[ImportTab.model_validate(tab) for tab in sheet.notes["tabs"]],
+        encoding=encoding_read(sheet),
         columns=[
-            ImportColumn(name=one.name, samples=list(one.samples), guess=one.guess, field=one.field) for one in columns
+            ImportColumn(
+                name=column.name,
+                samples=list(column.samples),
+                guess=column.guess,
+                field=column.field,
+                why=column.note if column.field not in KEPT and not column.is_chosen else "",
+            )
+            for column in columns
         ],
+        unread=_unread(columns, sheet),
+        skipped=skipped,
+        guesses=sorted([*filled, *plan.guesses], key=lambda guess: guess.row),
         rows=rows,
         errors=[
             ImportFault(
@@ -98,12 +134,106 @@ def import_sheet(
             )
             for fault in sorted(plan.faults, key=lambda fault: fault.row)
         ],
+        left_out=failed,
+        refused_names=refused,
         added=sum(row.action == "add" for row in rows),
         changed=sum(row.action == "change" for row in rows),
         same=sum(row.action == "same" for row in rows),
         imported=imports,
         revision=queries.revision_number(session, project.id),
     )
+
+
+def encoding_read(sheet: Sheet) -> ImportEncoding | None:
+    """Return the encoding of a file as it is answered; None for a workbook."""
+    notes = sheet.notes
+    if not notes["encoding"]:
+        return None
+    return ImportEncoding(name=notes["encoding"], is_guess=notes["encoding_is_guess"], others=notes["other_encodings"])
+
+
+def _unread(columns: Sequence[Column], sheet: Sheet) -> list[UnreadColumn]:
+    return [
+        UnreadColumn(
+            name=column.name,
+            is_kept=column.field == "extra",
+            cells=sum(bool(cells[column.place]) for _, cells in sheet.rows),
+            why=column.note,
+        )
+        for column in columns
+        if column.field in KEPT and not column.is_chosen
+    ]
+
+
+def _skipped(sheet: Sheet, columns: Sequence[Column], ask: ImportAsk) -> list[SkippedRow]:
+    """Return the rows that are not read: those that the caller skips, hidden ones, and those that are no cues."""
+    fields = {column.place: column.field for column in columns if column.field not in KEPT}
+    asked, kept = set(ask.skip_rows), set(ask.keep_rows)
+    skipped = hidden_rows(sheet)
+    skipped += [
+        SkippedRow(row=row, kind="asked", text=", ".join(filter(None, cells))[:300], why="skipped as asked")
+        for row, cells in sheet.rows
+        if row in asked
+    ]
+    if sheet.header_row is not None:
+        skipped += [
+            SkippedRow(row=found.row, kind=found.kind, text=found.text, why=found.why)
+            for found in rows_without_cue(sheet.rows, sheet.columns, fields, sheet.notes["merged_across"])
+            if found.row not in asked | kept
+        ]
+    return sorted(skipped, key=lambda row: row.row)
+
+
+def hidden_rows(sheet: Sheet) -> list[SkippedRow]:
+    """Return the rows that the spreadsheet hides, which are not read."""
+    return [
+        SkippedRow(row=row, kind="hidden", text=text, why="the spreadsheet hides this row")
+        for row, text in sheet.notes["hidden_rows"]
+    ]
+
+
+def filled_down(sheet: Sheet) -> list[CellGuess]:
+    """Return the cells that took their value from a merged one above."""
+    texts = dict(sheet.rows)
+    return [
+        _filled(row, sheet.columns[place], texts[row][place], "the cell above is merged over this row")
+        for row, place in sheet.notes["filled_down"]
+        if row in texts
+    ]
+
+
+def _fill_down(sheet: Sheet, names: Sequence[str]) -> list[CellGuess]:
+    """Fill empty cells of columns from the cell above, as asked, and return these and those below merged cells."""
+    if unknown := [name for name in names if name not in sheet.columns]:
+        raise ColumnUnknown(f'the sheet has no column "{unknown[0]}"; it has {", ".join(sheet.columns)}')
+    guesses = filled_down(sheet)
+    for place in (sheet.columns.index(name) for name in dict.fromkeys(names)):
+        above = ""
+        for row, cells in sheet.rows:
+            if not cells[place] and above and sum(map(bool, cells)) > 1:
+                cells[place] = above
+                guesses.append(_filled(row, sheet.columns[place], above, "filled from the cell above, as asked"))
+            above = cells[place] or above
+    return guesses
+
+
+def _filled(row: int, column: str, text: str, why: str) -> CellGuess:
+    return CellGuess(row=row, column=column, kind="filled_down", text="", value=text[:200], why=why)
+
+
+def _faultless(session: Session, project: Project, plan: Plan) -> list[Edit]:
+    """Return the edits that can be saved together, and note the faults of the others."""
+    failed = {fault.row for fault in plan.faults}
+    edits = [edit for edit in plan.edits if edit.row not in failed]
+    for _ in range(MAX_ROUNDS):
+        faults = row_faults(session, project, edits)
+        if not faults:
+            return edits
+        plan.faults += faults
+        failed = {fault.row for fault in faults}  # a name that such a row gives up stays taken
+        edits = [edit for edit in edits if edit.row not in failed]
+    plan.faults += [RowFault(edit.row, None, "its name depends on a row that has an error") for edit in edits]
+    return []
 
 
 def _names(sheet: Sheet, columns: Sequence[Column]) -> dict[int, str]:
@@ -118,9 +248,11 @@ class _Known:
     cue_prefix: str
     own: Mapping[str, OwnColumn]
     kept: Set[str]  # names under which cues keep values, own columns or not
+    people: KnownPeople
 
 
-def _columns(sheet: Sheet, known: _Known, mapping: Mapping[str, str]) -> list[Column]:
+def _columns(sheet: Sheet, known: _Known, ask: ImportAsk) -> list[Column]:
+    mapping = ask.mapping or {}
     if unknown := [name for name in mapping if name not in sheet.columns]:
         raise ColumnUnknown(f'the sheet has no column "{unknown[0]}"; it has {", ".join(sheet.columns)}')
     chosen = {wanted for wanted in mapping.values() if wanted not in KEPT}
@@ -129,51 +261,69 @@ def _columns(sheet: Sheet, known: _Known, mapping: Mapping[str, str]) -> list[Co
             raise ColumnUnknown(f'the list has no column of its own called "{wanted.removeprefix(OWN)}"')
         if len(names := [name for name, given in mapping.items() if given == wanted]) > 1:
             raise ColumnUnknown(f"two columns are mapped to {wanted.removeprefix(OWN)}: {', '.join(names)}")
-    taken: set[str] = set()
+    rates = CellContext(frame_rate_fps=ask.frame_rate_fps, sample_rate_hz=ask.sample_rate_hz, day_first=ask.day_first)
+    taken: dict[str, str] = {}
     columns = []
     for place, name in enumerate(sheet.columns):
         cells = [cells[place] for _, cells in sheet.rows]
-        guess, head = _guessed(sheet, place, name, cells, known, taken)
-        if guess:
-            taken.add(guess)
-        free = guess if guess and guess not in chosen else "extra"
+        guess = _guessed(sheet, place, name, cells, known, rates)
+        found, note = guess.field, guess.note
+        if found and found in taken:
+            note, found = f'{found} is read from the column "{taken[found]}" already', None
+        if found:
+            taken[found] = name
+        free = found if found and found not in chosen else "extra"
+        if found in chosen and name not in mapping:
+            note = f"another column is mapped to {(found or '').removeprefix(OWN)}"
+        if name in sheet.notes["hidden_columns"]:
+            free, note = "ignore", "the spreadsheet hides this column"
         columns.append(
             Column(
                 place=place,
                 name=name,
                 samples=tuple(dict.fromkeys(cell[:200] for cell in cells if cell))[:SAMPLES],
-                guess=guess,
+                guess=found,
                 field=mapping.get(name, free),
-                unit_s=head.unit_s,
-                day_first=is_day_first(cells),
+                context=guess.context,
+                note=note or ("" if found else "no field of the list is called so; it is kept as it is"),
+                is_chosen=name in mapping,
             )
         )
     return columns
 
 
 def _guessed(
-    sheet: Sheet, place: int, name: str, cells: Sequence[str], known: _Known, taken: set[str]
-) -> tuple[str | None, Head]:
-    guess: str | None
-    head, key = head_of(name), key_of(typed_text(name))
+    sheet: Sheet, place: int, name: str, cells: Sequence[str], known: _Known, rates: CellContext
+) -> ColumnGuess:
+    key = key_of(typed_text(name))
+    typed = [typed_text(cell) for cell in cells]
+    has_rate_column = any(head_of(column).field == "frame_rate_fps" for column in sheet.columns)
+    guess = guess_column(name, typed, rates, has_rate_column=has_rate_column)
     if sheet.header_row is None:
-        head = Head(("name", "description")[place] if place < 2 else None)
-    elif not head.is_ours and key in known.own:
-        guess = f"{OWN}{known.own[key].name}"
-        return (None if guess in taken else guess), head
-    elif not head.is_ours and key in known.kept:
-        return None, head
-    guess = head.field
-    if guess == "category" and says_loop(cells):
-        guess = "loop"
-    if guess is None or guess in taken:
-        return None, head
-    filled = [cell for cell in cells if cell]
-    if guess == "number":
-        fits = 2 * sum(read_label(known.cue_prefix, cell) is not None for cell in filled) >= len(filled)
-    else:
-        fits = looks_like(guess, cells, head.unit_s)
-    return (guess if fits or head.is_ours else None), head
+        guess = guess_column("", typed, rates)
+        return replace(guess, field=("name", "description")[place] if place < 2 else None)
+    if guess.is_ours:
+        return guess
+    if key in known.own:
+        return replace(guess, field=f"{OWN}{known.own[key].name}", note="")
+    if key in known.kept:
+        return replace(guess, field=None, note="cues of this list keep it as it is already")
+    filled = [cell for cell in typed if cell]
+    if guess.field == "number":
+        labels = sum(read_label(known.cue_prefix, cell) is not None for cell in filled)
+        if 2 * labels < len(filled):
+            why = f"{len(filled) - labels} of {len(filled)} cells are no IDs such as {label(known.cue_prefix, 14)}"
+            return replace(guess, field=None, note=why)
+    if guess.field in PEOPLE and filled and not any(_is_person(known.people, cell) for cell in filled):
+        return replace(guess, field=None, note="no cell names a person of this project")
+    return guess
+
+
+def _is_person(people: KnownPeople, text: str) -> bool:
+    try:
+        return people.id_of(text) is not None
+    except ValueError:
+        return False
 
 
 def _column_name(columns: Sequence[Column], field_name: str | None) -> str | None:
@@ -219,7 +369,7 @@ def _plan(
     seen: dict[UUID, int] = {}
     for row, cells in sheet.rows:
         given: Facts = {}
-        faults = list(_read_row(columns, into, row, cells, given))
+        faults = list(_read_row(columns, into, row, cells, given, plan.guesses))
         number = given.pop("number", None)
         if not faults:
             try:
@@ -264,20 +414,34 @@ class _Into:
 
 
 def _read_row(
-    columns: Sequence[Column], into: _Into, row: int, cells: Sequence[str], given: Facts
+    columns: Sequence[Column], into: _Into, row: int, cells: Sequence[str], given: Facts, guesses: list[CellGuess]
 ) -> Iterator[RowFault]:
-    """Add a row's values to `given`, and yield the cells that cannot be read."""
+    """Add a row's values to `given` and its guesses to `guesses`, and yield the cells that cannot be read."""
     extra: dict[str, str] = {}
+    as_written: dict[str, str] = {}
+
+    def note(column: Column, kind: str, text: str, value: object, why: str) -> None:
+        guesses.append(
+            CellGuess(row=row, column=column.name, kind=kind, text=text[:200], value=str(value)[:200], why=why)
+        )
+
+    rate = _rate_in_row(columns, cells)
     for column in columns:
         text = typed_text(cells[column.place])
+        is_broken = is_broken_formula(cells[column.place])
         if column.field == "ignore":
             continue
         if column.field == "extra":
+            if is_broken:
+                note(column, "broken_formula", text, "", "a broken formula is not kept")
+                text = ""
             extra[kept_name(typed_text(column.name))] = tidy_text(text)
+        elif is_broken:
+            yield RowFault(row, column.field, f'"{text[:40]}" is a broken formula; repair it in the spreadsheet')
         elif column.field.startswith(OWN):
             own = into.own[key_of(column.field.removeprefix(OWN))]
             try:
-                extra[own.name] = read_value(own, text, column.day_first)
+                extra[own.name] = read_value(own, text, column.context.day_first)
             except ValueError as error:
                 yield RowFault(row, column.field, str(error))
         elif column.field == "number":
@@ -288,11 +452,42 @@ def _read_row(
             try:
                 if column.field in PEOPLE:
                     given[PEOPLE[column.field]] = into.people.id_of(text)
-                else:
-                    given[column.field] = read_cell(column.field, text, column.unit_s, column.day_first)
+                    continue
+                cell = cells[column.place] if is_broken_formula(text) else text  # its quote says that it is text
+                reading = reading_of(
+                    column.field, cell, replace(column.context, frame_rate_fps=rate) if rate else column.context
+                )
             except ValueError as error:
                 yield RowFault(row, column.field, str(error))
-    given["extra"] = extra
+                continue
+            given[column.field] = text if cell != text and reading.value == cell else reading.value
+            if reading.note:
+                note(column, "reading", text, "" if reading.value is None else reading.value, reading.note)
+            if reading.is_part:
+                as_written[AS_WRITTEN.format(column.name)[:100]] = tidy_text(text)
+    if "name" in given or "file_name" in given:
+        names = names_in_row(given.get("name", ""), given.get("file_name", ""))
+        if names.note:
+            column = next(column for column in columns if column.field in ("name", "file_name"))
+            shown = given.get("name") or given.get("file_name", "")
+            note(column, "name", shown, names.file_name or names.name, names.note)
+        if "name" in given or names.name:
+            given["name"] = names.name
+        if "file_name" in given or names.file_name:
+            given["file_name"] = names.file_name
+    given["extra"] = extra | as_written
+
+
+def _rate_in_row(columns: Sequence[Column], cells: Sequence[str]) -> float | None:
+    """Return the frame rate that a row gives itself, for its lengths in frames."""
+    column = next((column for column in columns if column.field == "frame_rate_fps"), None)
+    if column is None:
+        return None
+    try:
+        rate: float | None = reading_of("frame_rate_fps", typed_text(cells[column.place])).value
+    except ValueError:
+        return None  # said when the column itself is read
+    return rate
 
 
 def _with_values(before: Mapping[str, str], given: Mapping[str, str]) -> dict[str, str]:

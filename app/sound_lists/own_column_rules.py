@@ -5,8 +5,8 @@ from enum import StrEnum
 from typing import NamedTuple
 from uuid import UUID
 
-from app.sound_lists.columns import EMPTY, MAX_FIGURE_CHARS, number_text, read_cell, read_number
 from app.sound_lists.rules import NEW_CUE, folded, tidy_line, tidy_text
+from audio_checks import EMPTY, MAX_FIGURE_CHARS, number_text, read_cell, read_number
 
 MAX_COLUMNS = 20
 MAX_NAME_CHARS = 60

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from typing import NamedTuple
 from uuid import UUID
 
-from app.sound_lists.columns import EMPTY
 from app.sound_lists.rules import folded, tidy_line
+from audio_checks import EMPTY
 
 
 class ProjectPerson(NamedTuple):

@@ -184,10 +184,14 @@ def _faults_of_figures(facts: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
 
 
 def spreadsheet_safe(text: str) -> str:
-    """Return text that no spreadsheet takes for a formula; `typed_text` undoes it."""
-    return f"'{text}" if text.startswith((*FORMULA_STARTS, "'")) else text
+    """Return text that no spreadsheet takes for a formula, or for a broken one; `typed_text` undoes it."""
+    return f"'{text}" if _is_like_formula(text) else text
 
 
 def typed_text(cell: str) -> str:
     """Return what was typed into a cell that was made safe."""
-    return cell[1:] if cell.startswith("'") and cell[1:].startswith((*FORMULA_STARTS, "'")) else cell
+    return cell[1:] if cell.startswith("'") and _is_like_formula(cell[1:]) else cell
+
+
+def _is_like_formula(text: str) -> bool:
+    return text.startswith((*FORMULA_STARTS, "'")) or audio_checks.is_broken_formula(text)

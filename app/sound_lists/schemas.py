@@ -18,6 +18,15 @@ Text = Annotated[str, Field(max_length=20_000)]
 Figure = Annotated[float, Field(allow_inf_nan=False)]
 
 
+class NameRefusalRead(Schema):
+    """What the delivery spec says against the file name of a cue."""
+
+    stem: str = Field(description="The file name without its ending; that of the first variation.")
+    rule: Literal["pattern", "tokens", "ucs", "not-portable", "reserved"]
+    message: str
+    proposed: str | None = Field(description="A file name for the cue that the spec accepts.")
+
+
 class CueRead(Schema):
     """One line of the list."""
 
@@ -51,6 +60,9 @@ class CueRead(Schema):
     cut_reason: str | None
     cut_at: datetime | None
     open_questions: int
+    refused_name: NameRefusalRead | None = Field(
+        None, description="Set where the delivery spec refuses the file name; see refused-names."
+    )
 
 
 class CategoryCount(Schema):
@@ -245,6 +257,37 @@ class ImportAsk(Schema):
         "`ignore` leaves it out. Columns not named here are read as guessed.",
     )
     dry_run: bool = Field(description="Only say what would happen.")
+    atomic: bool = Field(
+        False, description="Import nothing while any row has an error. Without it such rows are left out and named."
+    )
+    tab: str | None = Field(
+        None,
+        max_length=200,
+        description="The tab of a workbook; otherwise the visible one with the most known heads.",
+    )
+    encoding: str | None = Field(
+        None, max_length=40, description="The encoding of a CSV file, such as shift-jis; without it, it is recognized."
+    )
+    fill_down: bool = Field(True, description="Fill the cells below the first one of a merged block.")
+    fill_down_columns: list[str] = Field(
+        default_factory=list, max_length=200, description="Columns whose empty cells take the value of the cell above."
+    )
+    keep_hidden: bool = Field(False, description="Read the rows and columns that the spreadsheet hides.")
+    skip_rows: list[int] = Field(
+        default_factory=list, max_length=20_000, description="Rows to leave out, by their numbers in the sheet."
+    )
+    keep_rows: list[int] = Field(
+        default_factory=list, max_length=20_000, description="Rows to read as cues although they look like none."
+    )
+    frame_rate_fps: float | None = Field(None, gt=0, le=1000, description="For lengths in frames.")
+    sample_rate_hz: float | None = Field(None, gt=0, le=1_000_000, description="For lengths in samples.")
+    day_first: bool | None = Field(
+        None,
+        description="Whether 4/5/2026 is in May; otherwise other days of its column show it, or it is an error.",
+    )
+    use_proposed_names: bool = Field(
+        False, description="Give cues whose file names the spec refuses the names that it would accept."
+    )
     match: Literal["number", "name", "add"] = Field(
         "number", description="How a row finds its cue: by number, by name, or never, so that every row is added."
     )
@@ -259,6 +302,98 @@ class ImportColumn(Schema):
         description="What its head and cells look like; null: nothing we know."
     )
     field: ImportField | OwnField
+    why: str = Field(description="What was guessed beyond its head; empty where nothing was.")
+
+
+class ImportTab(Schema):
+    """A tab of the workbook."""
+
+    name: str
+    rows: int = Field(description="Rows with something in them, the head too.")
+    heads: list[str]
+    is_hidden: bool
+    is_read: bool
+
+
+class ImportEncoding(Schema):
+    """The encoding that a file was read in."""
+
+    name: str
+    is_guess: bool = Field(description="It is neither UTF-8 nor UTF-16, and was chosen by how likely its text is.")
+    others: list[str] = Field(description="Other encodings in which the file is text, the likeliest first.")
+
+
+class SkippedRow(Schema):
+    """A row that is not read as a cue; `keep_rows` reads it."""
+
+    row: int
+    kind: Literal["section", "total", "head", "note", "hidden", "asked"]
+    text: str
+    why: str
+
+
+class CellGuess(Schema):
+    """A cell whose reading is a guess, or that took its value from elsewhere."""
+
+    row: int
+    column: str
+    kind: Literal["filled_down", "reading", "name", "broken_formula"]
+    text: str = Field(description="What the cell says.")
+    value: str = Field(description="What it is read as.")
+    why: str
+
+
+class UnreadColumn(Schema):
+    """A column that no field is read from."""
+
+    name: str
+    is_kept: bool = Field(description="Its cells are kept with the cues as they are; otherwise they are left out.")
+    cells: int = Field(description="Cells with something in them.")
+    why: str
+
+
+class RefusedName(NameRefusalRead):
+    """A file name of the list, or of a sheet, that the delivery spec refuses."""
+
+    row: int | None = Field(description="Of the sheet; null for a cue of the list.")
+    cue_id: UUID | None = Field(description="Null for a cue that is not in the list yet.")
+    label: str | None
+    name: str
+    category: str
+
+
+class PatternOffer(Schema):
+    """A naming pattern that admits every name of the list that it is for."""
+
+    category: str | None = Field(description="The category whose pattern it is; null for the pattern of the spec.")
+    pattern: str = Field(description="The pattern that refuses names now.")
+    proposed: str
+    names: int = Field(description="How many refused names it admits.")
+
+
+class RefusedNames(Schema):
+    """Where the list contradicts the delivery spec, and what would resolve it on either side."""
+
+    names: list[RefusedName]
+    patterns: list[PatternOffer]
+
+
+class RefusedRename(Schema):
+    """Which cues get the proposed file names."""
+
+    cue_ids: list[UUID] | None = Field(None, max_length=20_000, description="Null for all that have a proposal.")
+
+
+class PatternAdmit(Schema):
+    """Which pattern of the spec is to admit the names of the list."""
+
+    category: str | None = Field(None, max_length=60, description="As in the offer.")
+
+
+class SpecDraft(Schema):
+    """A spec that is not saved."""
+
+    toml: str = Field(max_length=400_000)
 
 
 class ImportRow(Schema):
@@ -289,12 +424,19 @@ class ImportFault(Schema):
 
 
 class ImportRead(Schema):
-    """The content of a sheet, its errors, and whether it was imported: all of it or nothing."""
+    """The content of a sheet, what was guessed, skipped and not read, its errors, and whether it was imported."""
 
     header_row: int | None
+    tabs: list[ImportTab] = Field(description="Of a workbook; none for a text.")
+    encoding: ImportEncoding | None = Field(description="Of a file of text.")
     columns: list[ImportColumn]
+    unread: list[UnreadColumn]
+    skipped: list[SkippedRow]
+    guesses: list[CellGuess]
     rows: list[ImportRow]
     errors: list[ImportFault]
+    left_out: list[int] = Field(description="The rows that have an error, and are not imported.")
+    refused_names: RefusedNames
     added: int
     changed: int
     same: int

@@ -10,12 +10,12 @@ import xlsxwriter
 from xlsxwriter.format import Format
 from xlsxwriter.worksheet import Worksheet
 
-from app.sound_lists.columns import HEADS
 from app.sound_lists.export import value_columns, values_by_key
 from app.sound_lists.models import Cue
 from app.sound_lists.own_column_rules import Column, ColumnKind, key_of
 from app.sound_lists.people_rules import KnownPeople
 from app.sound_lists.rules import PEOPLE, CueState, Need, Reverb, label, typed_text
+from audio_checks import HEADS, is_broken_formula
 
 MEDIA_TYPE = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet"
 FIRST_DAY = date(1901, 1, 1)  # workbooks count days from 1900, and take that year for a leap year
@@ -67,7 +67,8 @@ def _typed(kind: ColumnKind, text: str) -> Any:
 
 
 def _quoted(text: str) -> str:
-    return f"'{text}" if typed_text(text) != text else text  # an import takes such a quote away
+    # An import takes such a quote away, and a broken formula for no text.
+    return f"'{text}" if typed_text(text) != text or is_broken_formula(text) else text
 
 
 def _write(sheet: Worksheet, row: int, place: int, cell: Any, day: Format) -> None:

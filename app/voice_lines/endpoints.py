@@ -18,7 +18,7 @@ from app.sound_lists.export import sound_list_csv
 from app.sound_lists.people import known_people
 from app.sound_lists.queries import cues_of, own_columns
 from app.sound_lists.service import visible_cue
-from app.sound_lists.sheets import Sheet
+from app.sound_lists.sheets import Sheet, SheetOptions
 from app.voice_lines import line_sheets, queries, service
 from app.voice_lines.cast_reading import read_script
 from app.voice_lines.errors import (
@@ -124,7 +124,8 @@ async def _parsed(project_id: UUID, body: ScriptAsk, request: Request) -> SentSc
         raise ScriptUnreadable("nothing was sent; give text or content_base64")
     else:
         try:
-            arguments = (read_script_bytes, base64.b64decode(body.content_base64, validate=True), is_sheet)
+            options = SheetOptions(body.tab, body.encoding, keep_hidden=body.keep_hidden)
+            arguments = (read_script_bytes, base64.b64decode(body.content_base64, validate=True), is_sheet, options)
         except ValueError:
             raise ScriptUnreadable("content_base64 is not base64") from None
     parsed = await parse_request(
@@ -141,12 +142,10 @@ async def _parsed(project_id: UUID, body: ScriptAsk, request: Request) -> SentSc
 def import_voice_lines(
     project_id: UUID, session: DbSession, actor: Actor = TEAM, sent: SentScript = Depends(_parsed)
 ) -> ScriptRead:
-    """Read a script into the project; with an error in any row nothing is imported."""
+    """Read a script into the project; rows with an error are left out and named."""
     body, sheet = sent
     language = service.tag_of(body.language)
-    return import_script(
-        session, actor, project_id, sheet, language=language, mapping=body.mapping, dry_run=body.dry_run
-    )
+    return import_script(session, actor, project_id, sheet, body, language=language)
 
 
 @router.get(

@@ -11,14 +11,17 @@ from app.accounts.rules import Actor
 from app.kit.db import new_id
 from app.projects.models import Project
 from app.projects.service import project_access
+from app.sound_lists.imports import encoding_read, filled_down, hidden_rows
+from app.sound_lists.naming import refusals_of_edits
 from app.sound_lists.queries import lock_list, stem_owners
 from app.sound_lists.rules import NEW_CUE, folded
 from app.sound_lists.save_edits import Edit, row_faults, save, whole_facts
+from app.sound_lists.schemas import ImportTab, RefusedNames
 from app.sound_lists.sheets import Sheet
 from app.voice_lines import queries
 from app.voice_lines.models import Character, VoiceLine, VoiceSettings, VoiceText, VoiceTextVersion
 from app.voice_lines.rules import CATEGORY, merged_order
-from app.voice_lines.schemas import LineChange, ScriptColumn, ScriptFault, ScriptRead, ScriptRow
+from app.voice_lines.schemas import LineChange, ScriptAsk, ScriptColumn, ScriptFault, ScriptRead, ScriptRow
 from app.voice_lines.script_rows import Column, KnownLines, RowFault, SpokenRow, Words, columns_of, spoken_rows
 from audio_checks import stem_in_language
 
@@ -51,27 +54,33 @@ def import_script(
     actor: Actor,
     project_id: UUID,
     sheet: Sheet,
+    ask: ScriptAsk,
     *,
     language: str,
-    mapping: Mapping[str, str] | None,
-    dry_run: bool,
 ) -> ScriptRead:
-    """Return what a script changes, and apply it if it has no errors and it is not a dry run."""
+    """Return what a script changes, and apply its rows without errors if it is not a dry run."""
     access = project_access(session, actor, project_id)
     access.ensure_may_speak()
     project = access.project
     lock_list(session, project.id)
     lines = queries.lines_of(session, project.id)
     texts = {(text.line_id, text.language): text for text in queries.texts_of(session, project.id)}
-    columns = columns_of(sheet, language, mapping or {}, {of for _, of in texts})
+    columns = columns_of(sheet, language, ask.mapping or {}, {of for _, of in texts})
     spoken, faults = spoken_rows(sheet, columns, _known(lines, texts, language), language)
     by_key = {line.folded: line for line in lines}
     delivered = queries.cues_with_takes(session, project.id)
     plans = [_plan(row, by_key.get(folded(row.key)), texts, delivered) for row in spoken]
     faults += _add_cues_to(session, project, plans)
-    imports = not dry_run and not faults
+    failed = sorted({fault.row for fault in faults})
+    plans = [plan for plan in plans if plan.spoken.row not in failed]
+    imports = not ask.dry_run and bool(plans) and not (ask.atomic and faults)
     missing = [line.key for line in lines if line.id not in {plan.line.id for plan in plans if plan.line}]
-    answer = _answer(sheet, columns, plans, faults, missing=missing, imported=imports)
+    edits = [one.edit for plan in plans for one in plan.new_texts if one.edit]
+    refused = refusals_of_edits(session, project, edits)
+    rows = {one.edit.row: plan.spoken.row for plan in plans for one in plan.new_texts if one.edit}
+    for name in refused.names:
+        name.row = rows.get(name.row or 0)
+    answer = _answer(sheet, columns, plans, faults, missing=missing, imported=imports, refused=refused, left_out=failed)
     if imports:
         writer = _Writer(session, project, actor.person)
         if not lines:
@@ -239,12 +248,20 @@ def _answer(
     *,
     missing: list[str],
     imported: bool,
+    refused: RefusedNames,
+    left_out: list[int],
 ) -> ScriptRead:
     rows = [_row_read(plan) for plan in plans]
     names = {column.meaning: column.name for column in columns}
     samples = {column.place: dict.fromkeys(cells[column.place][:200] for _, cells in sheet.rows) for column in columns}
     return ScriptRead(
         header_row=sheet.header_row,
+        tabs=[ImportTab.model_validate(tab) for tab in sheet.notes["tabs"]],
+        encoding=encoding_read(sheet),
+        skipped=hidden_rows(sheet),
+        guesses=filled_down(sheet),
+        left_out=left_out,
+        refused_names=refused,
         columns=[
             ScriptColumn(
                 name=one.name, meaning=one.meaning, samples=[text for text in samples[one.place] if text][:SAMPLES]

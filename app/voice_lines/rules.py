@@ -8,6 +8,7 @@ from enum import StrEnum
 from typing import TypeVar
 from uuid import UUID
 
+import audio_checks
 from app.deliveries.rules import TakeState
 
 DEFAULT_LANGUAGE = "en"
@@ -139,8 +140,7 @@ def is_known_language(text: str) -> bool:
 
 def key_for(character: str, number: int) -> str:
     """Return an id for a line of a script that has none: maya_010."""
-    slug = re.sub(r"[^\w]+", "_", character.lower()).strip("_") or "line"
-    return f"{slug[:40]}_{number:03d}"
+    return f"{(audio_checks.slug(character) or 'line')[:40]}_{number:03d}"
 
 
 def is_stale(texts: Sequence[TextFrom], received_at: datetime) -> bool:

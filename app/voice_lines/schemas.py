@@ -9,6 +9,7 @@ from pydantic import Field
 from app.accounts.schemas import PersonBrief
 from app.deliveries.rules import TakeState
 from app.kit.http import Schema
+from app.sound_lists.schemas import CellGuess, ImportEncoding, ImportTab, RefusedNames, SkippedRow
 from app.voice_lines.rules import (
     DEFAULT_LANGUAGE,
     MAX_DIRECTION_CHARS,
@@ -43,6 +44,16 @@ class ScriptAsk(Schema):
         description="Column → `key`, `character`, `scene`, `direction`, `file_name`, `text`, `ignore` or a language.",
     )
     dry_run: bool = Field(description="Only say what would happen.")
+    atomic: bool = Field(
+        False, description="Import nothing while any row has an error. Without it such rows are left out and named."
+    )
+    tab: str | None = Field(
+        None, max_length=200, description="The tab of a workbook; otherwise the visible one with the most known heads."
+    )
+    encoding: str | None = Field(
+        None, max_length=40, description="The encoding of a text, such as shift-jis; otherwise it is recognized."
+    )
+    keep_hidden: bool = Field(False, description="Read the rows and columns that the spreadsheet hides.")
 
 
 class ScriptColumn(Schema):
@@ -84,12 +95,18 @@ class ScriptFault(Schema):
 
 
 class ScriptRead(Schema):
-    """The content of a script, its errors, and whether it was imported: all of it or nothing."""
+    """The content of a script, what was not read of it, its errors, and whether it was imported."""
 
     header_row: int | None
+    tabs: list[ImportTab] = Field(description="Of a workbook; none for a text.")
+    encoding: ImportEncoding | None = Field(description="Of a file of text.")
     columns: list[ScriptColumn]
+    skipped: list[SkippedRow]
+    guesses: list[CellGuess] = Field(description="Cells that took their value from a merged one above.")
     rows: list[ScriptRow]
     errors: list[ScriptFault]
+    left_out: list[int] = Field(description="The rows that have an error, and are not imported.")
+    refused_names: RefusedNames
     added: int
     changed: int
     same: int

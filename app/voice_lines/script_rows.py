@@ -83,6 +83,8 @@ def columns_of(
     for place, name in enumerate(sheet.columns):
         if name in mapping:
             meaning = _in_language(_mapped(name, mapping[name]), language)
+        elif name in sheet.notes["hidden_columns"]:
+            meaning = ScriptField.IGNORE
         else:
             own = name if name in languages else None
             meaning = _in_language(own or meaning_of(name) or ScriptField.IGNORE, language)

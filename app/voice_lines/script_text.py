@@ -7,12 +7,25 @@ with the lines below it, directions in brackets; `[[maya_010]]` beside the name 
 import re
 from collections.abc import Iterator
 
-from app.sound_lists.sheets import MAX_BYTES, MAX_CHARACTERS, MAX_ROWS, Rows, decoded, parse_bytes, parse_text
+from app.sound_lists.sheets import (
+    AS_FOUND,
+    MAX_BYTES,
+    MAX_CHARACTERS,
+    MAX_ROWS,
+    ParsedSheet,
+    Rows,
+    SheetOptions,
+    decoded,
+    no_notes,
+    parse_bytes,
+    parse_text,
+)
 from app.voice_lines.errors import ScriptUnreadable
 from app.voice_lines.script_columns import script_heads_in
 
 COLUMNS = ("key", "character", "scene", "direction", "text")
 MAX_CHARACTER_CHARS = 120
+PAUSE = "  "  # a line of two spaces, after which the same person goes on speaking
 _BONEYARD = re.compile(r"/\*.*?\*/", re.DOTALL)
 _NOTE = re.compile(r"\[\[([^\[\]\n]{0,200})\]\]")
 _TITLE_PAGE = re.compile(r"(title|credit|authors?|source|draft date|contact|copyright|notes|revision):", re.IGNORECASE)
@@ -22,23 +35,24 @@ _EXTENSION = re.compile(r"\(([^()]{0,60})\)")
 _CONTINUED = re.compile(r"cont(inue|['’.]?)d?\.?", re.IGNORECASE)
 
 
-def read_script_bytes(data: bytes, is_sheet: bool) -> tuple[int | None, tuple[str, ...], Rows]:
+def read_script_bytes(data: bytes, is_sheet: bool, options: SheetOptions = AS_FOUND) -> ParsedSheet:
     """Return the fields of a sheet of the lines in a CSV or XLSX file, or in the bytes of a text."""
     if is_sheet:
-        return parse_bytes(data, script_heads_in)
+        return parse_bytes(data, script_heads_in, options)
     if len(data) > MAX_BYTES:
         raise ScriptUnreadable(f"a file may have {MAX_BYTES:,} bytes; this one has {len(data):,}")
     if data.startswith((b"PK\x03\x04", b"\xd0\xcf\x11\xe0", b"%PDF-")):
         raise ScriptUnreadable("this is not plain text; save the script as text, or send a sheet as CSV or XLSX")
-    return _read_text(decoded(data))
+    text, notes = decoded(data, options.encoding)
+    return (*_read_text(text)[:3], notes)
 
 
-def read_script_text(text: str, is_sheet: bool, is_pasted: bool) -> tuple[int | None, tuple[str, ...], Rows]:
+def read_script_text(text: str, is_sheet: bool, is_pasted: bool) -> ParsedSheet:
     """Return the fields of a sheet of the lines in CSV text, in pasted cells, or in a script."""
     return parse_text(text, is_pasted, script_heads_in) if is_sheet else _read_text(text)
 
 
-def _read_text(text: str) -> tuple[int | None, tuple[str, ...], Rows]:
+def _read_text(text: str) -> ParsedSheet:
     if len(text) > min(MAX_BYTES, MAX_CHARACTERS):
         raise ScriptUnreadable(f"a text may have {MAX_BYTES:,} characters; this one has {len(text):,}")
     if (place := text.find("\0")) >= 0:
@@ -53,16 +67,16 @@ def _read_text(text: str) -> tuple[int | None, tuple[str, ...], Rows]:
         raise ScriptUnreadable(
             "no dialogue was found; wanted a name in capitals on a line of its own, with its text on the next line"
         )
-    return None, COLUMNS, rows
+    return None, COLUMNS, rows, no_notes()
 
 
 def _lines_of(text: str) -> list[str]:
     plain = text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
     plain = _BONEYARD.sub(lambda found: "\n" * found[0].count("\n"), plain)
-    lines = [line.strip() for line in plain.split("\n")]
-    first = next((place for place, line in enumerate(lines) if line), 0)
+    lines = [line.strip() or (PAUSE if len(line) > 1 and not line.strip(" ") else "") for line in plain.split("\n")]
+    first = next((place for place, line in enumerate(lines) if line.strip()), 0)
     if lines and _TITLE_PAGE.match(lines[first]):
-        while first < len(lines) and lines[first]:
+        while first < len(lines) and lines[first].strip():
             lines[first] = ""
             first += 1
     return lines
@@ -73,17 +87,28 @@ def _spoken(lines: list[str]) -> Iterator[tuple[int, list[str]]]:
     scene, place = "", 0
     while place < len(lines):
         line = lines[place]
-        follows_blank = place == 0 or not lines[place - 1] or _heading_in(lines[place - 1]) is not None
+        follows_blank = place == 0 or not lines[place - 1].strip() or _heading_in(lines[place - 1]) is not None
         place += 1
         heading = _heading_in(line) if follows_blank else None
         if heading is not None:
             scene = heading
-        elif follows_blank and place < len(lines) and lines[place] and _names_a_speaker(line):
+        elif follows_blank and place < len(lines) and lines[place].strip() and _names_a_speaker(line):
             number, block = place, []
-            while place < len(lines) and lines[place]:
+            while place < len(lines) and lines[place] and not _ends_at_pause(lines, place):
                 block.append(lines[place])
                 place += 1
             yield number, _cells(line, scene, block)
+
+
+def _ends_at_pause(lines: list[str], place: int) -> bool:
+    """Return whether a line of two spaces ends a speech after all: another speaker or a scene comes next."""
+    if lines[place] != PAUSE:
+        return False
+    after = next((at for at in range(place, len(lines)) if lines[at] != PAUSE), len(lines))
+    if after == len(lines) or not lines[after]:
+        return True
+    has_text = after + 1 < len(lines) and bool(lines[after + 1].strip())
+    return _heading_in(lines[after]) is not None or (has_text and _names_a_speaker(lines[after]))
 
 
 def _heading_in(line: str) -> str | None:

@@ -4,7 +4,8 @@ Why: names are written into the game's code before the sounds exist. A capital, 
 accent that one disk forgives is a missing sound on another; `con.wav` cannot be made on Windows at
 all, and of `Laser.wav` and `laser.wav` in one folder only one survives a copy to it.
 How to fix: rename the file as proposed, or as the sound list names the cue. `__alt2` or `_altB`
-marks an alternate of a delivery; what ships carries neither.
+marks an alternate of a delivery; what ships carries neither. A name that the list gives and the spec
+refuses (`naming:listed`) is kept: the list or the naming rule is changed, so that the two agree.
 Source: the delivery spec, `[naming]`: a pattern, tokens, or the grammar of the Universal Category
 System; names reserved on Windows and characters no system forbids (`portable`).
 """
@@ -18,7 +19,7 @@ from typing import TYPE_CHECKING
 from audio_checks.report.findings import Finding
 from audio_checks.spec import patterns
 from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
-from audio_checks.spec.sound_list import parse_file_name, slug
+from audio_checks.spec.sound_names import parse_file_name, slug
 
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile

@@ -19,7 +19,8 @@ from audio_checks.errors import AudioChecksError, Unreadable
 from audio_checks.fixing.header import with_right_sizes
 from audio_checks.fixing.names import valid_name
 from audio_checks.report.findings import FileReport
-from audio_checks.spec.sound_list import SoundList, parse_file_name, slug, stems_of
+from audio_checks.spec.sound_list import SoundList
+from audio_checks.spec.sound_names import parse_file_name, slug, stems_of
 
 if TYPE_CHECKING:
     from audio_checks.run.runner import Task

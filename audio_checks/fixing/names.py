@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, cast
 
 from audio_checks.checks import naming
 from audio_checks.spec.delivery_spec import DeliverySpec
-from audio_checks.spec.sound_list import parse_file_name, slug
+from audio_checks.spec.sound_names import parse_file_name, slug
 
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile

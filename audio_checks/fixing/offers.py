@@ -246,6 +246,7 @@ ONLY_WAV = "A fix writes WAV from WAV: export the sound in an accepted container
 ONLY_THE_SESSION = "No repair of the finished file answers this: it is put right where the sound is made."
 _WHY_NOT = {  # by the code of a finding; a check says it of all its findings in its own file
     "naming:twins": "Which of the two gets another name, a person says.",
+    "naming:listed": "The sound list calls it so: whoever keeps the list and the spec makes the two agree.",
     "naming:unlisted": "Which cue it is for, a person says: match it to its cue, or rename it to the cue's file name.",
     "structure:truncated": "The end of the sound is missing from the file: export or copy it again.",
     "structure:partial-frame": "The last frame is not whole, so the file was cut short: export or copy it again.",

@@ -15,7 +15,7 @@ from typing import Literal, NamedTuple
 from audio_checks.matching.played_files import PlayedFile, played_files, set_name
 from audio_checks.middleware.by_path import NOT_PLAYED
 from audio_checks.middleware.values import Project
-from audio_checks.spec.sound_list import AUDIO_SUFFIXES, dry_stem_name, slug, stem_of_file, stems_of
+from audio_checks.spec.sound_names import AUDIO_SUFFIXES, dry_stem_name, slug, stem_of_file, stems_of
 
 ADOPTED_SUFFIXES = frozenset({".wav", ".wave", ".bwf", ".flac", ".ogg", ".oga", ".opus", ".mp3"})
 MOST_VARIATIONS = 99

@@ -16,7 +16,7 @@ from audio_checks.matching.likeness import Likenesses
 from audio_checks.matching.prefixes import is_ucs_name, may_be_shared, people_words, unexplained_before
 from audio_checks.matching.reading import Reading, Token, key_of, plain, read_name, tokens_of
 from audio_checks.matching.words import PREFIX_WORDS
-from audio_checks.spec.sound_list import stems_of
+from audio_checks.spec.sound_names import stems_of
 
 GUESSES = 3
 SHARED_BY = 0.8  # of a list's cues begin with a word that files may leave out

@@ -20,7 +20,7 @@ from audio_checks.matching.words import (
     VERSION_WORDS,
     WEAK_STATE_WORDS,
 )
-from audio_checks.spec.sound_list import AUDIO_SUFFIXES
+from audio_checks.spec.sound_names import AUDIO_SUFFIXES
 
 Kind = Literal["state", "version", "take", "copy", "count", "alternate", "format", "date"]
 

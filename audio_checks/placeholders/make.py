@@ -24,7 +24,8 @@ from audio_checks.render.coding import Coder
 from audio_checks.render.dither import DITHERED_TO_BITS, quantised
 from audio_checks.render.turns import gain_of
 from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
-from audio_checks.spec.sound_list import SoundList, stems_of
+from audio_checks.spec.sound_list import SoundList
+from audio_checks.spec.sound_names import stems_of
 
 DURATION_S = 1.0  # where the list asks for none
 PEAK_DBFS = -12.0

@@ -16,7 +16,7 @@ from audio_checks.run.runner import Task, is_placeholder
 from audio_checks.run.workload import CORES, size_of
 from audio_checks.spec.codings import CODINGS
 from audio_checks.spec.delivery_spec import Target
-from audio_checks.spec.sound_list import parse_file_name
+from audio_checks.spec.sound_names import parse_file_name
 
 AUDIBLE_DB = -60.0  # anything lower is inaudible
 

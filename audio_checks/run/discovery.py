@@ -10,7 +10,8 @@ from pathlib import Path
 from audio_checks.errors import SpecError
 from audio_checks.spec.delivery_spec import DeliverySpec, load_spec
 from audio_checks.spec.files import has_spec
-from audio_checks.spec.sound_list import AUDIO_SUFFIXES, SoundList, dry_stem_name, stem_of_file
+from audio_checks.spec.sound_list import SoundList
+from audio_checks.spec.sound_names import AUDIO_SUFFIXES, dry_stem_name, stem_of_file
 from audio_checks.system.windows import reachable, unlimited
 
 SPEC_NAMES = ("audio-checks.toml", "pyproject.toml")

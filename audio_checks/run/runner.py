@@ -17,13 +17,15 @@ from audio_checks.metadata.mark import cue_marked
 from audio_checks.report.findings import FileReport, Finding, Report, SpecRef, Unjudged, Verdict
 from audio_checks.report.judged import JudgedFile
 from audio_checks.run.containment import failed_checks, make_judgements, run_checks
+from audio_checks.run.name_check import as_listed
 from audio_checks.run.sets import with_set_findings
 from audio_checks.run.severity import crash, graded, in_words, ordered
 from audio_checks.run.workload import size_of
 from audio_checks.spec import check_names
 from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 from audio_checks.spec.loudness_presets import PRESETS
-from audio_checks.spec.sound_list import SoundList, parse_file_name
+from audio_checks.spec.sound_list import SoundList
+from audio_checks.spec.sound_names import parse_file_name
 from audio_checks.version import TOOL_VERSION
 
 PathLike = str | os.PathLike[str]
@@ -319,6 +321,7 @@ def _judge(
     if task.unlisted:
         found.append(_unlisted())
     findings = [one for one in (graded(finding, spec) for finding in found) if one is not None]
+    findings = as_listed(findings, file.name, task.cue)
     verdict: Verdict = "rejected" if any(one.severity == "error" for one in findings) else "conforming"
     findings = [*crashed, *findings]
     return FileReport(

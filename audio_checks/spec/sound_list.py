@@ -1,20 +1,25 @@
-"""The sound list as a file, and the names by which files find their cues: one code for server and command line."""
+"""The sound list as a file: read as an import of the server reads it, and written."""
 
 import csv
 import io
-import math
 import re
 import unicodedata
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any
 
 from audio_checks.errors import SpecError
 from audio_checks.spec.delivery_spec import CueFacts
 from audio_checks.spec.game_paths import stem_in_language
-from audio_checks.system.text_files import read_text
+from audio_checks.spec.list_cells import CellContext, is_broken_formula, reading_of
+from audio_checks.spec.list_columns import guess_column, names_in_row
+from audio_checks.spec.list_heads import HEADS, head_of
+from audio_checks.spec.list_table import Rows, TableUnreadable, filled, headed, records, rows_without_cue
+from audio_checks.spec.sound_names import parse_file_name, stem_of_file, stems_of
+from audio_checks.system.text_encoding import TextDamaged, decode_text
+from audio_checks.system.text_files import MOST_BYTES, read_bytes
 
 COLUMNS = (
     "number",
@@ -32,91 +37,8 @@ COLUMNS = (
     "variations",
     "state",
 )
-STATES = ("concept", "prototype", "locked", "cut")
-REVERBS = ("dry", "designed-tail", "separate-tail")
-AUDIO_SUFFIXES = frozenset(
-    {".wav", ".wave", ".bwf", ".rf64", ".bw64", ".w64", ".flac", ".aif", ".aiff", ".aifc", ".au", ".snd", ".caf"}
-    | {".mp3", ".mp2", ".m4a", ".aac", ".wma", ".ogg", ".oga", ".opus"}
-)
-
-_ALTERNATE = re.compile(r"(?<=[^_])(?:__alt([1-9][0-9]?)|__?alt([A-Z]))$")
-_DRY_STEM = re.compile(r"(?<=[^_])__dry$")
-_TYPED_VERSION = re.compile(r"(?<=[^_])_+[vV]([0-9]{1,4})$")
+TYPED = frozenset({"duration_s", "length_locked", "frame_rate_fps", "loop", "reverb", "variations", "state"})
 _MOST_VARIATIONS = 999
-
-
-class TakeName(NamedTuple):
-    """The parts of a delivered file's name: `laser_fire_02__alt2.wav` is alternate 2 of the stem `laser_fire_02`."""
-
-    stem: str
-    alternate: int | None
-    typed_version: int | None
-    extension: str
-
-
-def parse_file_name(file_name: str) -> TakeName:
-    """Return the parts of a file's name, in NFC; folders before it are dropped.
-
-    `__alt2` and `_altB` say that it is the second alternate; a typed `_v03` is read and dropped.
-    """
-    whole = unicodedata.normalize("NFC", re.split(r"[/\\]", file_name)[-1])
-    stem, extension = _split(whole)
-    alternate = version = None
-    for _ in range(2):  # the two may come in either order
-        if alternate is None and (found := _ALTERNATE.search(stem)):
-            alternate = int(found[1]) if found[1] else ord(found[2]) - ord("A") + 1
-            stem = stem[: found.start()]
-        if version is None and (found := _TYPED_VERSION.search(stem)):
-            version = int(found[1])
-            stem = stem[: found.start()]
-    return TakeName(stem, alternate, version, extension)
-
-
-def _split(whole: str) -> tuple[str, str]:
-    stem, dot, ending = whole.rpartition(".")
-    return (stem, dot + ending) if stem else (whole, "")
-
-
-def dry_stem_name(file_name: str) -> str | None:
-    """Return the stem, in NFC, of the file that this one is the dry stem of, by its name; None for any other name.
-
-    `warp_in__dry.wav` is that of `warp_in.wav`, and `warp_in__alt2__dry.wav` that of `warp_in__alt2.wav`.
-    """
-    stem = stem_of_file(file_name)
-    return stem[: found.start()] if (found := _DRY_STEM.search(stem)) else None
-
-
-def stem_of_file(file_name: str) -> str:
-    """Return a file's name without its ending, in NFC and with all its marks; folders before it are dropped."""
-    return _split(unicodedata.normalize("NFC", re.split(r"[/\\]", file_name)[-1]))[0]
-
-
-def slug(name: str) -> str:
-    """Return a name as a stem: lower-case letters and digits joined by `_`; empty when there is neither.
-
-    Accents go; a name in another script keeps its letters.
-    """
-    plain = unicodedata.normalize("NFKD", name.replace("ß", "ss")).encode("ascii", "ignore").decode("ascii").lower()
-    words = re.findall(r"[a-z0-9]+", plain) or re.findall(r"[^\W_]+", unicodedata.normalize("NFC", name).lower())
-    return "_".join(words)
-
-
-def stems_of(name: str, file_name: str, variations: int = 1) -> list[str]:
-    """Return the stems a cue owns: that of its file name (its name slugged if empty), and `_01 …` for a set.
-
-    Empty when the cue has neither a file name nor a name that makes one.
-    """
-    whole = unicodedata.normalize("NFC", file_name.strip())
-    stem, extension = _split(whole)
-    if extension.lower() not in AUDIO_SUFFIXES:
-        stem = whole
-    stem = stem or slug(name)
-    if not stem:
-        return []
-    if variations <= 1:
-        return [stem]
-    width = max(2, len(str(variations)))
-    return [f"{stem}_{place:0{width}}" for place in range(1, variations + 1)]
 
 
 @dataclass(frozen=True)
@@ -124,6 +46,7 @@ class SoundList:
     """The cues of a project."""
 
     cues: tuple[CueFacts, ...]
+    notes: tuple[str, ...] = ()  # what was guessed, left out or not read, as sentences
 
     @cached_property
     def _slots(self) -> dict[str, tuple[CueFacts, int]]:
@@ -170,11 +93,14 @@ class SoundList:
         return named if self.slot_of_file(named) == slot else name
 
 
-def read_sound_list(source: str | Path) -> SoundList:
-    """Return the sound list of a CSV file (a path), or of CSV text (a string).
+def read_sound_list(
+    source: str | Path, *, frame_rate_fps: float | None = None, sample_rate_hz: float | None = None
+) -> SoundList:
+    """Return the sound list of a CSV file (a path), or of CSV text (a string), read as an import of the server does.
 
-    Columns are found by name, in any order, with comma, semicolon or tab between them; only `number`
-    or `name` is needed, and unknown columns are kept in each cue's `more`.
+    Columns are found by their heads in many wordings, in any order, with comma, semicolon, tab or `|` between them;
+    one of them must name the cues. Unknown columns are kept in each cue's `more`. What was guessed, left out or not
+    read is said in the `notes` of the list.
 
     Raises
     ------
@@ -182,13 +108,23 @@ def read_sound_list(source: str | Path) -> SoundList:
         The file cannot be read, or rows are wrong; each is named by its row and column.
     """
     where = str(source) if isinstance(source, Path) else "sound list"
-    text = read_text(source, fix="save it as CSV UTF-8") if isinstance(source, Path) else source.removeprefix("\ufeff")
-    rows = _rows(text, where)
+    notes: list[str] = []
+    text = _text_of(source, where, notes) if isinstance(source, Path) else source.removeprefix("\ufeff")
+    rates = CellContext(frame_rate_fps=frame_rate_fps, sample_rate_hz=sample_rate_hz)
+    columns, rows = _table(text, where)
+    read = _columns(columns, rows, rates, where, notes)
+    skipped = {
+        found.row: found
+        for found in rows_without_cue(rows, columns, {column.place: column.field for column in read if column.field})
+    }
+    notes += [f'row {found.row}: "{found.text[:60]}" is no cue: {found.why}' for found in skipped.values()]
     cues: list[CueFacts] = []
     wrong: list[str] = []
-    for number, row in rows:
+    for number, cells in rows:
+        if number in skipped:
+            continue
         try:
-            cues.append(_cue(row))
+            cues.append(_cue(read, number, cells, notes))
         except ValueError as error:
             wrong.append(f"row {number}: {error}")
     if not wrong:
@@ -196,7 +132,7 @@ def read_sound_list(source: str | Path) -> SoundList:
     if wrong:
         more = f"; and {len(wrong) - 10} more" if len(wrong) > 10 else ""
         raise SpecError("; ".join(wrong[:10]) + more, where=where)
-    return SoundList(tuple(cues))
+    return SoundList(tuple(cues), tuple(notes))
 
 
 def write_sound_list(cues: Iterable[CueFacts]) -> str:
@@ -220,86 +156,121 @@ def _cell(value: object) -> str:
     return "" if value is None else str(value)
 
 
-def _rows(text: str, where: str) -> Iterator[tuple[int, dict[str, str]]]:
-    header = text.partition("\n")[0]
-    between = max(",;\t", key=header.count)
+def _text_of(path: Path, where: str, notes: list[str]) -> str:
+    data = read_bytes(path)
+    if data.startswith((b"PK\x03\x04", b"\xd0\xcf\x11\xe0")):
+        raise SpecError("is a workbook, and not CSV; save it as CSV UTF-8", where=where)
     try:
-        rows = list(csv.reader(io.StringIO(text, newline=""), delimiter=between))
-    except csv.Error as error:
+        decoded = decode_text(data)
+    except TextDamaged as error:
+        row = error.before.count("\n") + 1
+        raise SpecError(f"row {row}: {error}; save it as CSV UTF-8", where=where) from None
+    if "\0" in decoded.text:
+        raise SpecError("is not text: it holds zero bytes; save it as CSV UTF-8", where=where)
+    if decoded.is_guess:
+        notes.append(f"read as {decoded.encoding}, by its letters; save it as CSV UTF-8 to be sure")
+    return decoded.text
+
+
+def _table(text: str, where: str) -> tuple[tuple[str, ...], Rows]:
+    csv.field_size_limit(MOST_BYTES)
+    try:
+        rows = list(filled(records(text)))
+    except TableUnreadable as error:
         raise SpecError(f"is not CSV: {error}", where=where) from None
-    names = [name.strip().lower() for name in rows[0]] if rows else []
-    if not {"number", "name"} & set(names):
-        raise SpecError(f"its first row names no column number or name; columns: {', '.join(COLUMNS)}", where=where)
-    twice = sorted({name for name in names if name and names.count(name) > 1})
-    if twice:
+    if not rows:
+        raise SpecError(f"is empty; its first row names the columns: {', '.join(COLUMNS)}", where=where)
+    header_row, columns, _, below = headed(rows, must_have_head=True)
+    names = [name.strip().lower() for name in rows[[row for row, _ in rows].index(header_row or 1)][1]]
+    if twice := sorted({name for name in names if name in HEADS and names.count(name) > 1}):
         raise SpecError(f"names the column {twice[0]} twice", where=where)
-    for number, cells in enumerate(rows[1:], start=2):
-        row = {name: cell.strip() for name, cell in zip(names, cells, strict=False) if name}
-        if any(row.values()):
-            yield number, row
+    return columns, below
 
 
-def _cue(row: Mapping[str, str]) -> CueFacts:
-    known = {"number", "name", "file_name", "category"}
-    typed = {"duration_s", "length_locked", "frame_rate_fps", "loop", "reverb", "variations", "state"}
-    number, name = row.get("number", ""), row.get("name", "")
-    if not (number or name):
+@dataclass(frozen=True)
+class _Column:
+    """A column and what it is read as; None for one that is kept as it is."""
+
+    place: int
+    name: str
+    field: str | None
+    context: CellContext
+
+
+def _columns(names: Sequence[str], rows: Rows, rates: CellContext, where: str, notes: list[str]) -> tuple[_Column, ...]:
+    has_rate_column = any(head_of(name).field == "frame_rate_fps" for name in names)
+    taken: dict[str, str] = {}
+    columns = []
+    for place, name in enumerate(names):
+        guess = guess_column(name, [cells[place] for _, cells in rows], rates, has_rate_column=has_rate_column)
+        guess = guess if name.strip().lower() not in HEADS else replace(guess, field=name.strip().lower(), note="")
+        field = guess.field
+        if field in taken:
+            notes.append(f'column "{name}" is not read: {field} is read from "{taken[field]}"')
+            field = None
+        elif guess.note:
+            notes.append(f'column "{name}"{"" if field else " is not read"}: {guess.note}')
+        if field:
+            taken[field] = name
+        columns.append(_Column(place, name, field, guess.context))
+    if not {"number", "name", "file_name"} & taken.keys():
+        raise SpecError(
+            f"no column has numbers, names or file names of cues; found {', '.join(names)[:200]}; "
+            f"columns: {', '.join(COLUMNS)}",
+            where=where,
+        )
+    return tuple(columns)
+
+
+def _cue(columns: Sequence[_Column], row: int, cells: Sequence[str], notes: list[str]) -> CueFacts:
+    facts: dict[str, Any] = {}
+    more: dict[str, str] = {}
+    rate = next((column for column in columns if column.field == "frame_rate_fps" and cells[column.place]), None)
+    own_rate = reading_of("frame_rate_fps", cells[rate.place]).value if rate else None
+    for column in columns:
+        text = cells[column.place]
+        if column.field in TYPED:
+            context = replace(column.context, frame_rate_fps=own_rate) if own_rate else column.context
+            try:
+                reading = reading_of(column.field or "", text, context)
+            except ValueError as error:
+                raise ValueError(f"{column.field}: {error}") from None
+            facts[column.field or ""] = reading.value
+            if reading.note:
+                notes.append(f'row {row}, {column.name}: "{text[:40]}" is read as {reading.value}: {reading.note}')
+        elif column.field:
+            more[column.field] = text
+        else:
+            more[column.name.strip().lower()] = text
+    names = names_in_row(more.pop("name", ""), more.pop("file_name", ""))
+    if names.note:
+        notes.append(f"row {row}: {names.note}")
+    for field in ("number", "name", "file_name"):
+        if is_broken_formula({"name": names.name, "file_name": names.file_name}.get(field, more.get(field, ""))):
+            raise ValueError(f"{field}: a broken formula; repair it in the spreadsheet")
+    number = more.pop("number", "") or names.name or stem_of_file(names.file_name)
+    if not number:
         raise ValueError("number: a cue needs a number or a name")
+    variations = facts.pop("variations", 1)
+    if not 1 <= variations <= _MOST_VARIATIONS:
+        raise ValueError(f'variations: wanted a whole number from 1 to {_MOST_VARIATIONS}, found "{variations}"')
+    if not (facts.get("frame_rate_fps") or 1) > 0:
+        raise ValueError("frame_rate_fps: wanted a number above 0")
     return CueFacts(
-        number=number or name,
-        name=name,
-        file_name=row.get("file_name", ""),
-        category=row.get("category") or None,
-        duration_s=_positive(row, "duration_s"),
-        length_locked=_flag(row, "length_locked"),
-        frame_rate_fps=_positive(row, "frame_rate_fps"),
-        loop=_flag(row, "loop"),
-        reverb=_word(row, "reverb", REVERBS),
-        variations=_variations(row),
-        state=_word(row, "state", STATES) or "concept",
-        more={key: value for key, value in row.items() if key not in known | typed},
-        says_loop="loop" in row,
+        number=number,
+        name=names.name,
+        file_name=names.file_name,
+        category=_category_of(more.pop("category", "")),
+        variations=variations,
+        state=facts.pop("state", None) or "concept",
+        more=more,
+        says_loop="loop" in facts,
+        **facts,
     )
 
 
-def _positive(row: Mapping[str, str], column: str) -> float | None:
-    text = row.get(column, "")
-    if not text:
-        return None
-    try:
-        value = float(text.replace(",", "."))
-    except ValueError:
-        value = math.nan
-    if not (math.isfinite(value) and value > 0):
-        raise ValueError(f'{column}: wanted a number above 0, found "{text[:40]}"')
-    return value
-
-
-def _variations(row: Mapping[str, str]) -> int:
-    text = row.get("variations", "") or "1"
-    if not re.fullmatch(r"[0-9]{1,6}", text, re.ASCII) or not 1 <= int(text) <= _MOST_VARIATIONS:
-        raise ValueError(f'variations: wanted a whole number from 1 to {_MOST_VARIATIONS}, found "{text[:40]}"')
-    return int(text)
-
-
-_FLAGS = {
-    **dict.fromkeys(("", "no", "false", "0", "n", "one-shot"), False),
-    **dict.fromkeys(("yes", "true", "1", "y", "x", "loop"), True),
-}
-
-
-def _flag(row: Mapping[str, str], column: str) -> bool:
-    text = row.get(column, "")
-    if text.lower() not in _FLAGS:
-        raise ValueError(f'{column}: wanted yes or no, found "{text[:40]}"')
-    return _FLAGS[text.lower()]
-
-
-def _word(row: Mapping[str, str], column: str, words: tuple[str, ...]) -> str | None:
-    text = row.get(column, "").lower()
-    if text and text not in words:
-        raise ValueError(f'{column}: wanted one of {", ".join(words)}, found "{text[:40]}"')
-    return text or None
+def _category_of(text: str) -> str | None:
+    return text.lower().replace(" ", "-") or None  # as the server keeps it: [categories.ui] is meant for "UI" as well
 
 
 def _twins(cues: Iterable[CueFacts]) -> Iterator[str]:

@@ -41,14 +41,19 @@ def read_text(path: Path, *, fix: str = "", most_bytes: int = MOST_BYTES) -> str
         The file cannot be read, is not a regular file, is too large, or is not UTF-8; `fix` then says how to
         make it so. What the file holds is not repeated.
     """
-    try:
-        content = _content(path, most_bytes)
-    except (OSError, ValueError) as error:
-        raise SpecError(f"cannot be read: {getattr(error, 'strerror', None) or error}", where=str(path)) from None
+    content = read_bytes(path, most_bytes=most_bytes)
     try:
         return content.decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
     except UnicodeDecodeError:
         raise SpecError("; ".join(["is not UTF-8 text", *([fix] if fix else [])]), where=str(path)) from None
+
+
+def read_bytes(path: Path, *, most_bytes: int = MOST_BYTES) -> bytes:
+    """Return the bytes of a regular file; raise SpecError where it cannot be read or is too large."""
+    try:
+        return _content(path, most_bytes)
+    except (OSError, ValueError) as error:
+        raise SpecError(f"cannot be read: {getattr(error, 'strerror', None) or error}", where=str(path)) from None
 
 
 def _content(path: Path, most_bytes: int) -> bytes:

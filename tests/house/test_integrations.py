@@ -16,7 +16,7 @@ import pytest
 import yaml
 
 from audio_checks.spec.delivery_spec import new_spec
-from audio_checks.spec.sound_list import AUDIO_SUFFIXES
+from audio_checks.spec.sound_names import AUDIO_SUFFIXES
 from tests.support.waves import sine, write_wav
 
 pytestmark = pytest.mark.slow

@@ -20,6 +20,7 @@ from audio_checks.cli.arguments import (
     progress_over,
     spec_for,
 )
+from audio_checks.cli.named_list import named_list
 from audio_checks.cli.outputs import Outputs
 from audio_checks.cli.terminal import BOLD, GREEN, RED, Ink, counted, in_colour, note, say, width
 from audio_checks.report.findings import FileReport, Report, printable, with_waivers
@@ -27,7 +28,6 @@ from audio_checks.run.baseline import DEFAULT_NAME, add_to_baseline, known_by_it
 from audio_checks.run.discovery import SPEC_NAMES, Found, SpecFinder, dry_stems
 from audio_checks.run.workload import CORES, process_count
 from audio_checks.spec.delivery_spec import DeliverySpec
-from audio_checks.spec.sound_list import read_sound_list
 
 if TYPE_CHECKING:
     from audio_checks.fixing.in_place import Change
@@ -112,7 +112,7 @@ class _Judging:
         self._by_bytes = bool(self._waived) or options.add_baseline
         self._options = options
         self._finder = SpecFinder(options.spec)
-        self.sound_list = read_sound_list(Path(options.sound_list)) if options.sound_list else None
+        self.sound_list = named_list(options.sound_list) if options.sound_list else None
         self.complete = True  # False when sounds of the change are out of reach
         self.specs: list[DeliverySpec] = []
         self._spec_of: dict[str, DeliverySpec | None] = {}

@@ -6,12 +6,13 @@ from pathlib import Path
 from typing import Any
 
 from audio_checks.cli.arguments import FOUND, OK, UsageError, add_paths, add_run, found_files, out_folder, progress_over
+from audio_checks.cli.named_list import named_list
 from audio_checks.cli.outputs import Outputs
 from audio_checks.errors import RenderRefused, Unreadable
 from audio_checks.report.findings import printable
 from audio_checks.run.discovery import Found
 from audio_checks.spec.delivery_spec import CueFacts
-from audio_checks.spec.sound_list import SoundList, read_sound_list
+from audio_checks.spec.sound_list import SoundList
 
 FORMATS = ("text", "json")
 
@@ -41,7 +42,7 @@ def run(options: argparse.Namespace) -> int:
         if not equals:
             raise UsageError(f'--field wants NAME=TEXT, as in catId=GUNAuto, not "{one}"')
         fields[name] = text
-    sound_list = read_sound_list(Path(options.sound_list)) if options.sound_list else None
+    sound_list = named_list(options.sound_list) if options.sound_list else None
     outputs, folder = Outputs(options.format, FORMATS), out_folder(options)
     found = found_files(options)
     exports: list[dict[str, Any]] = []

@@ -2,7 +2,6 @@
 
 import argparse
 import json
-from pathlib import Path
 
 from audio_checks.cli.arguments import (
     FOUND,
@@ -17,11 +16,11 @@ from audio_checks.cli.arguments import (
     out_folder,
     progress_over,
 )
+from audio_checks.cli.named_list import named_list
 from audio_checks.cli.outputs import Outputs
 from audio_checks.run.discovery import SpecFinder, without_dry_stems
 from audio_checks.run.workload import process_count
 from audio_checks.spec.check_names import Severity
-from audio_checks.spec.sound_list import read_sound_list
 
 FORMATS = ("text", "json")
 
@@ -43,7 +42,7 @@ def run(options: argparse.Namespace) -> int:
 
     outputs = Outputs(options.format, FORMATS)
     finder = SpecFinder(options.spec)
-    sound_list = read_sound_list(Path(options.sound_list)) if options.sound_list else None
+    sound_list = named_list(options.sound_list) if options.sound_list else None
     found = without_dry_stems(found_files(options), sound_list)
     fixing = FixRun(out_folder(options), options.target, options.category, sound_list)
     specs = [(one, needed_spec_for(one.path, finder, options)) for one in found]

@@ -3,18 +3,18 @@
 import argparse
 import sys
 from dataclasses import replace
-from pathlib import Path
 
 from audio_checks.audit.build import fingerprint_files
 from audio_checks.audit.fingerprinted import FingerprintedFile
 from audio_checks.audit.manifest import manifest_text, write_manifest
 from audio_checks.audit.played import with_plays
 from audio_checks.cli.arguments import FOUND, OK, add_paths, add_run, found_files, progress_over
+from audio_checks.cli.named_list import named_list
 from audio_checks.cli.terminal import counted, say
 from audio_checks.middleware.project import read_project
 from audio_checks.report.findings import printable
 from audio_checks.run.workload import process_count
-from audio_checks.spec.sound_list import SoundList, read_sound_list
+from audio_checks.spec.sound_list import SoundList
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -30,7 +30,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Listen to the sounds and write the manifest; 1 when one could not be read, and is left out."""
-    sound_list = read_sound_list(Path(options.sound_list)) if options.sound_list else None
+    sound_list = named_list(options.sound_list) if options.sound_list else None
     heard = fingerprints_below(options)
     for one in heard:
         if one.trouble:

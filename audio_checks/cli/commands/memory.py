@@ -3,15 +3,14 @@
 import argparse
 import json
 from collections.abc import Iterator
-from pathlib import Path
 
 from audio_checks.cli.arguments import FORMAT_HELP, FOUND, OK, UsageError
+from audio_checks.cli.named_list import named_list
 from audio_checks.cli.outputs import Outputs
 from audio_checks.cli.terminal import counted
 from audio_checks.report.findings import printable
 from audio_checks.run.memory_budget import Memory, MemoryUse, memory_use, requested_sizes
 from audio_checks.spec.delivery_spec import load_spec
-from audio_checks.spec.sound_list import read_sound_list
 
 FORMATS = ("text", "json")
 KIB = 1024
@@ -29,7 +28,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Print what each target takes, by category; 1 when a budget is exceeded."""
     spec = load_spec(options.spec)
-    sounds = requested_sizes(read_sound_list(Path(options.sound_list)).cues)
+    sounds = requested_sizes(named_list(options.sound_list).cues)
     names = options.target or list(spec.targets)
     if not names:
         raise UsageError(f"{options.spec}: the spec names no targets")

@@ -6,16 +6,16 @@ import argparse
 import json
 import os
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from audio_checks.cli.arguments import FOUND, OK, UsageError, add_paths, add_run, found_files, out_folder, progress_over
+from audio_checks.cli.named_list import named_list
 from audio_checks.cli.outputs import Outputs
 from audio_checks.cli.terminal import counted
 from audio_checks.errors import RenderRefused, Unreadable
 from audio_checks.report.findings import printable
 from audio_checks.spec.delivery_spec import load_spec
-from audio_checks.spec.sound_list import parse_file_name, read_sound_list
+from audio_checks.spec.sound_names import parse_file_name
 
 if TYPE_CHECKING:
     from audio_checks.placeholders.make import Placeholder
@@ -41,7 +41,7 @@ def run(options: argparse.Namespace) -> int:
     from audio_checks.placeholders.make import make_placeholders
 
     spec = load_spec(options.spec)
-    sound_list = read_sound_list(Path(options.sound_list))
+    sound_list = named_list(options.sound_list)
     given = options.paths or options.files_from is not None
     found = found_files(options, may_be_none=True) if given else []
     taken = {parse_file_name(sound_list.listed_name(one.path)).stem for one in found if not _is_placeholder(one.path)}

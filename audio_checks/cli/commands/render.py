@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import json
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from audio_checks.cli.arguments import (
@@ -21,11 +20,11 @@ from audio_checks.cli.arguments import (
     out_folder,
     progress_over,
 )
+from audio_checks.cli.named_list import named_list
 from audio_checks.cli.outputs import Outputs
 from audio_checks.report.findings import printable
 from audio_checks.run.discovery import SpecFinder, without_dry_stems
 from audio_checks.run.workload import process_count
-from audio_checks.spec.sound_list import read_sound_list
 
 if TYPE_CHECKING:
     from audio_checks.render.files import Outcome
@@ -51,7 +50,7 @@ def run(options: argparse.Namespace) -> int:
 
     outputs = Outputs(options.format, FORMATS)
     finder = SpecFinder(options.spec)
-    sound_list = read_sound_list(Path(options.sound_list)) if options.sound_list else None
+    sound_list = named_list(options.sound_list) if options.sound_list else None
     found = without_dry_stems(found_files(options), sound_list)
     tasks, targets_of = [], []
     for one in found:

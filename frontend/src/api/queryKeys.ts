@@ -1,4 +1,4 @@
-import type { QueryClient, QueryKey } from '@tanstack/react-query'
+import { onlineManager, type QueryClient, type QueryKey } from '@tanstack/react-query'
 
 interface Family<Parts extends readonly unknown[]> {
   (...parts: Parts): readonly [string, ...Parts]
@@ -174,6 +174,7 @@ export const queryKeys = {
 
 type SoundListPart =
   | 'list'
+  | 'refused names'
   | 'columns'
   | 'people'
   | 'matrix'
@@ -192,9 +193,17 @@ type ContractPart =
 type MoneyPart =
   'cue' | 'ledger' | 'invoices' | 'invoice-draft' | 'estimates' | 'milestone' | 'plan' | 'plan-check' | 'days'
 
-/** Refetch what is shown of these keys and of all that begin with one of them; the rest when a page shows it again. */
+/**
+ * Refetch what is shown of these keys and of all that begin with one of them. What no page shows is forgotten, so that
+ * no page begins with a state older than the act; without a connection it is kept, for there is nothing newer.
+ */
 export const invalidate = (client: QueryClient, ...touched: readonly QueryKey[]): Promise<void[]> =>
-  Promise.all(touched.map((queryKey) => client.invalidateQueries({ queryKey })))
+  Promise.all(
+    touched.map((queryKey) => {
+      if (onlineManager.isOnline()) client.removeQueries({ queryKey, type: 'inactive' })
+      return client.invalidateQueries({ queryKey })
+    }),
+  )
 
 const wordsOf = (...families: readonly { all: readonly [string] }[]): ReadonlySet<string> =>
   new Set(families.map(({ all: [word] }) => word))

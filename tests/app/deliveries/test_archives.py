@@ -4,6 +4,7 @@ import io
 import stat
 import struct
 import zipfile
+import zlib
 from pathlib import Path
 from typing import Any
 from uuid import UUID
@@ -243,3 +244,26 @@ def test_a_second_run_goes_on_where_the_first_was_killed(world: World, monkeypat
     assert sorted(take["file_name"] for take in shown["takes"]) == sorted(str(name) for name in files)
     assert shown["archives"][0]["state"] == ArchiveState.UNPACKED
     assert [entry["taken"] for entry in shown["archives"][0]["entries"]] == [True] * 5
+
+
+@pytest.mark.parametrize(
+    ("raw", "path"),
+    [("ドア_開く.wav".encode("cp932"), "ドア_開く.wav"), ("tür_auf.wav".encode("cp850"), "tür_auf.wav"),
+     ("tür_auf.wav".encode(), "tür_auf.wav")],
+)  # fmt: skip
+def test_names_in_other_code_pages_are_read(raw: bytes, path: str) -> None:
+    info = zipfile.ZipInfo("x.wav")
+    info.filename = info.orig_filename = raw.decode("cp437")
+    assert unzip.paths_of([info]) == [path]
+
+
+def test_the_unicode_path_field_names_the_file() -> None:
+    info = zipfile.ZipInfo("x.wav")
+    info.filename = info.orig_filename = "t_r_auf.wav"
+    told = "tür_auf.wav".encode()
+    body = b"\x01" + zlib.crc32(b"t_r_auf.wav").to_bytes(4, "little") + told
+    info.extra = b"up" + len(body).to_bytes(2, "little") + body
+    assert unzip.paths_of([info]) == ["tür_auf.wav"]
+    info.orig_filename = "renamed.wav"  # the field is of another name, and no longer holds
+    info.filename = "renamed.wav"
+    assert unzip.paths_of([info]) == ["renamed.wav"]

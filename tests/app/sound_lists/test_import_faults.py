@@ -1,11 +1,11 @@
-"""Spreadsheets with faults: each is named, and nothing comes in."""
+"""Spreadsheets with faults: each is named, and stops no other row."""
 
 import io
 import zipfile
 
 import pytest
 
-from app.sound_lists.columns import read_cell
+from audio_checks import read_cell
 from tests.app.sound_lists.lists import the_list
 from tests.app.sound_lists.test_imports import cues, refused, send, workbook
 from tests.support.server import World
@@ -22,30 +22,31 @@ def test_one_wrong_mapping_is_one_error(world: World) -> None:
     )
 
 
-def test_every_wrong_cell_is_named_by_its_row_and_nothing_comes_in(world: World) -> None:
-    reported = send(
-        world,
+def test_every_wrong_cell_is_named_by_its_row_and_stops_no_other(world: World) -> None:
+    text = (
         "name,duration_s,loop,variations,state,reverb,category\n"
         "Fine,1.5,yes,2,locked,dry,ui\n"
         "Door,long,yes,2,locked,dry,ui\n"
         ",,,,,,ui\n"
         "Bell,1.5,perhaps,two,done,wet,ui\n"
         "fine,,,,,,\n"
-        "Gong,-1,no,200,cut,,a b!\n",
+        "Gong,-1,no,200,cut,,a b!\n"
     )
-    assert not reported["imported"]
+    assert send(world, text, atomic=True)["imported"] is False
+    assert the_list(world) == {"revision": 0, "cues": []}
+    reported = send(world, text)
+    assert (reported["imported"], reported["left_out"]) == (True, [3, 5, 7])
     assert {(fault["row"], fault["column"]) for fault in reported["errors"]} == {
         (3, "duration_s"),
-        (4, "name"),
         (5, "loop"),
-        (5, "variations"),
         (5, "state"),
         (5, "reverb"),
         (7, "duration_s"),
     }
     assert all(fault["message"] for fault in reported["errors"])
-    assert {fault["name"] for fault in reported["errors"]} == {"Door", "", "Bell", "Gong"}
-    assert the_list(world) == {"revision": 0, "cues": []}
+    assert {fault["name"] for fault in reported["errors"]} == {"Door", "Bell", "Gong"}
+    assert [cue["name"] for cue in cues(world)] == ["Fine", "fine"]
+    assert [(row["row"], row["text"]) for row in reported["skipped"]] == [(4, "ui")]
 
 
 @pytest.mark.parametrize("length", ["0", "0 ms", "0:00", "00:00:00", "-1"])
@@ -62,7 +63,7 @@ def test_faults_that_only_the_whole_row_shows(world: World) -> None:
         (4, "variations"),
     ]
     assert "belongs to row 2" in reported["errors"][0]["message"]
-    assert cues(world) == []
+    assert [cue["name"] for cue in cues(world)] == ["Door"]
 
 
 @pytest.mark.parametrize(
@@ -78,7 +79,7 @@ def test_twin_file_names(world: World, rows: str, words: str) -> None:
     (fault,) = reported["errors"]
     assert (fault["row"], fault["column"]) == (3, "file name")
     assert words in fault["message"]
-    assert cues(world) == []
+    assert [cue["name"] for cue in cues(world)] == ["a"]
 
 
 def bomb() -> bytes:

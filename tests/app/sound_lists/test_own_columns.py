@@ -165,7 +165,7 @@ def test_who_may_set_columns(world: World, by: str, status: int) -> None:
 
 def test_an_import_reads_a_column_by_its_name_or_as_mapped(world: World) -> None:
     set_columns(world, [MOOD, {"name": "Priority", "kind": "date"}])
-    guessed = send(world, "name,MOOD,Priority,Stimmung\nDoor,Calm,31/5/2026,\nGate,angry,4/6/2026,\n")
+    guessed = send(world, "name,MOOD,Priority,Stimmung\nDoor,Calm,31/5/2026,\nGate,angry,4/6/2026,\n", dry_run=True)
     assert [column["field"] for column in guessed["columns"]] == ["name", "own:Mood", "own:Priority", "extra"]
     (fault,) = guessed["errors"]
     assert (fault["row"], fault["column"]) == (3, "MOOD")

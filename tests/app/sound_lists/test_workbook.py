@@ -10,8 +10,8 @@ import python_calamine
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from app.sound_lists.columns import HEADS
 from app.sound_lists.schemas import ImportField
+from audio_checks import HEADS
 from tests.app.sound_lists.lists import add, columns_of, cut, set_columns, the_list
 from tests.app.sound_lists.test_imports import send
 from tests.support.server import World
@@ -90,6 +90,15 @@ def test_a_list_comes_back_without_a_difference(world: World, typed: list[dict[s
         assert [row["changes"] for row in read["rows"] if row["action"] != "same"] == []
         assert read["errors"] == []
         assert read["same"] == len(the_list(world)["cues"])
+
+
+def test_text_like_a_broken_formula_comes_back(world: World) -> None:
+    set_columns(world, [{"name": "Mood"}])
+    add(world, {"name": "Door", "description": "#N/A", "extra": {"Mood": "#REF!", "Kept": "#NAME?"}})
+    for content in (exported(world), world.producer.get(f"/v1/projects/{world.project_id}/sound-list.csv").content):
+        read = send(world, content, dry_run=True)
+        assert (read["errors"], read["same"]) == ([], 1)
+    assert send(world, "number,description\nSW-001,#N/A\n", dry_run=True)["errors"][0]["column"] == "description"
 
 
 def test_it_has_a_column_for_every_field_of_an_import(world: World) -> None:

@@ -60,15 +60,15 @@ def test_a_dry_run_writes_nothing(world: World) -> None:
     assert cue_names(world) == set()
 
 
-def test_a_fault_in_one_row_keeps_all_out_and_names_its_row(world: World) -> None:
-    read = sent(
-        world,
-        "Line ID,Character,Text\na_1,Maya,Hello\na_1,Maya,Again\na_3,,Nobody\na_4,Maya,\n"
-        + f"a_5,Maya,{'x' * 5_001}\n",
-    )
-    assert not read["imported"]
-    assert messages(read) == [(3, "Line ID"), (4, "Character"), (5, None), (6, "Text")]
+def test_a_fault_in_one_row_is_named_and_stops_no_other(world: World) -> None:
+    text = "Line ID,Character,Text\na_1,Maya,Hello\na_1,Maya,Again\na_3,,Nobody\na_4,Maya,\n"
+    text += f"a_5,Maya,{'x' * 5_001}\n"
+    assert not sent(world, text, atomic=True)["imported"]
     assert cue_names(world) == set()
+    read = sent(world, text)
+    assert (read["imported"], read["left_out"]) == (True, [3, 4, 5, 6])
+    assert messages(read) == [(3, "Line ID"), (4, "Character"), (5, None), (6, "Text")]
+    assert cue_names(world) == {"en_a_1"}
 
 
 def test_a_name_that_no_file_can_have_is_refused(world: World) -> None:
@@ -86,6 +86,15 @@ def test_text_like_fountain(world: World) -> None:
     assert found["captain_010"]["direction"] == "quietly"
     assert (found["maya_001"]["text"], found["maya_001"]["direction"]) == ("It is still open!", "V.O.")
     assert {line["scene"] for line in found.values()} == {"Bridge"}
+
+
+def test_a_line_of_two_spaces_goes_on_with_the_speech_above_it(world: World) -> None:
+    script = "INT. HALL\n\nANNA\nFirst half.\n  \nSecond half.\n   \nBOB\nYes.\n  \n\nShe leaves.\n"
+    read = sent(world, script, format="script", dry_run=True)
+    assert [(row["row"], row["action"]) for row in read["rows"]] == [(3, "add"), (8, "add")]
+    imported(world, script, format="script")
+    spoken = {(line["character"]["name"].upper(), line["text"]) for line in lines(world).values()}
+    assert spoken == {("ANNA", "First half. Second half."), ("BOB", "Yes.")}
 
 
 def test_a_script_without_ids_finds_its_lines_by_their_words(world: World) -> None:

@@ -6,7 +6,8 @@ import pytest
 
 from audio_checks.run.discovery import dry_stems
 from audio_checks.spec.delivery_spec import new_spec
-from audio_checks.spec.sound_list import dry_stem_name, read_sound_list
+from audio_checks.spec.sound_list import read_sound_list
+from audio_checks.spec.sound_names import dry_stem_name
 from tests.support.rooms import hits, in_a_room
 from tests.support.waves import write_wav
 

@@ -14,7 +14,7 @@ from audio_checks.run import discovery
 from audio_checks.run.discovery import audio_files
 from audio_checks.spec.delivery_spec import new_spec
 from audio_checks.spec.globs import matches
-from audio_checks.spec.sound_list import parse_file_name
+from audio_checks.spec.sound_names import parse_file_name
 from audio_checks.system.windows import reachable, unlimited, without_long_prefix
 from tests.support.waves import sine, write_wav
 

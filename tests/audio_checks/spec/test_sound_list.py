@@ -4,7 +4,8 @@ import pytest
 
 from audio_checks.errors import SpecError
 from audio_checks.spec.delivery_spec import CueFacts
-from audio_checks.spec.sound_list import TakeName, parse_file_name, read_sound_list, slug, stems_of, write_sound_list
+from audio_checks.spec.sound_list import read_sound_list, write_sound_list
+from audio_checks.spec.sound_names import TakeName, parse_file_name, slug, stems_of
 
 
 @pytest.mark.parametrize(
@@ -136,8 +137,8 @@ class TestSoundList:
     @pytest.mark.parametrize(
         ("text", "why"),
         [
-            ("", "names no column"),
-            ("title,length\na,b\n", "names no column"),
+            ("", "is empty"),
+            ("mood,length\na,1\n", "no column has numbers, names or file names"),
             ("number,number\n1,2\n", "twice"),
             ("number,name\n,\nx,\n,y\n", None),
             ("number,description\n,only this\n", "row 2: number"),
@@ -157,7 +158,7 @@ class TestSoundList:
         assert sounds.slot("laser")[0].number == "2"
 
     def test_a_file_that_cannot_be_read(self, tmp_path):
-        (tmp_path / "sounds.csv").write_bytes(b"number\n\xff\n")
+        (tmp_path / "sounds.csv").write_bytes(b"number\n\0\n")
         for name in ("sounds.csv", "none.csv"):
             with pytest.raises(SpecError) as caught:
                 read_sound_list(tmp_path / name)

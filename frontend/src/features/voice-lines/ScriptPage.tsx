@@ -11,6 +11,7 @@ import { queryKeys } from '@/api/queryKeys'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { sentence } from '@/app/Form'
 import { useHotkeys } from '@/app/keys'
+import { RefusedNamesList } from '@/app/RefusedNames'
 import { showToast } from '@/app/toast'
 import { useTitle } from '@/app/title'
 import { Button, ButtonLink } from '@/ui/Button'
@@ -29,7 +30,14 @@ import classes from './VoiceLines.module.css'
 const LARGEST_BYTES = 5_000_000
 const TYPING_MS = 300
 const SHOWN = 200
-const EMPTY = { text: '', form: 'paste' as 'paste' | 'script', language: 'en', mapping: {} as Record<string, string> }
+const EMPTY = {
+  text: '',
+  form: 'paste' as 'paste' | 'script',
+  language: 'en',
+  mapping: {} as Record<string, string>,
+  tab: null as string | null,
+  encoding: null as string | null,
+}
 const FIELDS = [
   ['key', 'Line ID'],
   ['character', 'Character'],
@@ -46,7 +54,7 @@ interface PickedFile {
   content: string
 }
 
-/** A script becomes voice lines: what would happen is shown row by row, and with any error nothing is imported. */
+/** A script becomes voice lines: what would happen is shown row by row; rows with errors are left out and named. */
 export function ScriptPage(): ReactNode {
   const { projectId = '' } = useParams({ strict: false })
   const navigate = useNavigate()
@@ -61,6 +69,9 @@ export function ScriptPage(): ReactNode {
     ...(file ? { format: file.format, content_base64: file.content } : { format: typed.form, text: typed.text }),
     language: typed.language.trim() || 'en',
     mapping: typed.mapping,
+    atomic: false,
+    keep_hidden: false,
+    ...(file && { tab: typed.tab, encoding: typed.encoding }),
   }
   const isGiven = file !== null || typed.text.trim() !== ''
   const [asked] = useDebouncedValue(JSON.stringify(body), TYPING_MS)
@@ -90,7 +101,7 @@ export function ScriptPage(): ReactNode {
     const format = /\.xlsx$/i.test(chosen.name) ? 'xlsx' : /\.(txt|fountain|md)$/i.test(chosen.name) ? 'script' : 'csv'
     try {
       setFile({ name: chosen.name, format, content: await base64Of(chosen) })
-      change({ mapping: {} })
+      change({ mapping: {}, tab: null, encoding: null })
     } catch {
       setUnread(`${chosen.name} could not be read from your disk. Choose it again.`)
     }
@@ -111,6 +122,11 @@ export function ScriptPage(): ReactNode {
     send.mutate(body, {
       onSuccess: (done) => {
         if (!done.imported) {
+          void plan.refetch()
+          return
+        }
+        if (done.left_out.length > 0) {
+          showToast(`${plural(done.added, 'line')} added, ${plural(done.left_out.length, 'row')} left out.`)
           void plan.refetch()
           return
         }
@@ -199,13 +215,15 @@ export function ScriptPage(): ReactNode {
               onMap={(name, meaning) => change({ mapping: { ...typed.mapping, [name]: meaning } })}
             />
           )}
+          <HowRead read={read} onTab={(tab) => change({ tab })} onEncoding={(encoding) => change({ encoding })} />
+          <RefusedNamesList refused={read.refused_names} />
           <Rows read={read} />
           <footer className={classes.bar} aria-label="Import">
             <div role="status">
               <p className="strong">{isWaiting ? 'Reading the script' : whatWould(read)}</p>
               {read.errors.length > 0 && (
                 <p className="small tone-bad toned">
-                  {plural(read.errors.length, 'error')}. Nothing is imported before they are fixed.
+                  {`${plural(read.errors.length, 'error')}: ${plural(read.left_out.length, 'row')} will be left out.`}
                 </p>
               )}
               {read.not_in_script.length > 0 && (
@@ -215,11 +233,7 @@ export function ScriptPage(): ReactNode {
               )}
             </div>
             {refused && <ProblemNote detail={sentence(refused.detail)} fix={refused.fix ?? undefined} />}
-            <Button
-              variant="primary"
-              disabled={read.errors.length > 0 || touched === 0 || isWaiting || send.isPending}
-              onClick={put}
-            >
+            <Button variant="primary" disabled={touched === 0 || isWaiting || send.isPending} onClick={put}>
               {touched === 0 ? 'Nothing to import' : `Import ${plural(touched, 'line')}`}
             </Button>
           </footer>
@@ -234,6 +248,54 @@ function whatWould({ added, changed, same, cues_added: cues, stale }: ScriptRead
   if (cues > 0) parts.push(`${plural(cues, 'cue')} to add to the sound list`)
   if (stale > 0) parts.push(`takes of ${plural(stale, 'text')} become stale`)
   return parts.join(', ')
+}
+
+interface HowReadProps {
+  read: ScriptRead
+  onTab: (tab: string) => void
+  onEncoding: (encoding: string) => void
+}
+
+/** The tab and the encoding that were chosen, and the rows that the spreadsheet hides. */
+function HowRead({ read: { tabs, encoding, skipped }, onTab, onEncoding }: HowReadProps) {
+  if (tabs.length < 2 && !encoding?.is_guess && skipped.length === 0) return null
+  return (
+    <Card aria-labelledby="how-read">
+      <CardHead id="how-read" title="How the script was read" />
+      <div className={classes.form}>
+        {tabs.length > 1 && (
+          <Select
+            label="Tab"
+            value={tabs.find(({ is_read }) => is_read)?.name ?? ''}
+            onChange={(event) => onTab(event.currentTarget.value)}
+          >
+            {tabs.map(({ name, rows, is_hidden }) => (
+              <option key={name} value={name}>
+                {`${name} (${plural(rows, 'row')}${is_hidden ? ', hidden' : ''})`}
+              </option>
+            ))}
+          </Select>
+        )}
+        {encoding?.is_guess && (
+          <Select
+            label="Encoding, guessed from the letters"
+            value={encoding.name}
+            onChange={(event) => onEncoding(event.currentTarget.value)}
+          >
+            {[encoding.name, ...encoding.others].map((name) => (
+              <option key={name}>{name}</option>
+            ))}
+          </Select>
+        )}
+        {skipped.map(({ row, text, why }) => (
+          <p key={row} className="small">
+            {`Row ${row} is not read: ${text}. `}
+            <span className="mid">{why}</span>
+          </p>
+        ))}
+      </div>
+    </Card>
+  )
 }
 
 function Columns({ read, onMap }: { read: ScriptRead; onMap: (name: string, meaning: string) => void }) {

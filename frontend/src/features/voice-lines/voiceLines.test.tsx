@@ -183,7 +183,13 @@ test('a script is read before it is imported, with errors by row', async () => {
         changes: [],
       },
     ],
+    tabs: [],
+    encoding: null,
+    skipped: [{ row: 1, kind: 'hidden', text: 'Old', why: 'the spreadsheet hides this row' }],
+    guesses: [],
     errors: [{ row: 9, column: 'Character', message: 'no character' }],
+    left_out: [9],
+    refused_names: { names: [], patterns: [] },
     added: 1,
     changed: 0,
     same: 0,
@@ -196,7 +202,9 @@ test('a script is read before it is imported, with errors by row', async () => {
   await userEvent.click(await screen.findByRole('button', { name: 'Text of a script' }))
   await userEvent.type(screen.getByRole('textbox', { name: 'Text' }), 'MAYA')
   expect(await screen.findByText(/Row 9, Character/)).toBeVisible()
-  expect(screen.getByRole('button', { name: 'Import 1 line' })).toBeDisabled()
+  expect(screen.getByText('Row 1 is not read: Old.', { exact: false })).toBeVisible()
+  expect(screen.getByText('1 error: 1 row will be left out.')).toBeVisible()
+  expect(screen.getByRole('button', { name: 'Import 1 line' })).toBeEnabled()
   const body = wrote(asked, 'POST /v1/projects/p1/voice-lines/import').at(-1)?.body
   expect(body).toMatchObject({ format: 'script', text: 'MAYA', language: 'en', dry_run: true })
   expect(await violations()).toEqual([])

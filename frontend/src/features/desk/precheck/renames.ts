@@ -14,7 +14,10 @@ export function heldStateOf({ findings, cue, listName }: HeldFile): HeldState {
 
 /** Whether another name may help: a file with its cue and no finding in its name keeps the one that it has. */
 export const isRenamable = ({ findings, cue, listName, firstName }: HeldFile): boolean =>
-  firstName !== null || listName !== null || cue === '' || findings.some(({ code }) => code.startsWith('naming:'))
+  firstName !== null ||
+  listName !== null ||
+  cue === '' ||
+  findings.some(({ code }) => code.startsWith('naming:') && code !== 'naming:listed')
 
 export const wantedName = ({ wanted }: HeldFile): string => wanted.trim()
 

@@ -2,6 +2,7 @@ import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 
 import { projectQuery } from '@/api/project'
+import { RefusedNamesNote } from '@/app/RefusedNames'
 import { useTitle } from '@/app/title'
 import { EmptyState } from '@/ui/EmptyState'
 
@@ -42,7 +43,10 @@ export function SpecPage() {
   return (
     <div className="page">
       {project && spec && checks ? (
-        <SpecEditor key={projectId} project={project} spec={spec} />
+        <>
+          <SpecEditor key={projectId} project={project} spec={spec} />
+          <RefusedNamesNote projectId={projectId} edits />
+        </>
       ) : (
         <h1>Delivery spec</h1>
       )}

@@ -26,7 +26,17 @@ const aRow = (row: number, action: string, name: string, more = {}) => ({
   changes: [],
   ...more,
 })
+const READ = {
+  tabs: [],
+  encoding: null,
+  unread: [],
+  skipped: [],
+  guesses: [],
+  left_out: [],
+  refused_names: { names: [], patterns: [] },
+}
 const PLAN = {
+  ...READ,
   header_row: 1,
   columns: COLUMNS,
   rows: [
@@ -73,22 +83,95 @@ test('a dry run says what happens to every row; then it is imported', async () =
   await waitFor(() => expect(app.at()).toBe(server.path))
 })
 
-test('errors stand at their row, and nothing can be imported until they are gone', async () => {
-  const { app } = opened({
+test('errors stand at their row and stop no other; what is left stays to be fixed', async () => {
+  const { app, sent } = opened(({ body }: Asked) => ({
     ...PLAN,
     rows: PLAN.rows.slice(0, 1),
     errors: [{ row: 4, column: 'Len', message: 'wanted seconds such as 1.5, found "long"' }],
+    left_out: [4],
     changed: 0,
-  })
+    imported: !(body as { dry_run: boolean }).dry_run,
+  }))
   await type('Sound\tLen\na\tlong')
   const wrong = await screen.findByRole('row', { name: /Error/ })
   expect(wrong).toHaveTextContent('Len: wanted seconds such as 1.5, found "long"')
   expect(within(wrong).getByText('4')).toBeInTheDocument()
-  expect(screen.getByRole('button', { name: 'Import 1 cue' })).toBeDisabled()
-  await userEvent.click(screen.getByRole('button', { name: '1 with errors' }))
+  await userEvent.click(screen.getByRole('button', { name: 'Import 1 cue' }))
+  expect(await screen.findByText('1 cue added. 1 row left out: fix them below.')).toBeInTheDocument()
+  await waitFor(() => expect(sent().at(-1)).toMatchObject({ dry_run: true, skip_rows: [2] }))
+  await userEvent.click(await screen.findByRole('button', { name: '1 with errors' }))
   expect(screen.queryByText('door_open', { selector: 'th' })).not.toBeInTheDocument()
   expect(screen.getByRole('textbox', { name: 'Pasted rows' })).toHaveValue('Sound\tLen\na\tlong')
   expect(app.at()).toMatch(/import$/)
+})
+
+test('what was guessed, skipped and not read is said, and can be undone', async () => {
+  const { sent } = opened({
+    ...PLAN,
+    tabs: [
+      { name: 'UI', rows: 3, heads: ['Sound'], is_hidden: false, is_read: true },
+      { name: 'Ambience', rows: 9, heads: ['Sound'], is_hidden: false, is_read: false },
+    ],
+    encoding: { name: 'shift-jis', is_guess: true, others: ['mac-roman'] },
+    skipped: [{ row: 5, kind: 'section', text: 'UI SOUNDS', why: 'in capitals' }],
+    guesses: [{ row: 2, column: 'Len', kind: 'reading', text: '1-2 s', value: '1.5', why: 'the middle of 1 to 2 s' }],
+    unread: [{ name: 'Mood', is_kept: true, cells: 1, why: 'no field of the list is called so' }],
+    refused_names: {
+      names: [
+        {
+          row: 2,
+          cue_id: null,
+          label: null,
+          name: 'Door',
+          category: '',
+          stem: 'DOOR',
+          rule: 'pattern',
+          message: 'name "DOOR"',
+          proposed: 'door',
+        },
+      ],
+      patterns: [],
+    },
+  })
+  await type('Sound\tLen\tMood\na\t1\tcalm')
+  expect(await screen.findByText('Not read: Ambience. Import it next.')).toBeInTheDocument()
+  expect(screen.getByText('the middle of 1 to 2 s')).toBeInTheDocument()
+  expect(screen.getByText('no field of the list is called so')).toBeInTheDocument()
+  expect(screen.getByRole('region', { name: 'File names that the spec refuses' })).toHaveTextContent('DOOR → door')
+  await userEvent.click(screen.getByRole('button', { name: 'Read row 5 as a cue' }))
+  await waitFor(() => expect(sent().at(-1)).toMatchObject({ keep_rows: [5] }))
+  await userEvent.selectOptions(screen.getByRole('combobox', { name: /^Tab/ }), 'Ambience')
+  await waitFor(() => expect(sent().at(-1)).toMatchObject({ tab: 'Ambience' }))
+  await userEvent.selectOptions(screen.getByRole('combobox', { name: /^Encoding/ }), 'mac-roman')
+  await waitFor(() => expect(sent().at(-1)).toMatchObject({ encoding: 'mac-roman' }))
+  await userEvent.click(screen.getByRole('checkbox', { name: 'Rename files that the delivery spec refuses' }))
+  await waitFor(() => expect(sent().at(-1)).toMatchObject({ use_proposed_names: true }))
+})
+
+test('after an import no page says that the list is empty', async () => {
+  const server = new ListServer([])
+  let imported = false
+  const { cues: filled } = { cues: [aCue(1, 'door_open')] }
+  let answerList: () => void = () => undefined
+  server.answers[`GET ${server.at}/sound-list`] = async () => {
+    if (!imported) return { revision: 0, cues: [], next: null }
+    await new Promise<void>((resolve) => (answerList = resolve))
+    return { revision: 1, cues: filled, next: null }
+  }
+  server.answers[`POST ${server.at}/sound-list/import`] = ({ body }: Asked) => {
+    imported = !(body as { dry_run: boolean }).dry_run
+    return { ...PLAN, imported, revision: 1 }
+  }
+  const app = openApp(server.path)
+  await screen.findByRole('heading', { name: /empty/ })
+  await userEvent.click(screen.getAllByRole('button', { name: /Paste or import/ })[0] as HTMLElement)
+  await type('Sound\ndoor_open')
+  await userEvent.click(await screen.findByRole('button', { name: 'Import 2 cues' }))
+  await waitFor(() => expect(app.at()).toBe(server.path))
+  expect(screen.queryByText(/0 cues/)).not.toBeInTheDocument()
+  expect(screen.queryByRole('heading', { name: /empty/ })).not.toBeInTheDocument()
+  await waitFor(() => answerList())
+  expect(await screen.findByText(/door_open/)).toBeInTheDocument()
 })
 
 test('a column is read as what the person says; a field moves and is never read twice', async () => {

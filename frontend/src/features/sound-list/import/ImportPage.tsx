@@ -8,6 +8,7 @@ import { DraftNote } from '@/app/drafts'
 import { base64Of } from '@/api/base64'
 import { queryKeys } from '@/api/queryKeys'
 import { useHotkeys } from '@/app/keys'
+import { RefusedNamesList } from '@/app/RefusedNames'
 import { showToast } from '@/app/toast'
 import { useTitle } from '@/app/title'
 import { Button, ButtonLink } from '@/ui/Button'
@@ -24,21 +25,23 @@ import { columnsQuery, type OwnColumn } from '../columns/api'
 import { type ImportField, type ImportRead, importSheet, useImport } from './api'
 import classes from './Import.module.css'
 import { ImportRows } from './ImportRows'
+import { ReadNotes } from './ReadNotes'
 import { EMPTY_SHEET, keepSheet, keptSheet, mappingFor, type SheetDraft } from './pasted'
 import { IMPORT_FIELDS } from '../words'
 
 const LARGEST_BYTES = 5_000_000
 const TYPING_MS = 300
 
-const bodyOf = ({ text, file, mapping, match }: SheetDraft) => ({
+const bodyOf = ({ text, file, mapping, match, read }: SheetDraft) => ({
   ...(file ? { format: file.format, content_base64: file.contentBase64 } : { format: 'paste' as const, text }),
   mapping,
   match,
+  ...read,
 })
 
 const isGiven = ({ text, file }: SheetDraft): boolean => file !== null || text.trim() !== ''
 
-/** A spreadsheet becomes cues: what would happen is shown row by row, and with any error nothing is imported. */
+/** A spreadsheet becomes cues: what would happen is shown row by row, with every guess; rows with errors stay out. */
 export function ImportPage(): ReactNode {
   const { projectId = '' } = useParams({ strict: false })
   const navigate = useNavigate()
@@ -79,7 +82,12 @@ export function ImportPage(): ReactNode {
       return
     }
     try {
-      setSheet({ ...sheet, mapping: {}, file: { name: file.name, format, contentBase64: await base64Of(file) } })
+      setSheet({
+        ...sheet,
+        mapping: {},
+        read: {},
+        file: { name: file.name, format, contentBase64: await base64Of(file) },
+      })
     } catch {
       setUnread(`${file.name} could not be read from your disk. Choose it again.`)
     }
@@ -121,11 +129,17 @@ export function ImportPage(): ReactNode {
   const problem = given ? problemIn(plan.error) : null
   const refused = problemIn(send.error)
   const put = () => {
-    if (read === undefined || isStale || read.errors.length > 0) return
+    if (read === undefined || isStale) return
     send.mutate(bodyOf(sheet), {
       onSuccess: (done) => {
         if (!done.imported) {
           void plan.refetch()
+          return
+        }
+        if (done.left_out.length > 0) {
+          const imported = done.rows.map(({ row }) => row)
+          setSheet({ ...sheet, read: { ...sheet.read, skip_rows: [...(sheet.read.skip_rows ?? []), ...imported] } })
+          showToast(`${whatBecame(done)}. ${plural(done.left_out.length, 'row')} left out: fix them below.`)
           return
         }
         outlives.current = true
@@ -160,7 +174,7 @@ export function ImportPage(): ReactNode {
         <div>
           <h1>Paste or import</h1>
           <p className="mid">
-            Turn the rows of a spreadsheet into cues. Nothing is imported while any row has an error.
+            Turn the rows of a spreadsheet into cues. Rows with an error are left out until you fix them.
           </p>
         </div>
         <ButtonLink component={Link} to={`/projects/${projectId}/sound-list`} keys="Escape">
@@ -178,7 +192,7 @@ export function ImportPage(): ReactNode {
           {sheet.file ? (
             <p className={classes.file}>
               <span className="mono">{sheet.file.name}</span>
-              <Button onClick={() => setSheet({ ...sheet, mapping: {}, file: null })}>Remove file</Button>
+              <Button onClick={() => setSheet({ ...sheet, mapping: {}, read: {}, file: null })}>Remove file</Button>
             </p>
           ) : (
             <Textarea
@@ -234,20 +248,22 @@ export function ImportPage(): ReactNode {
             onMap={(name, field) => setSheet({ ...sheet, mapping: mapped(sheet.mapping, name, field) })}
             onMatch={(match) => setSheet({ ...sheet, match })}
           />
+          <ReadNotes read={read} reading={sheet.read} onRead={(reading) => setSheet({ ...sheet, read: reading })} />
+          <RefusedNamesList refused={read.refused_names} />
           <ImportRows read={read} />
           <footer className={classes.bar} aria-label="Import">
             <div className={classes.says} role="status">
               <p className="strong">{isStale ? 'Reading the spreadsheet' : whatWould(read)}</p>
               {read.errors.length > 0 && (
                 <p className="small tone-bad toned">
-                  {plural(read.errors.length, 'error')} Fix the rows, or map the columns differently.
+                  {`${plural(read.errors.length, 'error')}: ${plural(read.left_out.length, 'row')} will be left out. Fix the rows, or map the columns differently.`}
                 </p>
               )}
             </div>
             {refused && <ProblemNote detail={refused.detail} fix={refused.fix} />}
             <Button
               variant="primary"
-              disabled={read.errors.length > 0 || read.added + read.changed === 0 || isStale || send.isPending}
+              disabled={read.added + read.changed === 0 || isStale || send.isPending}
               onClick={put}
             >
               {read.added + read.changed === 0

@@ -6,13 +6,20 @@ import type { components } from '@/api/schema.gen'
 import { type Cue, refreshList } from '../api'
 
 type Schemas = components['schemas']
-export type ImportAsk = Schemas['ImportAsk']
+type Told = Schemas['ImportAsk']
+type Switch = 'atomic' | 'fill_down' | 'keep_hidden' | 'use_proposed_names'
+export type ImportAsk = Omit<Told, Switch> & Partial<Pick<Told, Switch>>
 export type ImportRead = Schemas['ImportRead']
 export type ImportField = ImportRead['columns'][number]['field']
 
+const SWITCHES = { atomic: false, fill_down: true, keep_hidden: false, use_proposed_names: false }
+
 export const importSheet = (projectId: string, body: ImportAsk): Promise<ImportRead> =>
   answered(
-    api.POST('/v1/projects/{project_id}/sound-list/import', { params: { path: { project_id: projectId } }, body }),
+    api.POST('/v1/projects/{project_id}/sound-list/import', {
+      params: { path: { project_id: projectId } },
+      body: { ...SWITCHES, ...body },
+    }),
   )
 
 /** Import a sheet for good. */
@@ -47,6 +54,7 @@ export function useSetForSeveral(projectId: string) {
         mapping: { number: 'number', [field]: field },
         match: 'number',
         dry_run: false,
+        atomic: true,
       })
       const fault = answer.errors[0]
       if (fault) {

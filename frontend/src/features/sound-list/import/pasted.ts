@@ -10,14 +10,33 @@ export interface SheetDraft {
   /** What the person chose; every other column is read as guessed. */
   mapping: Record<string, ImportField>
   match: NonNullable<ImportAsk['match']>
+  /** What the person changed of how the sheet is read; the rest is as the server guesses. */
+  read: SheetReading
 }
 
-export const EMPTY_SHEET: SheetDraft = { text: '', file: null, mapping: {}, match: 'number' }
+export type SheetReading = Pick<
+  Partial<ImportAsk>,
+  | 'tab'
+  | 'encoding'
+  | 'fill_down'
+  | 'keep_hidden'
+  | 'skip_rows'
+  | 'keep_rows'
+  | 'frame_rate_fps'
+  | 'sample_rate_hz'
+  | 'day_first'
+  | 'use_proposed_names'
+>
+
+export const EMPTY_SHEET: SheetDraft = { text: '', file: null, mapping: {}, match: 'number', read: {} }
 
 const keyOf = (projectId: string) => `import:${projectId}`
 
 /** A sheet survives leaving the page, until it is imported. */
-export const keptSheet = (projectId: string): SheetDraft | null => keptDraft(keyOf(projectId))
+export const keptSheet = (projectId: string): SheetDraft | null => {
+  const kept = keptDraft<SheetDraft>(keyOf(projectId))
+  return kept && { ...EMPTY_SHEET, ...kept }
+}
 
 /** Keep it; the answer is whether it outlives a reload, which a large file does not. */
 export const keepSheet = (projectId: string, sheet: SheetDraft | null, handedOver = false): boolean =>

@@ -2,6 +2,7 @@ import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 import type { ReactNode } from 'react'
 
+import { RefusedNamesNote } from '@/app/RefusedNames'
 import { Button, ButtonLink } from '@/ui/Button'
 import { plural } from '@/ui/format'
 import { type NeedSum, NeedSums } from '@/ui/NeedSums'
@@ -74,6 +75,9 @@ export function ListHead({
         <NeedSums sums={needs} />
       </div>
       <CoverageNote projectId={projectId} />
+      {list?.cues.some(({ refused_name }) => refused_name) && (
+        <RefusedNamesNote projectId={projectId} edits={mayEdit} />
+      )}
     </header>
   )
 }

@@ -1,0 +1,117 @@
+"""What the columns of a sound list are read as, by their heads and their cells, and the names that its rows give."""
+
+import re
+import unicodedata
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from audio_checks.spec.list_cells import (
+    PLAIN,
+    SAMPLED,
+    CellContext,
+    is_day_first,
+    says_loop,
+    says_need,
+    unreadable,
+)
+from audio_checks.spec.list_heads import head_of
+from audio_checks.spec.sound_names import AUDIO_SUFFIXES, slug
+
+SHOWN_CELLS = 3
+FIELD_WORDS = {
+    "duration_s": "lengths",
+    "frame_rate_fps": "frame rates",
+    "variations": "whole numbers",
+    "playback_priority": "whole numbers",
+    "state": "concept, prototype, locked or cut",
+    "reverb": "dry, designed-tail or separate-tail",
+    "need": "must, should or wish",
+    "due_on": "days",
+}
+
+
+@dataclass(frozen=True)
+class ColumnGuess:
+    """What a column is read as."""
+
+    field: str | None  # None: nothing that a list has a field for
+    context: CellContext = PLAIN
+    is_ours: bool = False  # its head is written exactly as we export it
+    note: str = ""  # what was guessed beyond the head, or why the column is none of the field that its head names
+
+
+def guess_column(name: str, cells: Sequence[str], rates: CellContext, *, has_rate_column: bool = False) -> ColumnGuess:
+    """Return what a column is read as.
+
+    Parameters
+    ----------
+    name : str
+        Its head.
+    cells : sequence of str
+        Its cells, empty ones too.
+    rates : CellContext
+        The rates and the order of day and month that the caller knows.
+    has_rate_column : bool
+        Whether rows say their own frame rate.
+    """
+    head = head_of(name)
+    day_first = rates.day_first if rates.day_first is not None else is_day_first(cells)
+    context = replace(rates, unit_s=head.unit_s, counted=head.counted, day_first=day_first)
+    field, note = head.field, head.note
+    if field is None:
+        return ColumnGuess(None, context, note=note)
+    if head.is_ours:
+        return ColumnGuess(field, context, is_ours=True)
+    if field == "category" and says_loop(cells):
+        field, note = "loop", "every cell says loop or one-shot"
+    elif field == "playback_priority" and says_need(cells):
+        field, note = "need", "its cells say how much a sound is needed, not which sound an engine drops first"
+    elif field == "playback_priority":
+        note = "numbers: which sound an engine drops first; map the column to need if they say what the game needs"
+    if head.counted and not _has_rate(head.counted, rates, has_rate_column=has_rate_column):
+        rate = "frame rate" if head.counted == "frames" else "sample rate"
+        return ColumnGuess(None, context, note=f"a length in {head.counted}; say the {rate} to read it")
+    filled = [cell for cell in cells if cell.strip()][:SAMPLED]
+    judged = replace(context, counted="") if has_rate_column else context
+    wrong = unreadable(field, filled, judged)
+    if 2 * len(wrong) > len(filled):
+        shown = ", ".join(f'"{cell[:30]}"' for cell in dict.fromkeys(wrong[:SHOWN_CELLS]))
+        wanted = FIELD_WORDS.get(field, "yes or no")
+        return ColumnGuess(None, context, note=f"{len(wrong)} of {len(filled)} cells are not {wanted}: {shown}")
+    return ColumnGuess(field, context, note=note)
+
+
+def _has_rate(counted: str, rates: CellContext, *, has_rate_column: bool) -> bool:
+    if counted == "frames":
+        return bool(rates.frame_rate_fps) or has_rate_column
+    return bool(rates.sample_rate_hz)
+
+
+@dataclass(frozen=True)
+class RowNames:
+    """The names that a row gives its cue."""
+
+    name: str
+    file_name: str
+    note: str = ""  # what was taken away, and from what
+
+
+def names_in_row(name: str, file_name: str) -> RowNames:
+    """Return the names of a row's cue: a name that is a file's names the file too, and no folder is part of a name.
+
+    `laser.wav` in the column of names is the cue `laser`, whose file is `laser.wav`.
+    """
+    notes = []
+    bare_file = re.split(r"[/\\]", file_name.strip())[-1]
+    if bare_file != file_name.strip() and bare_file:
+        notes.append(f'"{file_name.strip()[:80]}" is read as {bare_file[:80]}; folders are not part of a name')
+        file_name = bare_file
+    stem, dot, ending = name.strip().rpartition(".")
+    if stem and (dot + ending).lower() in AUDIO_SUFFIXES:
+        bare = unicodedata.normalize("NFC", re.split(r"[/\\]", stem)[-1]).strip()
+        if bare:
+            notes.append(f'"{name.strip()[:80]}" is read as {bare[:80]}; the ending is not part of a name')
+            if not file_name.strip() and slug(bare) != bare:
+                file_name = bare
+            name = bare
+    return RowNames(name, file_name, "; ".join(notes))
