@@ -1,6 +1,5 @@
 """Serves the web application, and drains connections before a stopping process closes its port."""
 
-import contextlib
 import gc
 import socket
 import threading
@@ -38,8 +37,12 @@ def serve(app: ASGIApp, listening: socket.socket, *, drain_s: float, finish_s: i
         http=BoundedHttpProtocol, ws="none",
     )  # fmt: skip
     server = SteppedServer(config, stopping, drain_s)
-    with contextlib.suppress(KeyboardInterrupt):  # the signal that ended it, raised once more
+    try:
         server.run([listening])
+    except KeyboardInterrupt:  # the signal that ended it, raised once more
+        pass
+    finally:
+        stopping.set()
     if not server.started:
         raise SystemExit(STARTUP_FAILED)
 
