@@ -243,6 +243,7 @@ ImportField = Literal[
 
 
 OwnField = Annotated[str, Field(pattern=r"^own:.", max_length=80, description="A column of the list's own, by name.")]
+RowNumber = Annotated[int, Field(ge=1, le=1_048_576)]  # as many rows as a workbook can have
 
 
 class ImportAsk(Schema):
@@ -273,10 +274,10 @@ class ImportAsk(Schema):
         default_factory=list, max_length=200, description="Columns whose empty cells take the value of the cell above."
     )
     keep_hidden: bool = Field(False, description="Read the rows and columns that the spreadsheet hides.")
-    skip_rows: list[int] = Field(
+    skip_rows: list[RowNumber] = Field(
         default_factory=list, max_length=20_000, description="Rows to leave out, by their numbers in the sheet."
     )
-    keep_rows: list[int] = Field(
+    keep_rows: list[RowNumber] = Field(
         default_factory=list, max_length=20_000, description="Rows to read as cues although they look like none."
     )
     frame_rate_fps: float | None = Field(None, gt=0, le=1000, description="For lengths in frames.")
