@@ -1,7 +1,7 @@
 import type { Draft } from './useDraft'
 
 /** Says that a form shows what was typed before, with a way back to what it began with. */
-export function DraftNote({ draft }: { draft: Draft }) {
+export function DraftNote({ draft }: { draft: Pick<Draft, 'isRestored' | 'discard'> }) {
   if (!draft.isRestored) return null
   return (
     <p className="small mid" role="status">

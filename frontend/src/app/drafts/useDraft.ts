@@ -5,6 +5,8 @@ import { keepDraft, keptDraft } from './store'
 export interface Draft {
   /** What is shown was typed before this page was opened. */
   isRestored: boolean
+  /** What is shown differs from what the form began with, which is what is saved. */
+  isChanged: boolean
   /** Go back to what the form began with. */
   discard: () => void
 }
@@ -61,5 +63,6 @@ export function useDraft<T>(
     keepDraft(key, null)
     setHeld((before) => ({ ...before, value: before.begun, isRestored: false }))
   }
-  return [value, set, { isRestored: now.isRestored && !same(value, begun), discard }]
+  const isChanged = !same(value, begun)
+  return [value, set, { isRestored: now.isRestored && isChanged, isChanged, discard }]
 }

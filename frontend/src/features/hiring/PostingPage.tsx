@@ -1,8 +1,8 @@
 import { Checkbox, Textarea, TextInput } from '@mantine/core'
 import { Link, useParams } from '@tanstack/react-router'
-import { type FormEvent, useState } from 'react'
+import { type FormEvent, type ReactNode, useState } from 'react'
 
-import { DraftNote, useDraft } from '@/app/drafts'
+import { type Draft, DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { amount, minorOf } from '@/money/words'
 import { Button } from '@/ui/Button'
@@ -13,6 +13,7 @@ import { Select } from '@/ui/Select'
 
 import {
   type Posting,
+  type PostingAdd,
   useInvite,
   useMakeLink,
   useMovePosting,
@@ -32,12 +33,18 @@ import { STATE_WORDS } from './words'
 export function PostingPage() {
   const { projectId, postingId } = useParams({ from: '/shell/projects/$projectId/postings/$postingId' })
   const { posting, missing } = usePosting(postingId)
+  const move = useMovePosting(postingId) // held here: a save draws the form anew before the posting opens
   if (posting === undefined) return missing
   return (
     <div className={`page stack ${classes.sheet}`}>
-      <Head posting={posting} projectId={projectId} />
-      <AskedCard lines={posting.lines} />
-      {posting.state !== 'awarded' && <Fields key={posting.revision} posting={posting} />}
+      {posting.state === 'awarded' ? (
+        <>
+          <Head posting={posting} projectId={projectId} move={move} />
+          <AskedCard lines={posting.lines} />
+        </>
+      ) : (
+        <Written key={posting.revision} posting={posting} projectId={projectId} move={move} />
+      )}
       <PeopleCard posting={posting} />
       {posting.state !== 'awarded' && <ChooseFromRoster posting={posting} />}
       <QuestionsCard posting={posting} />
@@ -45,8 +52,18 @@ export function PostingPage() {
   )
 }
 
-function Head({ posting, projectId }: { posting: Posting; projectId: string }) {
-  const move = useMovePosting(posting.id)
+type Move = ReturnType<typeof useMovePosting>
+
+interface HeadProps {
+  posting: Posting
+  projectId: string
+  move: Move
+  /** What opens it; without it the posting is awarded, and stays as it is. */
+  open?: { isChanged: boolean; isSaving: boolean; run: () => void }
+  children?: ReactNode
+}
+
+function Head({ posting, projectId, move, open, children }: HeadProps) {
   const { state, bids } = posting
   return (
     <div className="stack">
@@ -62,13 +79,13 @@ function Head({ posting, projectId }: { posting: Posting; projectId: string }) {
         </p>
       </div>
       <div className="row wrap">
-        {(state === 'draft' || state === 'closed') && (
+        {open && (state === 'draft' || state === 'closed') && (
           <Button
             variant={state === 'draft' ? 'primary' : 'plain'}
-            aria-busy={move.isPending}
-            onClick={() => move.mutate('open')}
+            aria-busy={move.isPending || open.isSaving}
+            onClick={open.run}
           >
-            {state === 'draft' ? 'Open for bids' : 'Open again'}
+            {openWords(state, open.isChanged)}
           </Button>
         )}
         {state === 'open' && (
@@ -95,99 +112,168 @@ function Head({ posting, projectId }: { posting: Posting; projectId: string }) {
           </Link>
         )}
       </div>
+      {children}
       <Refusal error={move.error} />
     </div>
   )
 }
 
+const openWords = (state: Posting['state'], isChanged: boolean) =>
+  `${isChanged ? 'Save and open' : 'Open'} ${state === 'draft' ? 'for bids' : 'again'}`
+
 const typed = (minor: number | null, currency: string) => (minor === null ? '' : amount(minor, currency))
 
-function Fields({ posting }: { posting: Posting }) {
-  const { currency } = posting
-  const [now, set, draft] = useDraft(`posting:${posting.id}`, {
-    title: posting.title,
-    text: posting.text,
-    phase: posting.phase,
-    price: typed(posting.price_minor, currency),
-    budget: typed(posting.budget_minor, currency),
-    isShown: posting.is_budget_shown,
-    floor: typed(posting.rate_floor_minor, currency),
-    currency,
-    categories: posting.categories.join(', '),
-    until: posting.bids_until_on ?? '',
-    from: posting.work_from_on ?? '',
-    to: posting.work_to_on ?? '',
-    headings: posting.headings.join('\n'),
-  })
-  const save = useSavePosting(posting.id)
-  const [wrong, setWrong] = useState<string | null>(null)
-  const isFixed = posting.state !== 'draft'
-  const put = (changes: Partial<typeof now>) => set((before) => ({ ...before, ...changes }))
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    if (save.isPending) return
-    const code = now.currency.trim().toUpperCase()
-    if (!/^[A-Z]{3}$/.test(code)) return setWrong('Enter a currency of three letters, such as USD.')
-    const sums = [now.price, now.budget, now.floor].map((text) => (text.trim() === '' ? null : minorOf(text, code)))
-    const isUnread = [now.price, now.budget, now.floor].some((text, at) => text.trim() !== '' && sums[at] === null)
-    if (isUnread) return setWrong(`Enter sums in ${code}, such as 1,200.00.`)
-    setWrong(null)
-    const categories = now.categories
-      .split(',')
-      .map((one) => one.trim())
-      .filter(Boolean)
-    const scope = posting.scope === 'cues' ? 'cues' : categories.length > 0 ? 'categories' : 'all'
-    return save.mutate(
-      {
-        title: now.title,
-        text: now.text,
-        phase: now.phase,
-        currency: code,
-        price_minor: sums[0] ?? null,
-        budget_minor: sums[1] ?? null,
-        is_budget_shown: now.isShown,
-        rate_floor_minor: sums[2] ?? null,
-        scope,
-        categories,
-        cue_ids: posting.cue_ids,
-        headings: now.headings
-          .split('\n')
-          .map((one) => one.trim())
-          .filter(Boolean),
-        bids_until_on: now.until || null,
-        work_from_on: now.from || null,
-        work_to_on: now.to || null,
-        revision: posting.revision,
-      },
-      {
-        onSuccess: () => {
-          draft.discard()
-          showToast('Posting saved.')
-        },
-      },
-    )
+const fieldsOf = (posting: Posting) => ({
+  title: posting.title,
+  text: posting.text,
+  phase: posting.phase,
+  price: typed(posting.price_minor, posting.currency),
+  budget: typed(posting.budget_minor, posting.currency),
+  isShown: posting.is_budget_shown,
+  floor: typed(posting.rate_floor_minor, posting.currency),
+  currency: posting.currency,
+  categories: posting.categories.join(', '),
+  until: posting.bids_until_on ?? '',
+  from: posting.work_from_on ?? '',
+  to: posting.work_to_on ?? '',
+  headings: posting.headings.join('\n'),
+})
+type PostingFields = ReturnType<typeof fieldsOf>
+
+const partsOf = (text: string, separator: string) =>
+  text
+    .split(separator)
+    .map((part) => part.trim())
+    .filter(Boolean)
+
+type PostingBody = PostingAdd & { revision: number }
+
+/** What is typed as it is sent, or what cannot be read. */
+function bodyOf(fields: PostingFields, posting: Posting): { body: PostingBody } | { wrong: string } {
+  const currency = fields.currency.trim().toUpperCase()
+  if (!/^[A-Z]{3}$/.test(currency)) return { wrong: 'Enter a currency of three letters, such as USD.' }
+  const typedSums = [fields.price, fields.budget, fields.floor]
+  const sums = typedSums.map((text) => (text.trim() === '' ? null : minorOf(text, currency)))
+  const isUnread = typedSums.some((text, at) => text.trim() !== '' && sums[at] === null)
+  if (isUnread) return { wrong: `Enter sums in ${currency}, such as 1,200.00.` }
+  const categories = partsOf(fields.categories, ',')
+  return {
+    body: {
+      title: fields.title,
+      text: fields.text,
+      phase: fields.phase,
+      currency,
+      price_minor: sums[0] ?? null,
+      budget_minor: sums[1] ?? null,
+      is_budget_shown: fields.isShown,
+      rate_floor_minor: sums[2] ?? null,
+      scope: posting.scope === 'cues' ? 'cues' : categories.length > 0 ? 'categories' : 'all',
+      categories,
+      cue_ids: posting.cue_ids,
+      headings: partsOf(fields.headings, '\n'),
+      bids_until_on: fields.until || null,
+      work_from_on: fields.from || null,
+      work_to_on: fields.to || null,
+      revision: posting.revision,
+    },
   }
+}
+
+/** A posting that can still change: what opens it saves first what is typed. */
+function Written({ posting, projectId, move }: { posting: Posting; projectId: string; move: Move }) {
+  const saved = fieldsOf(posting)
+  const [held, set, draft] = useDraft(`posting:${posting.id}`, saved)
+  const isFixed = posting.state !== 'draft'
+  // A draft may be older than the opening: what bids are made on is as it was opened.
+  const fixed = isFixed ? { phase: saved.phase, currency: saved.currency, categories: saved.categories } : {}
+  const fields = { ...held, ...fixed }
+  const save = useSavePosting(posting.id)
+  const [refused, setRefused] = useState<{ wrong: string | null; isOpening: boolean } | null>(null)
+  const isBusy = save.isPending || move.isPending
+  const keep = async (isOpening: boolean) => {
+    const read = bodyOf(fields, posting)
+    setRefused({ wrong: 'wrong' in read ? read.wrong : null, isOpening })
+    if ('wrong' in read) return false
+    const answer = await save.mutateAsync(read.body).catch(() => null)
+    if (answer === null) return false
+    draft.discard()
+    return true
+  }
+  const open = async () => {
+    if (isBusy || (draft.isChanged && !(await keep(true)))) return
+    move.mutate('open')
+  }
+  const submit = async (event: FormEvent) => {
+    event.preventDefault()
+    if (!isBusy && (await keep(false))) showToast('Posting saved.')
+  }
+  const problem = refused && (
+    <>
+      {refused.wrong && <p role="alert">{refused.wrong}</p>}
+      <Refusal error={save.error} />
+    </>
+  )
+  return (
+    <>
+      <Head
+        posting={posting}
+        projectId={projectId}
+        move={move}
+        open={{ isChanged: draft.isChanged, isSaving: save.isPending, run: () => void open() }}
+      >
+        {refused?.isOpening && problem}
+      </Head>
+      <AskedCard lines={posting.lines} />
+      <Fields
+        posting={posting}
+        fields={fields}
+        set={(changes) => set((before) => ({ ...before, ...changes }))}
+        draft={draft}
+        unsavedCurrency={held.currency === fields.currency ? null : held.currency}
+        isSaving={save.isPending}
+        onSubmit={(event) => void submit(event)}
+      >
+        {refused && !refused.isOpening && problem}
+      </Fields>
+    </>
+  )
+}
+
+interface FieldsProps {
+  posting: Posting
+  fields: PostingFields
+  set: (changes: Partial<PostingFields>) => void
+  draft: Draft
+  /** The currency that was typed before the posting opened in another one. */
+  unsavedCurrency: string | null
+  isSaving: boolean
+  onSubmit: (event: FormEvent) => void
+  children: ReactNode
+}
+
+function Fields({ posting, fields, set, draft, unsavedCurrency, isSaving, onSubmit, children }: FieldsProps) {
+  const isFixed = posting.state !== 'draft'
   return (
     <Card aria-labelledby="says">
       <CardHead id="says" title="What it says" />
-      <form onSubmit={send} noValidate className={classes.form} aria-label="What it says">
+      <form onSubmit={onSubmit} noValidate className={classes.form} aria-label="What it says">
         <div className={classes.wide}>
           <DraftNote draft={draft} />
         </div>
         <TextInput
           className={classes.wide}
           label="Title"
-          value={now.title}
+          value={fields.title}
           maxLength={120}
-          onChange={({ currentTarget }) => put({ title: currentTarget.value })}
+          onChange={({ currentTarget }) => set({ title: currentTarget.value })}
         />
         <Textarea
           className={classes.wide}
           label="Text"
           rows={4}
-          value={now.text}
+          value={fields.text}
           maxLength={5000}
-          onChange={({ currentTarget }) => put({ text: currentTarget.value })}
+          onChange={({ currentTarget }) => set({ text: currentTarget.value })}
         />
         <TextInput
           className={classes.wide}
@@ -196,15 +282,15 @@ function Fields({ posting }: { posting: Posting }) {
             isFixed ? 'Fixed, since bids are made on it.' : 'Separated by commas. Left empty: all cues of the list.'
           }
           disabled={isFixed || posting.scope === 'cues'}
-          value={now.categories}
-          onChange={({ currentTarget }) => put({ categories: currentTarget.value })}
+          value={fields.categories}
+          onChange={({ currentTarget }) => set({ categories: currentTarget.value })}
         />
         <Select
           label="Phase"
-          value={now.phase}
+          value={fields.phase}
           disabled={isFixed}
           onChange={({ currentTarget }) =>
-            put({ phase: currentTarget.value === 'advisory' ? 'advisory' : 'production' })
+            set({ phase: currentTarget.value === 'advisory' ? 'advisory' : 'production' })
           }
         >
           <option value="production">Production</option>
@@ -212,68 +298,72 @@ function Fields({ posting }: { posting: Posting }) {
         </Select>
         <TextInput
           label="Currency"
+          description={
+            unsavedCurrency === null
+              ? isFixed && 'Fixed, since bids are made on it.'
+              : `Fixed: the posting was opened in ${fields.currency}, before ${unsavedCurrency} was saved.`
+          }
           disabled={isFixed}
-          value={now.currency}
+          value={fields.currency}
           maxLength={3}
-          onChange={({ currentTarget }) => put({ currency: currentTarget.value })}
+          onChange={({ currentTarget }) => set({ currency: currentTarget.value })}
         />
-        {now.phase === 'advisory' && (
+        {fields.phase === 'advisory' && (
           <TextInput
             label="Price of the advice"
             inputMode="decimal"
-            value={now.price}
-            onChange={({ currentTarget }) => put({ price: currentTarget.value })}
+            value={fields.price}
+            onChange={({ currentTarget }) => set({ price: currentTarget.value })}
           />
         )}
         <TextInput
           label="Budget"
           inputMode="decimal"
-          value={now.budget}
-          onChange={({ currentTarget }) => put({ budget: currentTarget.value })}
+          value={fields.budget}
+          onChange={({ currentTarget }) => set({ budget: currentTarget.value })}
         />
         <TextInput
           label="Hourly floor"
           description="For the team: lower rates are pointed out."
           inputMode="decimal"
-          value={now.floor}
-          onChange={({ currentTarget }) => put({ floor: currentTarget.value })}
+          value={fields.floor}
+          onChange={({ currentTarget }) => set({ floor: currentTarget.value })}
         />
         <TextInput
           label="Bids until"
           type="date"
-          value={now.until}
-          onChange={({ currentTarget }) => put({ until: currentTarget.value })}
+          value={fields.until}
+          onChange={({ currentTarget }) => set({ until: currentTarget.value })}
         />
         <TextInput
           label="Work from"
           type="date"
-          value={now.from}
-          onChange={({ currentTarget }) => put({ from: currentTarget.value })}
+          value={fields.from}
+          onChange={({ currentTarget }) => set({ from: currentTarget.value })}
         />
         <TextInput
           label="Work to"
           type="date"
-          value={now.to}
-          onChange={({ currentTarget }) => put({ to: currentTarget.value })}
+          value={fields.to}
+          onChange={({ currentTarget }) => set({ to: currentTarget.value })}
         />
         <Checkbox
           className={classes.wide}
           label="Show the budget to designers"
-          checked={now.isShown}
-          onChange={({ currentTarget }) => put({ isShown: currentTarget.checked })}
+          checked={fields.isShown}
+          onChange={({ currentTarget }) => set({ isShown: currentTarget.checked })}
         />
         <Textarea
           className={classes.wide}
           label="Headings that the team scores"
           description="One a line."
           rows={3}
-          value={now.headings}
-          onChange={({ currentTarget }) => put({ headings: currentTarget.value })}
+          value={fields.headings}
+          onChange={({ currentTarget }) => set({ headings: currentTarget.value })}
         />
         <div className={classes.wide}>
-          {wrong && <p role="alert">{wrong}</p>}
-          <Refusal error={save.error} />
-          <Button type="submit" variant="primary" aria-busy={save.isPending}>
+          {children}
+          <Button type="submit" variant="primary" aria-busy={isSaving}>
             Save
           </Button>
         </div>

@@ -208,6 +208,58 @@ test('a producer writes a posting, saves it and opens it', async () => {
   expect(await screen.findByText('Close', { selector: 'button' })).toBeVisible() // not that of the toast
 })
 
+const draftOpened = (more: Partial<Posting> = {}) => {
+  const server = new ListServer([], {}, 'team')
+  server.answers['GET /v1/postings/p1'] = aPosting({ state: 'draft', opened_at: null, ...more })
+  openApp(`${server.path.replace('/sound-list', '')}/postings/p1`)
+  return server
+}
+const writes = ({ asked }: ListServer) =>
+  asked.filter(({ method }) => method !== 'GET').map(({ method, path }) => `${method} ${path}`)
+
+test('what opens a posting saves first what is typed, and publishes that', async () => {
+  const server = draftOpened({ text: '' })
+  server.answers['PUT /v1/postings/p1'] = aPosting({ state: 'draft', revision: 3, currency: 'EUR', text: 'Fights.' })
+  server.answers['POST /v1/postings/p1/open'] = aPosting({ revision: 4, currency: 'EUR', text: 'Fights.' })
+  fireEvent.change(await screen.findByRole('textbox', { name: 'Text' }), { target: { value: 'Fights.' } })
+  fireEvent.change(screen.getByRole('textbox', { name: 'Currency' }), { target: { value: 'EUR' } })
+  await userEvent.click(screen.getByRole('button', { name: 'Save and open for bids' }))
+  await waitFor(() => expect(writes(server)).toEqual(['PUT /v1/postings/p1', 'POST /v1/postings/p1/open']))
+  expect(wrote(server.asked, 'PUT /v1/postings/p1')[0]?.body).toMatchObject({ text: 'Fights.', currency: 'EUR' })
+  expect(await screen.findByRole('textbox', { name: 'Currency' })).toHaveValue('EUR')
+})
+
+test('a posting whose text cannot be saved does not open, and says why beside the button', async () => {
+  const server = draftOpened()
+  fireEvent.change(await screen.findByRole('textbox', { name: 'Budget' }), { target: { value: 'much' } })
+  await userEvent.click(screen.getByRole('button', { name: 'Save and open for bids' }))
+  expect(await screen.findByRole('alert')).toHaveTextContent('Enter sums in USD, such as 1,200.00.')
+  expect(writes(server)).toEqual([])
+  server.answers['PUT /v1/postings/p1'] = refusal(409, 'posting-changed', 'someone changed this posting')
+  fireEvent.change(screen.getByRole('textbox', { name: 'Budget' }), { target: { value: '900' } })
+  await userEvent.click(screen.getByRole('button', { name: 'Save and open for bids' }))
+  expect(await screen.findByText('Someone changed this posting.')).toBeVisible()
+  expect(writes(server)).toEqual(['PUT /v1/postings/p1'])
+})
+
+test('what was typed before a colleague opened the posting keeps what is fixed as it was opened, and can be saved', async () => {
+  const server = draftOpened()
+  fireEvent.change(await screen.findByRole('textbox', { name: 'Text' }), { target: { value: 'Four months.' } })
+  fireEvent.change(screen.getByRole('textbox', { name: 'Currency' }), { target: { value: 'EUR' } })
+  act(() => void queryClient.setQueryData(postingQuery('p1').queryKey, aPosting({ revision: 4 }))) // a colleague opened it
+  server.answers['PUT /v1/postings/p1'] = aPosting({ revision: 5 })
+  await screen.findByText(/^Fixed: /)
+  const currency = screen.getByRole('textbox', { name: 'Currency' })
+  expect(currency).toHaveValue('USD')
+  expect(currency).toHaveAccessibleDescription('Fixed: the posting was opened in USD, before EUR was saved.')
+  await userEvent.click(screen.getByRole('button', { name: 'Save' }))
+  await waitFor(() =>
+    expect(wrote(server.asked, 'PUT /v1/postings/p1')[0]?.body).toMatchObject({
+      ...{ text: 'Four months.', currency: 'USD', scope: 'all', categories: [] },
+    }),
+  )
+})
+
 function bidOpened(more: Partial<Posting> = {}) {
   const server = new ListServer([], {}, 'designer')
   const seen = aPosting({ is_team: false, headings: [], bids: null, ...more })
