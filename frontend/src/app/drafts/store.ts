@@ -6,6 +6,14 @@ let owner = ''
 /** What the browser could not keep lives as long as the page. */
 const memory = new Map<string, unknown>()
 
+const listeners = new Set<() => void>()
+
+/** Hear of each draft that is kept or deleted; the answer ends it. */
+export function subscribeDrafts(listener: () => void): () => void {
+  listeners.add(listener)
+  return () => listeners.delete(listener)
+}
+
 /** What was typed since this page was opened, and is not sent: leaving asks about it. */
 const typed = new Set<string>()
 
@@ -80,6 +88,12 @@ export function keptDraft<T>(key: string): T | null {
  * typed here: another page opens with it.
  */
 export function keepDraft(key: string, value: unknown, handedOver = false): boolean {
+  const isKept = write(key, value, handedOver)
+  for (const listener of listeners) listener()
+  return isKept
+}
+
+function write(key: string, value: unknown, handedOver: boolean): boolean {
   if (value === null) typed.delete(key)
   else if (!handedOver && JSON.stringify(value) !== JSON.stringify(keptDraft(key))) typed.add(key)
   memory.delete(keyOf(key))

@@ -5,6 +5,7 @@ import { type FormEvent, useState } from 'react'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { CopyButton } from '@/ui/CopyButton'
 import { ago, day } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
@@ -73,10 +74,6 @@ export function DeskTokensCard() {
 }
 
 function Secret({ token: { name, secret }, onDone }: { token: DeskTokenMade; onDone: () => void }) {
-  const copy = async () => {
-    await navigator.clipboard.writeText(secret)
-    showToast('Token copied.')
-  }
   return (
     <div className="stack" role="status">
       <p>
@@ -88,9 +85,9 @@ function Secret({ token: { name, secret }, onDone }: { token: DeskTokenMade; onD
       </p>
       <code className={`mono ${classes.secret}`}>{secret}</code>
       <div className="row wrap">
-        <Button icon="copy" onClick={() => void copy()}>
+        <CopyButton text={secret} what="Token">
           Copy secret
-        </Button>
+        </CopyButton>
         <Button variant="quiet" onClick={onDone}>
           I’ve saved it
         </Button>

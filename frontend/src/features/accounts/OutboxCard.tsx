@@ -1,6 +1,7 @@
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { CopyButton } from '@/ui/CopyButton'
 import { EmptyState } from '@/ui/EmptyState'
 import { age } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
@@ -53,10 +54,6 @@ export function OutboxCard({ studioId }: { studioId: string }) {
 
 function MailRow({ mail, canSend, onSend }: { mail: Mail; canSend: boolean; onSend: () => void }) {
   const { recipient, subject, text, link, created_at, sent_at, failure } = mail
-  const copy = async (copied: string) => {
-    await navigator.clipboard.writeText(copied)
-    showToast('Link copied.')
-  }
   return (
     <Row className={classes.mailRow}>
       <details className="grow">
@@ -72,14 +69,9 @@ function MailRow({ mail, canSend, onSend }: { mail: Mail; canSend: boolean; onSe
       {sent_at !== null && <State kind="passed">Sent</State>}
       {sent_at === null && failure === null && <State kind="waiting" />}
       {link !== null && sent_at === null && (
-        <Button
-          variant="quiet"
-          icon="copy"
-          aria-label={`Copy link of “${subject}” to ${recipient}`}
-          onClick={() => void copy(link)}
-        >
+        <CopyButton text={link} what="Link" variant="quiet" aria-label={`Copy link of “${subject}” to ${recipient}`}>
           Copy link
-        </Button>
+        </CopyButton>
       )}
       {failure !== null && canSend && sent_at === null && <Button onClick={onSend}>Try again</Button>}
     </Row>

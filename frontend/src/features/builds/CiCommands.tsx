@@ -1,9 +1,8 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 
-import { showToast } from '@/app/toast'
-import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { CopyButton } from '@/ui/CopyButton'
 
 import { ciQuery } from './api'
 import classes from './Drift.module.css'
@@ -13,16 +12,12 @@ export function CiCommands({ projectId }: { projectId: string }) {
   const { data } = useQuery(ciQuery(projectId))
   if (data === undefined) return null
   const text = data.command
-  const copy = async () => {
-    await navigator.clipboard.writeText(text)
-    showToast('Command copied.')
-  }
   return (
     <Card aria-labelledby="ci-commands">
       <CardHead
         id="ci-commands"
         title="CI command"
-        end={<Button variant="quiet" square icon="copy" aria-label="Copy the command" onClick={() => void copy()} />}
+        end={<CopyButton text={text} what="Command" variant="quiet" square aria-label="Copy the command" />}
       />
       {/* A long line scrolls, so the keyboard must reach it. */}
       {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}

@@ -192,6 +192,16 @@ function Accept({ contract }: { contract: Contract }) {
       textSha256={textSha256}
       label="Accept"
       button={`Sign version ${contract.version.number}`}
+      before={[
+        {
+          key: `contract-change:${contract.id}`,
+          says: 'You have typed a change that you have not requested. Request it, or clear it, before you sign.',
+        },
+        {
+          key: `redlines:${contract.id}`,
+          says: 'You have changes to this text that you have not sent. Send them, or discard them, before you sign.',
+        },
+      ]}
       onSign={(signed) => accept.mutateAsync({ does: 'accept', textSha256, ...signed })}
     >
       <p>The contract takes effect once everyone who is to sign it has signed.</p>

@@ -1,6 +1,7 @@
 import { Checkbox } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
+import { useState } from 'react'
 
 import { contractsQuery, projectQuery } from '@/api/project'
 import { useTitle } from '@/app/title'
@@ -11,10 +12,12 @@ import { EmptyState } from '@/ui/EmptyState'
 import { day } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 import { State } from '@/ui/State'
+import { useFocusOnMount } from '@/ui/useFocusOnMount'
 
 import {
   type ContractBrief,
   type Project,
+  type Template,
   templatesQuery,
   useAskForNda,
   useDropTemplate,
@@ -135,30 +138,16 @@ function Templates({ project }: { project: Project }) {
         </p>
       )}
       <Rows aria-label="Templates">
-        {templates?.map(({ id, name, kind }) => (
-          <Row key={id} className={classes.row}>
-            <div className="grow">
-              <p>{name}</p>
-              <p className="small mid">{KIND_WORDS[kind]}</p>
-            </div>
-            <ButtonLink
-              variant="quiet"
-              href={`/v1/studios/${studio}/contract-templates/${id}/template.toml`}
-              aria-label={`${name} as TOML`}
-            >
-              TOML
-            </ButtonLink>
-            <ButtonLink
-              variant="quiet"
-              href={`/v1/studios/${studio}/contract-templates/${id}/template.md`}
-              aria-label={`${name} as Markdown`}
-            >
-              Markdown
-            </ButtonLink>
-            <Button variant="quiet" aria-label={`Delete ${name}`} onClick={() => drop.mutate(id)}>
-              Delete
-            </Button>
-          </Row>
+        {templates?.map((template) => (
+          <TemplateRow
+            key={template.id}
+            template={template}
+            studioId={studio}
+            isDeleting={drop.isPending}
+            onDelete={() =>
+              drop.mutate(template.id, { onSuccess: () => showToast(`Template ${template.name} deleted.`) })
+            }
+          />
         ))}
       </Rows>
       <div className={classes.form}>
@@ -176,5 +165,58 @@ function Templates({ project }: { project: Project }) {
         </label>
       </div>
     </Card>
+  )
+}
+
+interface TemplateRowProps {
+  template: Template
+  studioId: string
+  isDeleting: boolean
+  onDelete: () => void
+}
+
+function TemplateRow({ template: { id, name, kind }, studioId, isDeleting, onDelete }: TemplateRowProps) {
+  const [isSure, setSure] = useState(false)
+  const path = `/v1/studios/${studioId}/contract-templates/${id}`
+  return (
+    <Row className={classes.row}>
+      <div className="grow">
+        <p>{name}</p>
+        <p className="small mid">{KIND_WORDS[kind]}</p>
+      </div>
+      <ButtonLink variant="quiet" href={`${path}/template.toml`} aria-label={`${name} as TOML`}>
+        TOML
+      </ButtonLink>
+      <ButtonLink variant="quiet" href={`${path}/template.md`} aria-label={`${name} as Markdown`}>
+        Markdown
+      </ButtonLink>
+      {isSure ? (
+        <ConfirmDelete name={name} isDeleting={isDeleting} onDelete={onDelete} onCancel={() => setSure(false)} />
+      ) : (
+        <Button variant="quiet" aria-label={`Delete ${name}`} onClick={() => setSure(true)}>
+          Delete
+        </Button>
+      )}
+    </Row>
+  )
+}
+
+interface ConfirmDeleteProps {
+  name: string
+  isDeleting: boolean
+  onDelete: () => void
+  onCancel: () => void
+}
+
+function ConfirmDelete({ name, isDeleting, onDelete, onCancel }: ConfirmDeleteProps) {
+  const cancel = useFocusOnMount<HTMLButtonElement>() // the button that was pressed has gone
+  return (
+    <div className="row wrap">
+      <span className="small">It cannot be restored. Contracts made from it stay.</span>
+      <Button aria-busy={isDeleting} onClick={onDelete}>{`Delete “${name}”`}</Button>
+      <Button ref={cancel} variant="quiet" onClick={onCancel}>
+        Cancel
+      </Button>
+    </div>
   )
 }

@@ -50,6 +50,7 @@ export function ProposeChange({ all, picked, onBegun }: ProposeChangeProps) {
   const propose = useChangeOrder(all.contract_id)
   const [made, setMade] = useState<Made[]>([])
   const [begun, setBegun] = useState<ChangeOffer | null>(null)
+  const [isTyped, setTyped] = useState(false)
   const [reason, setReason, draft] = useDraft(`change-order:${all.contract_id}`, '')
   const [beginsAtOnce, setBeginsAtOnce] = useState(false)
   const reasonField = useRef<HTMLInputElement>(null)
@@ -70,7 +71,7 @@ export function ProposeChange({ all, picked, onBegun }: ProposeChangeProps) {
   }, [picked, onBegun, setReason])
   const { data: preview, error } = useQuery(changePreviewQuery(all.contract_id, changes))
   const problems = preview?.problems ?? []
-  const isReady = changes.length > 0 && reason.trim() !== '' && problems.length === 0
+  const isReady = changes.length > 0 && reason.trim() !== '' && problems.length === 0 && !isTyped
   const submit = (event: FormEvent) => {
     event.preventDefault()
     if (propose.isPending || !isReady) return
@@ -99,6 +100,7 @@ export function ProposeChange({ all, picked, onBegun }: ProposeChangeProps) {
         key={begun?.offer ?? ''}
         all={all}
         start={begun?.change}
+        onTyped={setTyped}
         onAdd={(change) => {
           setMade([
             ...made,
@@ -132,6 +134,9 @@ export function ProposeChange({ all, picked, onBegun }: ProposeChangeProps) {
           checked={beginsAtOnce}
           onChange={({ currentTarget }) => setBeginsAtOnce(currentTarget.checked)}
         />
+        {isTyped && changes.length > 0 && (
+          <Warning>A change is typed above and not added. Add it, or clear it, before you propose.</Warning>
+        )}
         <Refusal error={propose.error ?? error} />
         <Button type="submit" variant="primary" disabled={!isReady} aria-busy={propose.isPending}>
           Propose
@@ -145,10 +150,12 @@ interface OneChangeProps {
   all: ChangeOrders
   /** What the form begins with. */
   start?: ChangeOffer['change'] | undefined
+  /** Whether something is typed that is not added yet. */
+  onTyped: (isTyped: boolean) => void
   onAdd: (change: Change) => void
 }
 
-function OneChange({ all, start, onAdd }: OneChangeProps) {
+function OneChange({ all, start, onTyped, onAdd }: OneChangeProps) {
   const [kind, setKind] = useState<Kind>(start?.kind ?? firstKind(all))
   const [cueId, setCueId] = useState(start?.cue_id ?? '')
   const [milestoneId, setMilestoneId] = useState(start?.milestone_id ?? '')
@@ -160,6 +167,9 @@ function OneChange({ all, start, onAdd }: OneChangeProps) {
   useEffect(() => {
     if (start) priceField.current?.focus()
   }, [start])
+  const isTyped =
+    [price, dueOn, text].some((typed) => typed.trim() !== '') || Object.values(typedCaps).some((typed) => typed !== '')
+  useEffect(() => onTyped(isTyped), [isTyped, onTyped])
   const cues = kind === 'add_cue' ? all.cues_to_add : all.cues.map(({ cue }) => cue)
   const hasCue = kind !== 'move_date' && kind !== 'add_work' && kind !== 'set_caps'
   const hasMilestone = kind === 'add_cue' || kind === 'move_date' || kind === 'add_work'
@@ -180,6 +190,7 @@ function OneChange({ all, start, onAdd }: OneChangeProps) {
     if (change === null) return
     onAdd(change)
     setPrice('')
+    setDueOn('')
     setText('')
     setTypedCaps({})
   }

@@ -1,12 +1,14 @@
 import { Link } from '@tanstack/react-router'
 import type { ReactNode } from 'react'
 
+import { useUnsent } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { Button, ButtonLink } from '@/ui/Button'
 
 import { type Contract, useDeed } from './api'
 import classes from './Contracts.module.css'
 import { Refusal } from './Refusal'
+import { Warning } from './Warning'
 
 interface SendVersionProps {
   contract: Contract
@@ -19,8 +21,18 @@ interface SendVersionProps {
 /** The draft, and the button that sends its text to the designer. */
 export function SendVersion({ contract, back, children }: SendVersionProps) {
   const send = useDeed(contract.id)
+  const text = `contract:${contract.id}` as const
+  const unsaved = useUnsent([text, `plan:${contract.id}`])
   return (
     <>
+      {unsaved !== null && (
+        <Warning>
+          {`${unsaved === text ? 'The draft' : 'The plan'} has changes that are not saved: save or discard them first. `}
+          <ButtonLink component={Link} variant="quiet" to={`${back}/${unsaved === text ? 'draft' : 'plan'}`}>
+            {unsaved === text ? 'Open the draft' : 'Open the plan'}
+          </ButtonLink>
+        </Warning>
+      )}
       <Refusal error={send.error} />
       <div className={classes.buttons}>
         <ButtonLink component={Link} icon="pencil" to={`${back}/draft`}>
@@ -29,6 +41,7 @@ export function SendVersion({ contract, back, children }: SendVersionProps) {
         {children}
         <Button
           variant="primary"
+          disabled={unsaved !== null}
           aria-busy={send.isPending}
           onClick={() =>
             send.mutate(

@@ -2,7 +2,7 @@ import { TextInput } from '@mantine/core'
 import { type FormEvent, type ReactNode, useId, useState } from 'react'
 
 import { ApiProblem } from '@/api'
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftNote, useDraft, useUnsent } from '@/app/drafts'
 import { Button } from '@/ui/Button'
 import { clock } from '@/ui/format'
 
@@ -32,6 +32,7 @@ export function SignForm({
   textSha256,
   label,
   button,
+  before = [],
   children,
   onSign,
 }: {
@@ -39,6 +40,8 @@ export function SignForm({
   textSha256: string
   label: string
   button: string
+  /** Drafts that a signature would leave behind: they are sent or discarded first. */
+  before?: readonly { key: string; says: string }[]
   children?: ReactNode
   onSign: (signed: Signed) => Promise<unknown>
 }) {
@@ -48,6 +51,7 @@ export function SignForm({
   const [error, setError] = useState<unknown>(null)
   const [isSigning, setSigning] = useState(false)
   const mailed = useSigningCode(contractId)
+  const unsent = useUnsent(before.map(({ key }) => key))
   const codeId = useId()
   const askForCode = () =>
     mailed.mutate(textSha256, {
@@ -59,7 +63,7 @@ export function SignForm({
     })
   const sign = async (event: FormEvent) => {
     event.preventDefault()
-    if (isSigning || mailed.isPending || name.trim() === '') return
+    if (isSigning || mailed.isPending || name.trim() === '' || unsent !== null) return
     setSigning(true)
     setError(null)
     try {
@@ -114,12 +118,13 @@ export function SignForm({
           </div>
         </>
       )}
+      {unsent !== null && <Warning>{before.find(({ key }) => key === unsent)?.says}</Warning>}
       <Refusal error={error ?? mailed.error} />
       <Button
         type="submit"
         variant="primary"
         icon="tick"
-        disabled={name.trim() === ''}
+        disabled={name.trim() === '' || unsent !== null}
         aria-busy={isSigning || mailed.isPending}
       >
         {button}

@@ -1,9 +1,11 @@
+import type { ReactNode } from 'react'
+
 import { Icon } from '@/ui/Icon'
 
 import classes from './Contracts.module.css'
 
 /** A sentence worth reading before one signs. */
-export function Warning({ children, good = false }: { children: string; good?: boolean }) {
+export function Warning({ children, good = false }: { children: ReactNode; good?: boolean }) {
   return (
     <p className={`${classes.warning} ${good ? classes.good : ''}`}>
       <Icon name={good ? 'tick' : 'triangle'} />

@@ -1,4 +1,4 @@
-import { fireEvent, screen, within } from '@testing-library/react'
+import { fireEvent, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
 import { expect, test } from 'vitest'
@@ -143,6 +143,23 @@ test('the caps of hours are set where the contract pays by the hour, and what st
   expect(asked.findLast(({ method }) => method === 'POST')?.body).toMatchObject({
     changes: [{ kind: 'set_caps', hours_cap: 8 }],
   })
+})
+
+test('what is typed and not added keeps the order from being proposed without it', async () => {
+  const { answers } = serve(amendmentAnswers({ 'GET /v1/contracts/c1/change-orders': { ...ORDERS, orders: [] } }))
+  answers['POST /v1/contracts/c1/change-order-preview'] = { difference: DIFFERENCE, problems: [] }
+  openApp('/projects/p1/contracts/c1/changes')
+  const price = await screen.findByLabelText('Price in USD')
+  fireEvent.change(price, { target: { value: '225' } })
+  await userEvent.click(screen.getByRole('button', { name: 'Add this change' }))
+  fireEvent.change(screen.getByLabelText('Reason'), { target: { value: 'The level grew' } })
+  const propose = screen.getByRole('button', { name: 'Propose' })
+  await waitFor(() => expect(propose).toBeEnabled())
+  fireEvent.change(price, { target: { value: '90' } })
+  expect(propose).toBeDisabled()
+  expect(screen.getByText(/^A change is typed above and not added\./)).toBeVisible()
+  fireEvent.change(price, { target: { value: '' } })
+  await waitFor(() => expect(propose).toBeEnabled())
 })
 
 test('a contract that pays neither by the hour nor by the day offers no caps', async () => {

@@ -4,7 +4,7 @@ import { describe, expect, test, vi } from 'vitest'
 
 import { block, CONTRACT, contractAnswers, MAY, PAGE, PROJECT, VERSION } from '@/test/contract'
 import { openApp } from '@/test/openApp'
-import { serve } from '@/test/server'
+import { answer, serve } from '@/test/server'
 
 describe('a producer', () => {
   test('names who signs a draft, in which order', async () => {
@@ -84,6 +84,34 @@ describe('a producer', () => {
         expect.objectContaining({ same_as_id: 'c0', currency: 'EUR', template_id: null }),
       ),
     )
+  })
+
+  test('deletes a template only when that is confirmed', async () => {
+    const project = {
+      ...{ id: 'p1', studio: { id: 's1', name: 'Shield Wing studio' }, nda_needed: false, engagements: [] },
+      mine: { is_producer: true, is_team: true },
+    }
+    const { asked, answers } = serve(
+      contractAnswers({
+        'GET /v1/projects/p1': project,
+        'GET /v1/projects/p1/contracts': [],
+        'GET /v1/studios/s1/contract-templates': [{ id: 't1', name: 'Small jobs', kind: 'single' }],
+        'GET /v1/projects/p1/last-contract': { contract: null },
+        'DELETE /v1/studios/s1/contract-templates/t1': answer(null, 204),
+      }),
+    )
+    const deletions = () => asked.filter(({ method }) => method === 'DELETE')
+    openApp('/projects/p1/contracts')
+    await userEvent.click(await screen.findByRole('button', { name: 'Delete Small jobs' }))
+    expect(screen.getByText('It cannot be restored. Contracts made from it stay.')).toBeVisible()
+    await userEvent.click(screen.getByRole('button', { name: 'Cancel' }))
+    expect(deletions()).toEqual([])
+    await userEvent.click(screen.getByRole('button', { name: 'Delete Small jobs' }))
+    expect(screen.getByRole('button', { name: 'Cancel' })).toHaveFocus()
+    answers['GET /v1/studios/s1/contract-templates'] = []
+    await userEvent.click(screen.getByRole('button', { name: 'Delete “Small jobs”' }))
+    expect(await screen.findByText('Template Small jobs deleted.')).toBeVisible()
+    expect(deletions()).toHaveLength(1)
   })
 
   test('edits beside the text, and saves a version that names the one it came from', async () => {

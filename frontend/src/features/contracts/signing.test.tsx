@@ -1,8 +1,9 @@
-import { fireEvent, screen, waitFor, within } from '@testing-library/react'
+import { act, fireEvent, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
 import { describe, expect, test, vi } from 'vitest'
 
+import { keepDraft } from '@/app/drafts'
 import { accepted, CONTRACT, contractAnswers, MAY, PAGE } from '@/test/contract'
 import { openApp } from '@/test/openApp'
 import { refusal, serve } from '@/test/server'
@@ -145,6 +146,37 @@ describe('a designer', () => {
       text: 'One round.',
       clause_key: null,
     })
+  })
+
+  test('signs nothing while a change is typed and not requested', async () => {
+    const { asked } = serve(contractAnswers())
+    openApp(PAGE)
+    fireEvent.change(await screen.findByLabelText('Your full name'), { target: { value: 'N. Designer' } })
+    const sign = screen.getByRole('button', { name: 'Sign version 2' })
+    expect(sign).toBeEnabled()
+    fireEvent.change(screen.getByLabelText('Requested change'), { target: { value: 'One round.' } })
+    expect(await screen.findByText(/^You have typed a change that you have not requested\./)).toBeVisible()
+    expect(sign).toBeDisabled()
+    fireEvent.submit(screen.getByRole('form', { name: 'Accept' }))
+    fireEvent.change(screen.getByLabelText('Requested change'), { target: { value: '' } })
+    await waitFor(() => expect(sign).toBeEnabled())
+    expect(asked.filter(({ method }) => method === 'POST')).toEqual([])
+  })
+
+  test.each([
+    ['contract:c1', /^The draft has changes that are not saved/, 'Open the draft', '/draft'],
+    ['plan:c1', /^The plan has changes that are not saved/, 'Open the plan', '/plan'],
+  ])('a producer sends no text while %s is not saved', async (key, says, link, at) => {
+    serve(contractAnswers({ 'GET /v1/contracts/c1': { ...CONTRACT, state: 'draft', may: { ...MAY, change: true } } }))
+    openApp(PAGE)
+    const send = await screen.findByRole('button', { name: /^Send to / })
+    expect(send).toBeEnabled()
+    act(() => void keepDraft(key, { draft: 'typed' }))
+    expect(send).toBeDisabled()
+    expect(screen.getByText(says)).toBeVisible()
+    expect(screen.getByRole('link', { name: link })).toHaveAttribute('href', `${PAGE}${at}`)
+    act(() => void keepDraft(key, null))
+    expect(send).toBeEnabled()
   })
 
   test('reads the milestones of a fixed plan in words', async () => {

@@ -2,9 +2,9 @@ import { Select } from '@mantine/core'
 import { Link } from '@tanstack/react-router'
 import { useState } from 'react'
 
-import { showToast } from '@/app/toast'
-import { Button, ButtonLink } from '@/ui/Button'
+import { ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { CopyButton } from '@/ui/CopyButton'
 
 import classes from './Files.module.css'
 import { pullCommands } from './pullCommands'
@@ -13,18 +13,12 @@ import { pullCommands } from './pullCommands'
 export function PullCard({ projectId, targets }: { projectId: string; targets: readonly string[] }) {
   const [target, setTarget] = useState(targets[0] ?? '')
   const commands = pullCommands(window.location.origin, projectId, target).join('\n')
-  const copy = async () => {
-    await navigator.clipboard.writeText(commands)
-    showToast('Commands copied.')
-  }
   return (
     <Card aria-labelledby="pull">
       <CardHead
         id="pull"
         title="Pull into your game"
-        end={
-          <Button variant="quiet" square icon="copy" aria-label="Copy the pull commands" onClick={() => void copy()} />
-        }
+        end={<CopyButton text={commands} what="Commands" variant="quiet" square aria-label="Copy the pull commands" />}
       />
       <div className={classes.form}>
         <p className="small mid">

@@ -24,6 +24,7 @@ import { EXTRA_WORDS, UNIT_WORDS } from './words'
 export function BidPage() {
   const { postingId } = useParams({ from: '/shell/postings/$postingId' })
   const { posting, missing } = usePosting(postingId)
+  const send = useSendBid(postingId) // held here: a save draws the form anew, and what refused the bid stays
   if (posting === undefined) return missing
   if (posting.is_team) {
     return (
@@ -48,7 +49,7 @@ export function BidPage() {
       {posting.clashes.length > 0 && <Clashes posting={posting} />}
       {!posting.nda_open && (
         <>
-          <BidForm key={posting.own_bid?.revision ?? 0} posting={posting} />
+          <BidForm key={posting.own_bid?.revision ?? 0} posting={posting} send={send} />
           <SamplesCard posting={posting} />
           <Questions posting={posting} />
         </>
@@ -78,12 +79,11 @@ function standOf({ own_bid: bid, state }: Posting): string {
   return bid.state === 'withdrawn' ? 'Withdrawn' : 'Draft, not sent yet'
 }
 
-function BidForm({ posting }: { posting: Posting }) {
+function BidForm({ posting, send }: { posting: Posting; send: ReturnType<typeof useSendBid> }) {
   const { currency, own_bid: own, takes_bids: isTaking } = posting
   const [now, set, draft] = useDraft(`bid:${posting.id}`, () => typedBid(posting.lines, own?.content ?? null, currency))
   const [wrong, setWrong] = useState<string | null>(null)
   const save = useSaveBid(posting.id)
-  const send = useSendBid(posting.id)
   const withdraw = useWithdrawBid(posting.id)
   const labels = new Map(posting.lines.map(({ key, label }) => [key, label]))
   const put = (changes: Partial<typeof now>) => set((before) => ({ ...before, ...changes }))

@@ -305,6 +305,20 @@ test('a designer bids on the asked lines; what cannot be read is said, and what 
   expect(await screen.findByRole('button', { name: /Send again/ })).toBeVisible()
 })
 
+test('a bid that is saved and then refused says so', async () => {
+  const { server, seen } = bidOpened({ lines: [] })
+  await screen.findByRole('heading', { name: 'Your bid' })
+  const own = {
+    ...{ id: 'b1', state: 'draft' as const, revision: 1, content: { ...aBid('', '').content, lines: [] } },
+    ...{ total_minor: 0, concept_minor: 0, missing: [], sent_at: null, resent_at: null, differs: false },
+    ...{ samples: [], is_awarded: false },
+  }
+  server.answers['PUT /v1/postings/p1/bid'] = { ...seen, own_bid: own }
+  server.answers['POST /v1/postings/p1/bid/send'] = refusal(422, 'bid-invalid', 'the bid offers nothing yet')
+  await userEvent.click(screen.getByRole('button', { name: /^Send/ }))
+  expect(await screen.findByRole('alert')).toHaveTextContent('The bid offers nothing yet.')
+})
+
 test('a closed posting takes no bid, and an NDA leaves title, dates and studio', async () => {
   bidOpened({ takes_bids: false, state: 'closed' })
   expect(await screen.findByText('This posting takes no bids now. What you have typed is kept.')).toBeVisible()

@@ -1,8 +1,7 @@
 import { useQuery } from '@tanstack/react-query'
 
-import { showToast } from '@/app/toast'
-import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { CopyButton } from '@/ui/CopyButton'
 import { plural } from '@/ui/format'
 
 import { ciQuery } from './api'
@@ -10,11 +9,9 @@ import classes from './Builds.module.css'
 import { Refusal } from './Refusal'
 
 export function CopyLines({ lines, label }: { lines: readonly string[]; label: string }) {
-  const copy = async () => {
-    await navigator.clipboard.writeText(lines.join('\n'))
-    showToast(`${plural(lines.length, 'line')} copied.`)
-  }
-  return <Button variant="quiet" square icon="copy" aria-label={label} onClick={() => void copy()} />
+  return (
+    <CopyButton text={lines.join('\n')} what={plural(lines.length, 'line')} variant="quiet" square aria-label={label} />
+  )
 }
 
 /** The one line that the game's CI runs, its steps by hand, and what they need and answer. */

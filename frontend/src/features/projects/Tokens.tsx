@@ -1,9 +1,9 @@
 import { Checkbox, TextInput } from '@mantine/core'
 import { type FormEvent, useState } from 'react'
 
-import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { CopyButton } from '@/ui/CopyButton'
 import { EmptyState } from '@/ui/EmptyState'
 import { Row, Rows } from '@/ui/Rows'
 import { State } from '@/ui/State'
@@ -81,10 +81,6 @@ export function TokenMaker({ projectId }: { projectId: string }) {
 }
 
 function Secret({ token: { name, secret }, onDone }: { token: TokenMade; onDone: () => void }) {
-  const copy = async () => {
-    await navigator.clipboard.writeText(secret)
-    showToast('Token copied.')
-  }
   return (
     <div className={classes.maker} role="status">
       <p>
@@ -96,7 +92,7 @@ function Secret({ token: { name, secret }, onDone }: { token: TokenMade; onDone:
       </p>
       <div className={classes.secret}>
         <code className="mono">{secret}</code>
-        <Button variant="quiet" square icon="copy" aria-label="Copy secret" onClick={() => void copy()} />
+        <CopyButton text={secret} what="Token" variant="quiet" square aria-label="Copy secret" />
       </div>
       <div>
         <Button onClick={onDone}>I’ve saved it</Button>

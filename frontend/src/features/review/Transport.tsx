@@ -1,10 +1,10 @@
 import { type ReactNode, useEffect, useState } from 'react'
 
 import { HotkeyButton, useHotkeys } from '@/app/keys'
-import { showToast } from '@/app/toast'
 import type { Player, PlayerState } from '@/audio'
 import { Button } from '@/ui/Button'
-import { figure, place } from '@/ui/format'
+import { CopyButton } from '@/ui/CopyButton'
+import { figure } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { LazyMenu } from '@/ui/LazyMenu'
 
@@ -72,11 +72,10 @@ export function Transport({
 }: TransportProps) {
   const isPlaying = playing.status === 'playing'
   const trouble = silent ?? playing.error ?? conditions.trouble
-  const copyLink = () => {
-    const at = player.positionS()
+  const linkToPlace = () => {
     const link = new URL(window.location.href)
-    link.search = new URLSearchParams({ take: takeId, at: at.toFixed(3) }).toString()
-    void navigator.clipboard.writeText(link.href).then(() => showToast(`Link to ${place(at)} copied.`))
+    link.search = new URLSearchParams({ take: takeId, at: player.positionS().toFixed(3) }).toString()
+    return link.href
   }
   useHotkeys([
     {
@@ -184,13 +183,13 @@ export function Transport({
           {trouble}
         </span>
       )}
-      <Button
+      <CopyButton
+        text={linkToPlace}
+        what="Link to this place"
         variant="quiet"
         square
-        icon="copy"
         className="end wide-only"
         aria-label="Copy a link to this place"
-        onClick={copyLink}
       />
     </div>
   )

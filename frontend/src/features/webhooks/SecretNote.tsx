@@ -1,15 +1,11 @@
-import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
+import { CopyButton } from '@/ui/CopyButton'
 
 import type { WebhookSecret } from './api'
 import classes from './Webhooks.module.css'
 
 /** A secret, which is shown this once. */
 export function SecretNote({ webhook: { secret }, onDone }: { webhook: WebhookSecret; onDone: () => void }) {
-  const copy = async () => {
-    await navigator.clipboard.writeText(secret)
-    showToast('Secret copied.')
-  }
   return (
     <div className={classes.secretNote} role="status">
       <p>
@@ -18,7 +14,7 @@ export function SecretNote({ webhook: { secret }, onDone }: { webhook: WebhookSe
       </p>
       <div className={classes.secret}>
         <code className="mono">{secret}</code>
-        <Button variant="quiet" square icon="copy" aria-label="Copy secret" onClick={() => void copy()} />
+        <CopyButton text={secret} what="Secret" variant="quiet" square aria-label="Copy secret" />
       </div>
       <div>
         <Button onClick={onDone}>I’ve saved it</Button>

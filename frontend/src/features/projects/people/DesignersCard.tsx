@@ -7,6 +7,7 @@ import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { CopyButton } from '@/ui/CopyButton'
 import { EmptyState } from '@/ui/EmptyState'
 import { Face } from '@/ui/Face'
 import { ago, dueDay, shortDay } from '@/ui/format'
@@ -119,10 +120,6 @@ function Designer({ engagement, project }: { engagement: Engagement; project: Pr
 function Invitations({ project, open }: { project: Project; open: readonly Invitation[] }) {
   const revoke = useRevokeInvitation(project.id)
   const { data: outbox } = useInvitationLinks(project.studio.id, project.mine.is_producer)
-  const copy = async (link: string) => {
-    await navigator.clipboard.writeText(link)
-    showToast('Link copied.')
-  }
   const waitsHere = outbox?.canSend === false
   return (
     <>
@@ -150,11 +147,11 @@ function Invitations({ project, open }: { project: Project; open: readonly Invit
               </div>
               {expired && <State kind="late">Expired</State>}
               {link !== undefined && !expired && (
-                <Button icon="copy" onClick={() => void copy(link)}>
+                <CopyButton text={link} what="Link">
                   <span>
                     Copy link <span className="visually-hidden">{`for ${email}`}</span>
                   </span>
-                </Button>
+                </CopyButton>
               )}
               {speaks(project) && (
                 <Button

@@ -1,9 +1,9 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 
-import { showToast } from '@/app/toast'
-import { Button, ButtonLink } from '@/ui/Button'
+import { ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { CopyButton } from '@/ui/CopyButton'
 import { countOf, figure, shortDay } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 
@@ -21,10 +21,6 @@ export function SpecCard({ project }: { project: Project }) {
   const { data: spec, error } = useQuery(specQuery(projectId))
   const checks = useChecks()
   const { data: packs } = useQuery({ ...packsQuery(projectId), enabled: mine.is_team })
-  const copy = async (toml: string) => {
-    await navigator.clipboard.writeText(toml)
-    showToast('TOML copied.')
-  }
   return (
     <Card aria-labelledby="spec">
       <CardHead
@@ -42,9 +38,9 @@ export function SpecCard({ project }: { project: Project }) {
               >
                 Versions
               </Link>
-              <Button variant="quiet" icon="copy" aria-label="Copy TOML" onClick={() => void copy(spec.toml)}>
+              <CopyButton text={spec.toml} what="TOML" variant="quiet" aria-label="Copy TOML">
                 TOML
-              </Button>
+              </CopyButton>
               <ButtonLink
                 variant="quiet"
                 square
