@@ -41,6 +41,10 @@ class PostingAccess:
         """Raise DesignerNeeded for the studio's own people, NdaNeeded while an NDA comes first."""
         if self.team is not None:
             raise DesignerNeeded("only a designer who was asked can do this")
+        self.ensure_after_nda()
+
+    def ensure_after_nda(self) -> None:
+        """Raise NdaNeeded while an NDA comes first for the caller."""
         if self.nda_open:
             raise NdaNeeded(
                 "this posting shows what it asks for once the project's non-disclosure agreement is signed",

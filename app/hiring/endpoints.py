@@ -33,6 +33,7 @@ from app.hiring.errors import (
 )
 from app.hiring.posting_reads import posting_read, preview, summary
 from app.hiring.schemas import (
+    AskedCue,
     CandidateAdd,
     PostingAdd,
     PostingChange,
@@ -43,7 +44,8 @@ from app.hiring.schemas import (
     PostingSummary,
 )
 from app.kit.http import CurrentRuntime, DbSession, Router, problems
-from app.projects.errors import ProjectNotFound, TeamNeeded
+from app.projects.errors import NdaNeeded, ProjectNotFound, TeamNeeded
+from app.sound_lists.rules import CueState
 
 router = Router(prefix="/v1", tags=["postings"], route_class=RateLimitedRoute)
 _unsaved_router = APIRouter(route_class=UnsavedResponseRoute)
@@ -88,6 +90,23 @@ def list_my_postings(session: DbSession, actor: Actor = allows(Audience.PERSON))
 def read_posting(posting_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> PostingRead:
     """Return a posting: whole for those who act for the studio, as far as it concerns them for candidates."""
     return posting_read(session, actor, posting_id)
+
+
+@router.get("/postings/{posting_id}/cues", responses=problems(PostingNotFound, TeamNeeded, NdaNeeded))
+def list_asked_cues(posting_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> list[AskedCue]:
+    """Return the cues that the lines of a posting count: to the team, and to candidates after an NDA."""
+    return [
+        AskedCue(
+            id=cue.id,
+            line=cue.category,
+            name=cue.name,
+            variations=cue.variations,
+            duration_s=cue.duration_s,
+            loop=cue.loop,
+            is_concept=cue.state is CueState.CONCEPT,
+        )
+        for cue in postings.asked_cues(session, actor, posting_id)
+    ]
 
 
 @router.put(
@@ -162,10 +181,12 @@ def revoke_posting_link(posting_id: UUID, session: DbSession, actor: Actor = all
 
 
 @router.get("/posting-links/{secret}", responses=problems(PostingNotFound))
-def preview_posting(secret: str, session: DbSession, actor: Actor = allows(Audience.ANYONE)) -> PostingPreview:
+def preview_posting(
+    secret: str, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Audience.ANYONE)
+) -> PostingPreview:
     """Show a posting to everyone who has its link: all of it, or title, dates and studio while an NDA comes first."""
     posting, candidate, is_closed = links.preview(session, actor, secret)
-    return preview(session, posting, candidate, is_closed=is_closed)
+    return preview(session, posting, candidate, is_closed=is_closed, sends_mail=bool(runtime.settings.smtp_url))
 
 
 @_unsaved_router.post(

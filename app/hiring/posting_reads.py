@@ -56,12 +56,15 @@ def summary(posting: Posting, *, sent: int | None, own: Bid | None, is_closed: b
     )
 
 
-def preview(session: Session, posting: Posting, candidate: Candidate | None, *, is_closed: bool) -> PostingPreview:
+def preview(
+    session: Session, posting: Posting, candidate: Candidate | None, *, is_closed: bool, sends_mail: bool
+) -> PostingPreview:
     """Return a posting as its link shows it; `is_closed`: an NDA comes first."""
     return PostingPreview(
         **_head(posting),
         email=candidate.email if candidate else None,
         has_account=candidate is not None and has_account(session, candidate.email),
+        sends_mail=sends_mail,
         nda_needed=is_closed,
         project_name="" if is_closed else posting.project.name,
         text="" if is_closed else posting.text,

@@ -33,6 +33,7 @@ from app.kit.db import bypass_row_policies
 from app.kit.errors import FieldProblem
 from app.kit.events import publish
 from app.projects.service import project_access
+from app.sound_lists.models import Cue
 
 LINK_LIFETIME = timedelta(days=90)
 
@@ -134,6 +135,16 @@ def asked_cue_ids(session: Session, posting: Posting, keys: Sequence[str]) -> li
         for cue in queries.counted_cues(session, posting.project_id)
         if cue.category in keys and (chosen is None or cue.id in chosen)
     ]
+
+
+def asked_cues(session: Session, actor: Actor, posting_id: UUID) -> list[Cue]:
+    """Return the cues that a posting asks for as the list has them now: to the team, and to candidates after an NDA."""
+    access = posting_seen(session, actor, posting_id)
+    access.ensure_after_nda()
+    posting = access.posting
+    chosen = set(posting.cue_ids) if posting.scope is AskedScope.CUES else None
+    cues = queries.cues_of_lines(session, posting.project_id, [line["key"] for line in posting.lines])
+    return [cue for cue in cues if chosen is None or str(cue.id) in chosen]
 
 
 def open_posting(session: Session, actor: Actor, posting_id: UUID) -> None:

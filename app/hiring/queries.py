@@ -37,6 +37,15 @@ def counted_cues(session: Session, project_id: UUID) -> list[CountedCue]:
     ]
 
 
+def cues_of_lines(session: Session, project_id: UUID, keys: Collection[str]) -> Sequence[Cue]:
+    """Return the cues that lines of a posting count, in list order; those that are cut are left out."""
+    return session.scalars(
+        select(Cue)
+        .where(Cue.project_id == project_id, Cue.state != CueState.CUT, Cue.category.in_(keys))
+        .order_by(Cue.position, Cue.number)
+    ).all()
+
+
 def posting_for(session: Session, actor: Actor, posting_id: UUID) -> Posting | None:
     """Return a posting of the caller's studios, or one that the caller may bid on."""
     joined = exists().where(

@@ -9,7 +9,7 @@ from zoneinfo import ZoneInfo
 
 from sqlalchemy.orm import Session
 
-from app.accounts.models import Studio
+from app.accounts.models import Person, Studio
 from app.accounts.rules import Actor, Role, ensure_address
 from app.accounts.service import ensure_member_of
 from app.hiring import roster_queries
@@ -143,6 +143,30 @@ def put_facts(entry: RosterEntry, facts: Mapping[str, Any]) -> None:
     if entry.id is not None:
         entry.revision += 1
     entry.changed_at = clock.now()
+
+
+def keep_on_roster(session: Session, actor: Actor, studio_id: UUID, designer_id: UUID) -> None:
+    """Put a designer on file under the name and address of their account; one who is there, or a full roster, stays."""
+    designer = session.get_one(Person, designer_id)
+    roster_queries.lock_roster(session, studio_id)
+    if (
+        roster_queries.has_address(session, studio_id, designer.email)
+        or roster_queries.entries_count(session, studio_id) >= MAX_ENTRIES
+    ):
+        return
+    entry = RosterEntry(
+        studio_id=studio_id,
+        name=designer.name,
+        email=designer.email,
+        specialities=[],
+        services=[],
+        languages=[],
+        links=[],
+        added_by=actor.person,
+        revision=1,
+    )
+    session.add(entry)
+    session.flush()
 
 
 def _put(session: Session, access: RosterAccess, entry: RosterEntry, facts: Mapping[str, Any]) -> None:

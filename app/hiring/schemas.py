@@ -81,6 +81,18 @@ class AskedLine(Schema):
     concepts: int = Field(0, description="Cues that are an idea still: what is ordered for them may change or go.")
 
 
+class AskedCue(Schema):
+    """One cue that a line of a posting counts, as the sound list has it now."""
+
+    id: UUID
+    line: str = Field(description="The key of its line.")
+    name: str
+    variations: int
+    duration_s: float | None = Field(description="How long one file is, as far as it is known.")
+    loop: bool
+    is_concept: bool = Field(description="An idea still: what is ordered for it may change or go.")
+
+
 class CandidateRead(Schema):
     """A person who may bid."""
 
@@ -269,6 +281,7 @@ class PostingPreview(Schema):
 
     email: str | None = Field(description="Whose personal link it is; null for the link for everyone.")
     has_account: bool = Field(description="Whether this address has an account.")
+    sends_mail: bool = Field(description="Whether personal links are mailed; if not, the studio hands them over.")
     studio_name: str
     project_name: str = Field(description="Empty while an NDA comes first.")
     title: str

@@ -9,15 +9,20 @@ from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
 from app.notifications import service
 from app.notifications.errors import MailNotFound
 from app.notifications.models import Mail
-from app.notifications.rules import text_of
-from app.notifications.schemas import MailRead, OutboxRead
+from app.notifications.rules import mail_state, text_of
+from app.notifications.schemas import MailedLinkRead, MailedLinksRead, MailRead, OutboxRead
+from app.projects.errors import ProjectNotFound, TeamNeeded
 
 router = Router(prefix="/v1", tags=["notifications"], route_class=Route)
 
 
-def _read(mail: Mail, *, can_send: bool) -> MailRead:
+def _shown_link(mail: Mail, *, can_send: bool) -> str | None:
     # A secret link is shown only if no mail server delivers it to its recipient.
-    link = None if mail.sent_at is not None or (can_send and mail.secret_of is not None) else mail.link
+    return None if mail.sent_at is not None or (can_send and mail.secret_of is not None) else mail.link
+
+
+def _read(mail: Mail, *, can_send: bool) -> MailRead:
+    link = _shown_link(mail, can_send=can_send)
     return MailRead(
         id=mail.id,
         recipient=mail.recipient,
@@ -38,6 +43,31 @@ def read_outbox(
     mails = service.outbox(session, actor, studio_id)
     can_send = bool(runtime.settings.smtp_url)
     return OutboxRead(can_send=can_send, mails=[_read(mail, can_send=can_send) for mail in mails])
+
+
+@router.get("/projects/{project_id}/mailed-links", responses=problems(ProjectNotFound, TeamNeeded))
+def list_mailed_links(
+    project_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Audience.TEAM)
+) -> MailedLinksRead:
+    """Return how the mails stand by which a project invites: designers, candidates and, for producers, members."""
+    can_send = bool(runtime.settings.smtp_url)
+    return MailedLinksRead(
+        can_send=can_send,
+        links=[
+            MailedLinkRead(
+                of_id=mail.secret_of_id,
+                mail_id=mail.id,
+                recipient=mail.recipient,
+                state=mail_state(mail.sent_at, mail.failure, can_send=can_send),
+                created_at=mail.created_at,
+                sent_at=mail.sent_at,
+                failure=mail.failure,
+                link=_shown_link(mail, can_send=can_send),
+            )
+            for mail in service.mailed_links(session, actor, project_id)
+            if mail.secret_of_id is not None
+        ],
+    )
 
 
 @router.post("/mails/{mail_id}/send", responses=problems(MailNotFound))

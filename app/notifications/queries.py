@@ -7,20 +7,22 @@ from uuid import UUID
 from sqlalchemy import and_, func, or_, select
 from sqlalchemy.orm import Session
 
-from app.accounts.models import Membership, Person
+from app.accounts.models import Membership, Person, StudioInvitation
 from app.accounts.rules import Role
 from app.agreements.models import Contract, Milestone
 from app.deliveries.models import Take
+from app.hiring.models import Candidate
 from app.kit.in_array import in_array
 from app.notifications.models import Mail, MailPreferences, Notice
 from app.projects.approval import approval_rights
-from app.projects.models import Engagement, Liaison, Project
+from app.projects.models import Engagement, Liaison, Project, ProjectInvitation
 from app.projects.visibility import engaged_with_nda_accepted
 from app.renders.models import Picture
 from app.reviews.models import ChangeRequest, Comment
 from app.sound_lists.models import Cue
 
 OUTBOX_ROWS = 200
+LINK_ROWS = 500
 
 
 def open_mail(session: Session, topic: str, recipient: str) -> Mail | None:
@@ -63,6 +65,26 @@ def outbox(session: Session, studio_id: UUID) -> Sequence[Mail]:
         .order_by(Mail.sent_at.is_not(None), Mail.id.desc())
         .limit(OUTBOX_ROWS)
     ).all()
+
+
+def link_mails(session: Session, project: Project, *, of_members: bool) -> Sequence[Mail]:
+    """Return the newest mail of each secret link that a project invites by, and of the studio's where asked for."""
+    invited = [
+        select(Candidate.id).where(Candidate.project_id == project.id),
+        select(ProjectInvitation.id).where(ProjectInvitation.project_id == project.id),
+    ]
+    if of_members:
+        invited.append(select(StudioInvitation.id).where(StudioInvitation.studio_id == project.studio_id))
+    mails = session.scalars(
+        select(Mail)
+        .where(Mail.studio_id == project.studio_id, or_(*(Mail.secret_of_id.in_(ids) for ids in invited)))
+        .order_by(Mail.id.desc())
+        .limit(LINK_ROWS)
+    )
+    newest: dict[UUID | None, Mail] = {}
+    for mail in mails:
+        newest.setdefault(mail.secret_of_id, mail)
+    return list(newest.values())
 
 
 def overdue_ids(session: Session, at: datetime, digest_delay_s: float) -> Sequence[UUID]:

@@ -7,6 +7,7 @@ from pydantic import Field
 
 from app.kit.http import Schema
 from app.notifications.preference_rules import Cadence, News
+from app.notifications.rules import MailState
 
 
 class MailRead(Schema):
@@ -20,6 +21,26 @@ class MailRead(Schema):
     created_at: datetime
     sent_at: datetime | None
     failure: str | None
+
+
+class MailedLinkRead(Schema):
+    """How the mail with a secret link stands: of an invitation, or of a candidate of a posting."""
+
+    of_id: UUID = Field(description="The invitation or the candidate that the link is for.")
+    mail_id: UUID
+    recipient: str
+    state: MailState
+    created_at: datetime
+    sent_at: datetime | None
+    failure: str | None = Field(description="Why the mail server refused it last.")
+    link: str | None = Field(description="To be copied where no mail server delivers it, for those who may invite.")
+
+
+class MailedLinksRead(Schema):
+    """The mails with secret links of a project, the newest of each, and whether a server takes them."""
+
+    can_send: bool
+    links: list[MailedLinkRead]
 
 
 class OutboxRead(Schema):

@@ -18,6 +18,7 @@ from app.notifications.errors import MailBusy, MailNotFound
 from app.notifications.models import Mail
 from app.notifications.preference_rules import Cadence, news_of
 from app.notifications.spot_rules import SpotLine
+from app.projects.service import project_access
 
 # Longer than the server is given to take a mail; a worker that died sending leaves it to the next after that.
 CLAIMED_FOR = timedelta(seconds=60)
@@ -142,6 +143,13 @@ def outbox(session: Session, actor: Actor, studio_id: UUID) -> list[Mail]:
     """Return the mails that the studio's producer may see; mails about a person's account are left out."""
     ensure_producer_of(session, actor, studio_id)
     return list(queries.outbox(session, studio_id))
+
+
+def mailed_links(session: Session, actor: Actor, project_id: UUID) -> Sequence[Mail]:
+    """Return the newest mail of each link by which a project invites; those of members are for producers only."""
+    access = project_access(session, actor, project_id)
+    access.ensure_may_speak()
+    return queries.link_mails(session, access.project, of_members=access.is_producer)
 
 
 def send_again(session: Session, actor: Actor, mail_id: UUID) -> Mail:

@@ -124,7 +124,7 @@ test('whatever is typed is there again, however a form is left @slow', async ({ 
       first: 'second@tones.example',
       then: 'other@tones.example',
       send: page.getByRole('button', { name: 'Send invitation' }),
-      sent: toast(page, 'Invitation sent to other@tones.example.'),
+      sent: toast(page, 'other@tones.example is invited.'),
     },
     {
       name: 'the spec',

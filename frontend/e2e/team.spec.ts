@@ -79,7 +79,7 @@ async function asks(browser: Browser, url: string): Promise<void> {
     await producer.keyboard.press('Enter')
     await producer.getByLabel('Choose Ada Tones').check()
     await producer.getByRole('button', { name: 'Ask 1 designer for bids' }).click()
-    await expect(producer.getByText('mailed when it opens')).toBeVisible()
+    await expect(producer.getByText('asked when it opens')).toBeVisible()
     await producer.getByRole('button', { name: 'Open for bids' }).click()
     await expect(producer.getByText(/^Open\. 0 bids/)).toBeVisible()
     const { studios } = await ask<{ studios: { id: string }[] }>(producer.context(), `${url}/v1/me`)

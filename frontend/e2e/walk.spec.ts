@@ -88,7 +88,7 @@ test('from sign-up to a signed contract, a messy delivery and the verdicts, coun
     const invite = page.getByRole('form', { name: 'Invite a designer' })
     await producer.type(invite.getByLabel('Email'), addressOf('designer'))
     await producer.press('Enter')
-    await expect(page.getByText(`Invitation sent to ${addressOf('designer')}.`)).toBeVisible()
+    await expect(page.getByText(`${addressOf('designer')} is invited.`)).toBeVisible()
     const link = await linkFor(page, url, addressOf('designer'))
     await designer.page.goto(link)
     await designer.click(designer.page.getByRole('button', { name: 'Start delivering' }))

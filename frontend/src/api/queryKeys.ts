@@ -69,6 +69,7 @@ export const queryKeys = {
     ),
 
   // hiring
+  askedCues: family<[postingId: string]>('asked-cues'),
   postings: family<[projectId: string]>('postings'),
   ownPostings: family('own-postings'),
   posting: family<[postingId: string]>('posting'),
@@ -158,6 +159,7 @@ export const queryKeys = {
 
   // notifications, dashboards and operations
   outbox: family<[studioId: string]>('outbox'),
+  mailedLinks: family<[projectId: string]>('mailed-links'),
   notices: family<[part: 'unread' | 'list']>('notices'),
   peopleToMention: family<[takeId: string]>('people-to-mention'),
   webhooks: family<[studioId: string] | [part: 'calls', webhookId: string]>('webhooks'),
@@ -228,7 +230,7 @@ export const FIXED = wordsOf(
 
 /** Families that a change in these rooms affects; a change in any other room may affect every family. */
 export const AFFECTED_BY: Readonly<Record<string, ReadonlySet<string>>> = {
-  notifications: wordsOf(queryKeys.outbox, queryKeys.notices),
+  notifications: wordsOf(queryKeys.outbox, queryKeys.mailedLinks, queryKeys.notices),
   webhooks: wordsOf(queryKeys.webhooks),
   references: wordsOf(queryKeys.references),
   shares: wordsOf(queryKeys.guestLinks, queryKeys.playlists, queryKeys.playlist, queryKeys.savedViews),

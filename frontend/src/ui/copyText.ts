@@ -22,7 +22,6 @@ function copySelected(text: string, near: HTMLElement): boolean {
   field.focus({ preventScroll: true })
   field.select()
   try {
-    // eslint-disable-next-line @typescript-eslint/no-deprecated -- the only way over plain HTTP
     return document.execCommand('copy')
   } catch {
     return false

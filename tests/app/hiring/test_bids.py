@@ -266,6 +266,8 @@ def test_an_award_opens_a_draft_with_the_bids_figures(world: World, posting: dic
     seen = world.producer.get(f"/v1/postings/{posting['id']}").json()
     assert (seen["state"], seen["contract_id"]) == ("awarded", contract_id)
     assert world.producer.post(path).json()["code"] == "wrong-posting-state"
+    roster = world.producer.get(f"/v1/studios/{world.studio_id}/roster").json()["items"]
+    assert [entry["name"] for entry in roster] == [chosen["designer"]["name"]]
     assert world.other_designer.get(f"/v1/postings/{posting['id']}").json()["own_bid"]["is_awarded"]
     lost = world.designer.get(f"/v1/postings/{posting['id']}").json()
     assert (lost["own_bid"]["is_awarded"], lost["contract_id"]) == (False, None)

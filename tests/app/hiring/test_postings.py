@@ -244,6 +244,31 @@ def own_secret(world: World, address: str) -> str:
 
 
 @pytest.mark.both_databases
+def test_a_bidder_sees_the_cues_that_each_line_counts(world: World) -> None:
+    ids = add_cues(world)
+    change = {"edition": 1, "duration_s": 2.5, "loop": True}
+    assert world.producer.patch(f"/v1/cues/{ids[0]}", json=change).is_success
+    posting = opened(world, scope="cues", cue_ids=[ids[0], ids[3]])
+    path = f"/v1/postings/{posting['id']}/cues"
+    assert world.other_designer.get(path).status_code == 404
+    join(world, posting, world.other_designer)
+    shown = world.other_designer.get(path).json()
+    facts = ("line", "name", "variations", "duration_s", "loop", "is_concept")
+    assert [tuple(cue[fact] for fact in facts) for cue in shown] == [
+        ("footsteps", "Cue 1", 4, 2.5, True, False),
+        ("ui", "Cue 4", 1, None, False, False),
+    ]
+    assert shown[0].keys() == {"id", *facts}
+    assert world.producer.get(path).json() == shown
+    assert world.stranger.get(path).status_code == 404
+    ask_for_nda(world)
+    refused = world.other_designer.get(path)
+    assert (refused.status_code, refused.json()["code"]) == (403, "nda-needed")
+    ask_for_nda(world, accepted_by=world.other_designer_id)
+    assert world.other_designer.get(path).json() == shown
+
+
+@pytest.mark.both_databases
 def test_behind_the_nda_only_title_dates_and_studio_are_shown(world: World) -> None:
     add_cues(world)
     ask_for_nda(world)

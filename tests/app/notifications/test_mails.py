@@ -9,6 +9,7 @@ from uuid import UUID, uuid4
 
 import pytest
 import sqlalchemy as sa
+from fastapi.testclient import TestClient
 from sqlalchemy.orm import Session
 
 from app.conformance import service as conformance
@@ -17,6 +18,7 @@ from app.kit import clock
 from app.notifications import jobs, mail_jobs, service
 from app.notifications.errors import MailBusy
 from app.notifications.models import Mail
+from app.notifications.rules import MailState, mail_state
 from tests.support.deliver import add_cues, deliver
 from tests.support.mailbox import Mailbox, with_smtp
 from tests.support.server import RunningServer, World
@@ -49,6 +51,54 @@ def test_without_a_server_the_invitation_waits_with_its_link(world: World):
     assert "/invitation/" in str(mail["link"])
     assert "Six palette sounds first." in str(mail["text"])
     assert mail["sent_at"] is None
+
+
+def links_of(world: World, by: TestClient | None = None) -> dict[str, dict[str, object]]:
+    world.server.wait_for_jobs()
+    answer = (by or world.producer).get(f"/v1/projects/{world.project_id}/mailed-links")
+    assert answer.status_code == 200, answer.text
+    return {str(link["recipient"]): link for link in answer.json()["links"]}
+
+
+def test_the_page_of_an_invitation_says_how_its_mail_stands(world: World, mailbox: Mailbox, smtp_url: str):
+    maker, bidder, member = (f"{uuid4()}@example.test" for _ in range(3))
+    invite(world, maker)
+    posting = world.producer.post(f"/v1/projects/{world.project_id}/postings", json={"title": "Effects"}).json()
+    path = f"/v1/postings/{posting['id']}"
+    world.producer.post(f"{path}/candidates", json={"email": bidder})
+    assert bidder not in links_of(world)  # mailed when it opens
+    add_cues(world, {"name": "Door"})
+    assert world.producer.post(f"{path}/open").is_success
+    world.producer.post(f"/v1/studios/{world.studio_id}/invitations", json={"email": member, "roles": ["liaison"]})
+    links = links_of(world)
+    assert {str(link["state"]) for link in links.values()} == {"no_server"}
+    assert links.keys() == {maker, bidder, member}
+    assert "/posting/" in str(links[bidder]["link"])
+    assert "/invitation/" in str(links[maker]["link"])
+    candidates = world.producer.get(path).json()["candidates"]
+    assert links[bidder]["of_id"] == candidates[0]["id"]
+    assert world.designer.get(f"/v1/projects/{world.project_id}/mailed-links").status_code == 403
+    assert world.stranger.get(f"/v1/projects/{world.project_id}/mailed-links").status_code == 404
+    mail_jobs.send_pending(with_smtp(world.server.runtime, smtp_url))
+    sent = links_of(world)[bidder]
+    assert (sent["state"], sent["link"]) == ("sent", None)
+
+
+@pytest.mark.parametrize(
+    ("is_sent", "failure", "can_send", "state"),
+    [
+        (False, None, False, MailState.NO_SERVER),
+        (False, "SMTPConnectError: refused", False, MailState.NO_SERVER),
+        (False, None, True, MailState.WAITING),
+        (False, "SMTPConnectError: refused", True, MailState.FAILED),
+        (True, None, True, MailState.SENT),
+        (True, None, False, MailState.SENT),
+    ],
+)
+def test_a_mail_stands_by_its_server_and_its_failure(
+    is_sent: bool, failure: str | None, can_send: bool, state: MailState
+):
+    assert mail_state(clock.now() if is_sent else None, failure, can_send=can_send) is state
 
 
 def test_once_a_server_is_set_what_waited_goes_out_once(world: World, mailbox: Mailbox, smtp_url: str):

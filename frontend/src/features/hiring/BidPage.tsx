@@ -45,7 +45,7 @@ export function BidPage() {
   }
   return (
     <div className={`page stack ${classes.sheet}`}>
-      <PostingFacts posting={posting} ndaOpen={posting.nda_open} />
+      <PostingFacts posting={posting} ndaOpen={posting.nda_open} postingId={posting.id} />
       {posting.clashes.length > 0 && <Clashes posting={posting} />}
       {!posting.nda_open && (
         <>

@@ -1,12 +1,11 @@
 import { money } from '@/money/words'
-import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
-import { day, plural } from '@/ui/format'
-import { Row, Rows } from '@/ui/Rows'
+import { day } from '@/ui/format'
 
-import type { AskedLine, PostingPreview } from './api'
+import type { PostingPreview } from './api'
+import { AskedCard } from './AskedCard'
 import classes from './Hiring.module.css'
-import { countOfLine, period } from './words'
+import { period } from './words'
 
 type Shown = Pick<
   PostingPreview,
@@ -25,8 +24,15 @@ type Shown = Pick<
   | 'lines'
 >
 
+interface PostingFactsProps {
+  posting: Shown
+  ndaOpen: boolean
+  /** Whose cues are shown with the lines; the page of a link, which anyone may open, shows counts only. */
+  postingId?: string
+}
+
 /** What a posting offers, as a designer reads it; behind an NDA only title, dates and studio. */
-export function PostingFacts({ posting, ndaOpen }: { posting: Shown; ndaOpen: boolean }) {
+export function PostingFacts({ posting, ndaOpen, postingId }: PostingFactsProps) {
   const { title, studio_name: studio, project_name: project, text, currency } = posting
   const until = posting.bids_until_on ? ` until ${day(posting.bids_until_on)}` : ''
   return (
@@ -55,32 +61,9 @@ export function PostingFacts({ posting, ndaOpen }: { posting: Shown; ndaOpen: bo
             </p>
           )}
           {posting.budget_minor !== null && <p>{`Budget: ${money(posting.budget_minor, currency)}.`}</p>}
-          {posting.lines.length > 0 && <AskedCard lines={posting.lines} />}
+          {posting.lines.length > 0 && <AskedCard lines={posting.lines} postingId={postingId} />}
         </>
       )}
     </>
-  )
-}
-
-export function AskedCard({ lines }: { lines: readonly AskedLine[] }) {
-  const cues = lines.reduce((sum, line) => sum + line.cues, 0)
-  const concepts = lines.reduce((sum, line) => sum + line.concepts, 0)
-  return (
-    <Card aria-labelledby="asked">
-      <CardHead id="asked" title="Asked for" count={cues} note="cues" />
-      <Rows>
-        {lines.map((line) => (
-          <Row key={line.key}>
-            <span className="grow">{line.label}</span>
-            <span className="mid">{countOfLine(line)}</span>
-          </Row>
-        ))}
-      </Rows>
-      {concepts > 0 && (
-        <p className="small tone-warn">
-          {`${concepts} of ${plural(cues, 'cue')} ${concepts === 1 ? 'is a concept' : 'are concepts'} still: what is asked for may change.`}
-        </p>
-      )}
-    </Card>
   )
 }

@@ -47,7 +47,9 @@ export function PostingLinkPage() {
       {visitor === null && posting.email !== null && (
         <AccountCard secret={secret} email={posting.email} hasAccount={posting.has_account} onSignedIn={begin} />
       )}
-      {visitor === null && posting.email === null && posting.takes_bids && <AskCard secret={secret} />}
+      {visitor === null && posting.email === null && posting.takes_bids && (
+        <AskCard secret={secret} sendsMail={posting.sends_mail} />
+      )}
     </div>
   )
 }
@@ -97,25 +99,34 @@ function AccountCard({ secret, email, hasAccount, onSignedIn }: AccountCardProps
 }
 
 /** The link for everyone: it proves no address, so a link of one's own comes by email first. */
-function AskCard({ secret }: { secret: string }) {
+function AskCard({ secret, sendsMail }: { secret: string; sendsMail: boolean }) {
   const ask = useAskForLink(secret)
   return (
     <Card aria-labelledby="ask">
-      <CardHead id="ask" title={ask.isSuccess ? 'Check your inbox' : 'Bid on this'} />
+      <CardHead
+        id="ask"
+        title={ask.isSuccess ? (sendsMail ? 'Check your inbox' : 'The studio has your address') : 'Bid on this'}
+      />
       <div className={classes.body}>
         {ask.isSuccess ? (
           <p role="status">
-            {`We have sent an email to ${ask.variables} with a link of your own. It opens this page, where you can bid. `}
+            {sendsMail
+              ? `We have sent an email to ${ask.variables} with a link of your own. It opens this page, where you can bid. `
+              : `This server sends no email: the studio hands you a link for ${ask.variables}, which opens this page. `}
             <button type="button" className="link" onClick={() => ask.reset()}>
-              Use another email, or send it again
+              {sendsMail ? 'Use another email, or send it again' : 'Use another email'}
             </button>
           </p>
         ) : (
           <>
-            <p className="mid">You get a link of your own by email, and bid by it.</p>
+            <p className="mid">
+              {sendsMail
+                ? 'You get a link of your own by email, and bid by it.'
+                : 'You bid by a link of your own. This server sends no email: the studio hands it to you.'}
+            </p>
             <Form
               draftKey={`posting-ask:${secret}`}
-              action="Email me a link"
+              action={sendsMail ? 'Email me a link' : 'Ask for a link'}
               busy={ask.isPending}
               error={ask.error}
               onSubmit={(value) => ask.mutate(value('email'))}

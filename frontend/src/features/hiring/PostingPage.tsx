@@ -4,6 +4,7 @@ import { type FormEvent, type ReactNode, useState } from 'react'
 
 import { type Draft, DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
+import { MailedLink } from '@/mails'
 import { amount, minorOf } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
@@ -22,7 +23,7 @@ import {
   useWithdrawCandidate,
 } from './api'
 import classes from './Hiring.module.css'
-import { AskedCard } from './PostingFacts'
+import { AskedCard } from './AskedCard'
 import { QuestionsCard } from './QuestionsCard'
 import { Refusal } from './Refusal'
 import { ChooseFromRoster } from './roster/ChooseFromRoster'
@@ -40,7 +41,7 @@ export function PostingPage() {
       {posting.state === 'awarded' ? (
         <>
           <Head posting={posting} projectId={projectId} move={move} />
-          <AskedCard lines={posting.lines} />
+          <AskedCard lines={posting.lines} postingId={posting.id} />
         </>
       ) : (
         <Written key={posting.revision} posting={posting} projectId={projectId} move={move} />
@@ -223,7 +224,7 @@ function Written({ posting, projectId, move }: { posting: Posting; projectId: st
       >
         {refused?.isOpening && problem}
       </Head>
-      <AskedCard lines={posting.lines} />
+      <AskedCard lines={posting.lines} postingId={posting.id} />
       <Fields
         posting={posting}
         fields={fields}
@@ -392,9 +393,16 @@ function PeopleCard({ posting }: { posting: Posting }) {
           <Row key={id}>
             <span className="grow cut-text">{person ? `${person.name} (${address})` : address}</span>
             <span className="mid">
-              {joined ? `opened it on ${day(joined)}` : posting.state === 'draft' ? 'mailed when it opens' : 'mailed'}
-              {isInvited ? '' : ', by the link'}
+              {[
+                joined ? `opened it on ${day(joined)}` : posting.state === 'draft' ? 'asked when it opens' : '',
+                isInvited ? '' : 'by the link',
+              ]
+                .filter(Boolean)
+                .join(', ')}
             </span>
+            {!joined && posting.state !== 'draft' && (
+              <MailedLink projectId={posting.project_id} ofId={id} recipient={address} />
+            )}
             {!isOver && (
               <Button variant="quiet" aria-label={`Take ${address} off`} onClick={() => withdraw.mutate(id)}>
                 Take off

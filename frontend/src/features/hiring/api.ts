@@ -14,6 +14,7 @@ export type ComparedBid = Schemas['ComparedBid']
 export type BidLine = Schemas['BidLine']
 export type BidContent = Schemas['BidContent']
 export type AskedLine = Schemas['AskedLine']
+export type AskedCue = Schemas['AskedCue']
 
 const CHECKED_SOON_MS = 2000
 const at = (postingId: string) => ({ params: { path: { posting_id: postingId } } })
@@ -31,6 +32,13 @@ export const postingQuery = (postingId: string) =>
     queryFn: () => answered(api.GET('/v1/postings/{posting_id}', at(postingId))),
     refetchInterval: ({ state: { data } }) =>
       data?.own_bid?.samples.some(({ state }) => state === 'pending') ? CHECKED_SOON_MS : false,
+  })
+
+/** The cues that the lines of a posting count. */
+export const askedCuesQuery = (postingId: string) =>
+  queryOptions({
+    queryKey: queryKeys.askedCues(postingId),
+    queryFn: () => answered(api.GET('/v1/postings/{posting_id}/cues', at(postingId))),
   })
 
 export const comparisonQuery = (postingId: string) =>

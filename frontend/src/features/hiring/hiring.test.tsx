@@ -186,6 +186,7 @@ test('a producer writes a posting, saves it and opens it', async () => {
   const at = server.at
   server.answers[`GET ${at}/postings`] = []
   server.answers[`POST ${at}/postings`] = answer(aPosting({ state: 'draft' }), 201)
+  server.answers['GET /v1/postings/p1/cues'] = []
   server.answers['GET /v1/postings/p1'] = aPosting({ state: 'draft' })
   server.answers['PUT /v1/postings/p1'] = aPosting({ state: 'draft', revision: 3, budget_minor: 800000 })
   server.answers['POST /v1/postings/p1/open'] = aPosting()
@@ -210,6 +211,7 @@ test('a producer writes a posting, saves it and opens it', async () => {
 
 const draftOpened = (more: Partial<Posting> = {}) => {
   const server = new ListServer([], {}, 'team')
+  server.answers['GET /v1/postings/p1/cues'] = []
   server.answers['GET /v1/postings/p1'] = aPosting({ state: 'draft', opened_at: null, ...more })
   openApp(`${server.path.replace('/sound-list', '')}/postings/p1`)
   return server
@@ -263,6 +265,7 @@ test('what was typed before a colleague opened the posting keeps what is fixed a
 function bidOpened(more: Partial<Posting> = {}) {
   const server = new ListServer([], {}, 'designer')
   const seen = aPosting({ is_team: false, headings: [], bids: null, ...more })
+  server.answers['GET /v1/postings/p1/cues'] = []
   server.answers['GET /v1/postings/p1'] = seen
   openApp('/postings/p1')
   return { server, seen }
@@ -331,8 +334,8 @@ test('behind the NDA there is no form', async () => {
   expect(screen.queryByRole('heading', { name: 'Your bid' })).not.toBeInTheDocument()
 })
 
-const linkOpened = (personal: { email: string | null; has_account: boolean }) => {
-  const shown = { ...aPosting({ project_name: 'Shield Wing' }), nda_needed: false, ...personal }
+const linkOpened = (personal: { email: string | null; has_account: boolean }, sendsMail = true) => {
+  const shown = { ...aPosting({ project_name: 'Shield Wing' }), nda_needed: false, sends_mail: sendsMail, ...personal }
   const server = serve({
     'GET /v1/session': { signed_in: false, demo: false },
     'GET /v1/posting-links/abc': shown,
@@ -351,6 +354,81 @@ test('the link for everyone shows the posting, and mails a link of one’s own',
   await userEvent.type(screen.getByLabelText('Email'), 'ada@tones.example{Enter}')
   expect(await screen.findByText(/^We have sent an email to ada@tones.example with a link/)).toBeVisible()
   expect(wrote(server.asked, 'POST /v1/posting-links/abc/ask')[0]?.body).toEqual({ email: 'ada@tones.example' })
+})
+
+test('on a server without mail the link for everyone promises no email', async () => {
+  const server = linkOpened({ email: null, has_account: false }, false)
+  server.answers['POST /v1/posting-links/abc/ask'] = null
+  await userEvent.type(await screen.findByLabelText('Email'), 'ada@tones.example')
+  await userEvent.click(screen.getByRole('button', { name: 'Ask for a link' }))
+  expect(await screen.findByRole('heading', { name: 'The studio has your address' })).toBeVisible()
+  expect(
+    screen.getByText(/^This server sends no email: the studio hands you a link for ada@tones\.example/),
+  ).toBeVisible()
+})
+
+const candidate = (id: string, more: Partial<Posting['candidates'][number]> = {}): Posting['candidates'][number] => ({
+  id,
+  email: `${id}@tones.example`,
+  person: null,
+  is_invited: true,
+  joined_at: null,
+  ...more,
+})
+const mailedLink = (of: string, more: object) => ({
+  of_id: of,
+  mail_id: `m-${of}`,
+  recipient: `${of}@tones.example`,
+  created_at: '2026-11-25T10:00:00Z',
+  sent_at: null,
+  failure: null,
+  link: null,
+  ...more,
+})
+
+test('each person who is asked has the state of their email beside them, and their link where nothing sends it', async () => {
+  const people = ['ada', 'bo', 'cy', 'di'].map((id) => candidate(id))
+  const server = draftOpened({
+    state: 'open',
+    candidates: [...people, candidate('eve', { joined_at: '2026-11-25T10:00:00Z' })],
+  })
+  server.answers[`GET ${server.at}/mailed-links`] = {
+    can_send: true,
+    links: [
+      mailedLink('ada', { state: 'no_server', link: 'http://x/posting/ada' }),
+      mailedLink('bo', { state: 'sent', sent_at: new Date().toISOString() }),
+      mailedLink('cy', { state: 'failed', failure: 'SMTPConnectError: refused' }),
+    ],
+  }
+  const user = userEvent.setup()
+  const rows = within(await screen.findByRole('region', { name: /^Who is asked/ }))
+  await rows.findByText('Emailed just now')
+  const row = (name: string) => rows.getByText(`${name}@tones.example`).closest('li')
+  expect(row('ada')).toHaveTextContent('Not emailed: no mail server')
+  expect(row('cy')).toHaveTextContent('Email failed, tried again')
+  expect(row('di')).toHaveTextContent('Email waiting')
+  expect(row('eve')).not.toHaveTextContent('Email')
+  await user.click(rows.getByRole('button', { name: 'Copy link for ada@tones.example' }))
+  expect(await navigator.clipboard.readText()).toBe('http://x/posting/ada')
+})
+
+test('a bidder reads the cues of each line that is priced', async () => {
+  const { server } = bidOpened()
+  const cue = { line: 'footsteps', duration_s: null, loop: false, is_concept: false }
+  server.answers['GET /v1/postings/p1/cues'] = [
+    { ...cue, id: 'c1', name: 'Grass', variations: 1 },
+    { ...cue, id: 'c2', name: 'Sand', variations: 6, duration_s: 0.4, loop: true, is_concept: true },
+    { ...cue, id: 'c3', name: 'Snow', variations: 3 },
+    { ...cue, id: 'c4', name: 'Open', line: 'ui', variations: 1 },
+    { ...cue, id: 'c5', name: 'Shut', line: 'ui', variations: 2 },
+  ]
+  const cues = within(await screen.findByRole('list', { name: 'Cues of Footsteps', hidden: true }))
+  expect(cues.getAllByRole('listitem', { hidden: true }).map(({ textContent }) => textContent)).toEqual([
+    'Grass 1 file, no length yet',
+    'Sand 6 files, 0.40 s each, loop, concept',
+    'Snow 3 files, no length yet',
+  ])
+  expect(screen.getByText('The sound list has changed since: it has 2 cues for this line now.')).toBeInTheDocument()
 })
 
 test.each([
@@ -407,6 +485,7 @@ test('the pages have no fault that a machine can find', async () => {
 test('a posting stays on the page while the server is away', async () => {
   const server = new ListServer([], {}, 'team')
   const path = server.path.replace('/sound-list', '')
+  server.answers['GET /v1/postings/p1/cues'] = []
   server.answers['GET /v1/postings/p1'] = aPosting()
   openApp(`${path}/postings/p1`)
   expect(await screen.findByRole('heading', { name: 'Effects for Alpha' })).toBeVisible()

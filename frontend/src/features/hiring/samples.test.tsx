@@ -107,6 +107,7 @@ beforeEach(() => {
 
 test('a designer adds a sound for a line, sees what the check found, and removes it', async () => {
   const server = new ListServer([], {}, 'designer')
+  server.answers['GET /v1/postings/p1/cues'] = []
   server.answers['GET /v1/postings/p1'] = { ...POSTING, own_bid: own([]) }
   server.answers['POST /v1/postings/p1/bid/samples'] = { ...POSTING, own_bid: own([RETURNED]) }
   server.answers['DELETE /v1/bid-samples/click'] = { ...POSTING, own_bid: own([]) }
@@ -131,6 +132,7 @@ test('a designer adds a sound for a line, sees what the check found, and removes
 
 test('a file that is too large is not sent, and the reason is shown', async () => {
   const server = new ListServer([], {}, 'designer')
+  server.answers['GET /v1/postings/p1/cues'] = []
   server.answers['GET /v1/postings/p1'] = { ...POSTING, own_bid: own([]) }
   openApp('/postings/p1')
   await screen.findByRole('button', { name: 'Add a sound' })

@@ -54,8 +54,8 @@ function Choose({ posting, studioId }: { posting: Posting; studioId: string }) {
       onSuccess: () => {
         showToast(
           posting.state === 'draft'
-            ? `${plural(chosen.size, 'designer')} will be mailed when the posting opens.`
-            : `${plural(chosen.size, 'designer')} mailed.`,
+            ? `${plural(chosen.size, 'designer')} will be asked when the posting opens.`
+            : `${plural(chosen.size, 'designer')} asked. Who is asked says how each email stands.`,
         )
         setChosen(new Set())
       },

@@ -175,8 +175,8 @@ function AskRow({ entry, posting }: { entry: Entry; posting: PostingChoice }) {
               onSuccess: () =>
                 showToast(
                   posting.state === 'draft'
-                    ? `${entry.name} is mailed when the posting opens.`
-                    : `${entry.name} gets an email with a personal link.`,
+                    ? `${entry.name} is asked when the posting opens.`
+                    : `${entry.name} is asked. The posting has their link, and says how the email stands.`,
                 ),
             })
           }

@@ -6,6 +6,7 @@ import { ApiProblem } from '@/api'
 import { meQuery } from '@/api/me'
 import { useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
+import { MailedLink } from '@/mails'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Face } from '@/ui/Face'
@@ -140,7 +141,7 @@ function InviteApprover({ project }: { project: Project }) {
     invite.mutate(email, {
       onSuccess: (made) => {
         setEmail('')
-        showToast(made.is_named ? `${made.email} is the approver now.` : `Invitation sent to ${made.email}.`)
+        showToast(made.is_named ? `${made.email} is the approver now.` : `${made.email} is invited.`)
       },
     })
   }
@@ -149,9 +150,10 @@ function InviteApprover({ project }: { project: Project }) {
     <>
       <h3 className={classes.part}>Invite an approver</h3>
       {invited.map((one) => (
-        <p key={one.id} className={`small mid ${classes.acts}`}>
-          {one.email} is invited and becomes the approver on joining.
-        </p>
+        <div key={one.id} className={`row wrap ${classes.acts}`}>
+          <span className="small mid">{one.email} is invited and becomes the approver on joining.</span>
+          <MailedLink projectId={project.id} ofId={one.id} recipient={one.email} />
+        </div>
       ))}
       <form onSubmit={send} noValidate className={classes.form} aria-label="Invite an approver">
         <TextInput

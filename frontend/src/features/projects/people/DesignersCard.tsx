@@ -5,9 +5,9 @@ import type { FormEvent } from 'react'
 import { ApiProblem } from '@/api'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
+import { MailedLink, mailedLinksQuery } from '@/mails'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { CopyButton } from '@/ui/CopyButton'
 import { EmptyState } from '@/ui/EmptyState'
 import { Face } from '@/ui/Face'
 import { ago, dueDay, shortDay } from '@/ui/format'
@@ -22,7 +22,6 @@ import {
   type Invitation,
   invitationsQuery,
   useChangeEngagement,
-  useInvitationLinks,
   useInviteDesigner,
   useRevokeInvitation,
 } from './api'
@@ -119,8 +118,9 @@ function Designer({ engagement, project }: { engagement: Engagement; project: Pr
 
 function Invitations({ project, open }: { project: Project; open: readonly Invitation[] }) {
   const revoke = useRevokeInvitation(project.id)
-  const { data: outbox } = useInvitationLinks(project.studio.id, project.mine.is_producer)
-  const waitsHere = outbox?.canSend === false
+  const may = speaks(project)
+  const { data: mails } = useQuery({ ...mailedLinksQuery(project.id), enabled: may })
+  const waitsHere = mails?.can_send === false
   return (
     <>
       <h3 className={classes.part}>Pending invitations</h3>
@@ -133,7 +133,6 @@ function Invitations({ project, open }: { project: Project; open: readonly Invit
       <Refusal error={revoke.error} />
       <Rows aria-label="Pending invitations">
         {open.map(({ id, email, kind, note, inviter, created_at, expires_at }) => {
-          const link = outbox?.links.get(email)
           const expired = new Date(expires_at) < new Date()
           return (
             <Row key={id} className={classes.person}>
@@ -146,14 +145,8 @@ function Invitations({ project, open }: { project: Project; open: readonly Invit
                 {note !== '' && <p className="small dim">{note}</p>}
               </div>
               {expired && <State kind="late">Expired</State>}
-              {link !== undefined && !expired && (
-                <CopyButton text={link} what="Link">
-                  <span>
-                    Copy link <span className="visually-hidden">{`for ${email}`}</span>
-                  </span>
-                </CopyButton>
-              )}
-              {speaks(project) && (
+              {may && !expired && <MailedLink projectId={project.id} ofId={id} recipient={email} />}
+              {may && (
                 <Button
                   variant="quiet"
                   onClick={() =>
@@ -188,7 +181,7 @@ function Invite({ project, first }: { project: Project; first: boolean }) {
       { email, kind, note },
       {
         onSuccess: (made) => {
-          showToast(`Invitation sent to ${made.email}.`)
+          showToast(`${made.email} is invited.`)
           draft.discard()
         },
       },

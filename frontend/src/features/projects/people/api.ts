@@ -1,4 +1,4 @@
-import { queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
+import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
 import { answered, api, useMutation } from '@/api'
 import { projectQuery } from '@/api/project'
@@ -16,23 +16,6 @@ export type ApproverChange = Schemas['ApproverChangeRead']
 export type Deputy = Schemas['DeputyRead']
 
 const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
-
-/** The newest link that was written to each address and not sent: what to copy where no mail leaves. */
-export const useInvitationLinks = (studioId: string, enabled: boolean) =>
-  useQuery({
-    queryKey: queryKeys.outbox(studioId),
-    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/outbox', { params: { path: { studio_id: studioId } } })),
-    enabled,
-    // The worker writes the mail a moment after the invitation.
-    refetchInterval: 2_000,
-    select: ({ can_send, mails }) => {
-      const links = new Map<string, string>()
-      for (const { recipient, link, sent_at } of mails) {
-        if (link?.includes('/invitation/') && sent_at === null && !links.has(recipient)) links.set(recipient, link)
-      }
-      return { canSend: can_send, links }
-    },
-  })
 
 function useProjectChange<Asked>(projectId: string, change: (asked: Asked) => Promise<Project>) {
   const client = useQueryClient()

@@ -1,0 +1,2 @@
+export { mailedLinksQuery } from './api'
+export { MailedLink } from './MailedLink'
