@@ -17,6 +17,7 @@ from sqlalchemy.engine import URL
 
 from app.kit import clock
 from app.kit.db import Database
+from app.kit.plural import counted
 from app.kit.runtime import Runtime
 from app.kit.storage import FolderStore, Store
 from app.migrate import CannotUpgrade, ensure_upgradable, migrate
@@ -83,7 +84,7 @@ def restore(runtime: Runtime, folder: Path, database: Path | None = None) -> Cop
         tables = sa.inspect(connection).get_table_names()
     if tables:
         raise BackupRefused(
-            f"the database holds {len(tables)} tables already; name an empty one in SOUNDLIST_DATABASE_URL "
+            f"the database holds {counted(len(tables), 'table')} already; name an empty one in SOUNDLIST_DATABASE_URL "
             "or SOUNDLIST_DATA_DIR"
         )
     try:

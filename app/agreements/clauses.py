@@ -13,6 +13,7 @@ from typing import Any, TypedDict
 from app.agreements.rules import ContractKind
 from app.agreements.text import literal
 from app.kit.money import money, percent
+from app.kit.plural import counted
 
 LIBRARY = Path(__file__).parent / "library"
 VARIABLE = re.compile(r"(?<!\\)\{([^{}\n]*)\}")
@@ -215,7 +216,10 @@ def faults_of(clauses: Sequence[Clause], terms: Mapping[str, Any]) -> Iterator[t
             yield place, f"no clause names {{{name}}}; is it {{{near[0]}}}?"
     days, reminder_days = terms.get("silence_days"), terms.get("silence_reminder_days")
     if "silence_days" in written and isinstance(days, int) and isinstance(reminder_days, int) and reminder_days >= days:
-        yield "terms.silence_reminder_days", f"{reminder_days}; wanted less than the {days} days that silence may last"
+        yield (
+            "terms.silence_reminder_days",
+            f"{reminder_days}; wanted less than the {counted(days, 'day')} that silence may last",
+        )
     if terms.get("price_mode") == BY_DAY:
         for name in ("day_rate_minor", "days_cap"):
             if not terms.get(name):

@@ -10,6 +10,7 @@ from typing import Any
 from app.agreements.clauses import MAX_CLAUSES, Clause, Terms, faults_of_clause, faults_of_term, names_in
 from app.agreements.figures import faults_of_figures, with_fields
 from app.agreements.rules import ContractKind
+from app.kit.plural import counted
 
 PROPOSED, ANSWERED, SENT = "redlines_proposed", "redline_answered", "sent"  # kinds of entries of the record
 RETURNS = ("change_requested", PROPOSED)  # entries by which a contract goes back to the studio
@@ -377,4 +378,4 @@ def named_in_words(redlines: Sequence[Redline], clauses: Sequence[Clause]) -> st
     """Return how many changes are proposed, and of which clauses: "2 proposed changes: Rounds, Credit"."""
     titles = {clause.key: clause.title for clause in clauses}
     names = [titles.get(redline.clause_key) or redline.wording.title for redline in redlines]
-    return f"{len(names)} proposed {'change' if len(names) == 1 else 'changes'}: {', '.join(names)}"
+    return f"{counted(len(names), 'proposed change')}: {', '.join(names)}"

@@ -55,6 +55,7 @@ from app.agreements.word_reading import MadeFrom, ReadChanges, changes_in
 from app.kit import clock
 from app.kit.errors import FieldProblem
 from app.kit.events import publish
+from app.kit.plural import counted, verb
 
 
 def rounds(session: Session, contract: Contract) -> list[Round]:
@@ -221,8 +222,8 @@ def ensure_answered(session: Session, contract: Contract, text: Text) -> None:
     if not found or found[-1].sent_version is not None:
         return
     if unanswered := found[-1].unanswered:
-        counted = "one proposed change has" if len(unanswered) == 1 else f"{len(unanswered)} proposed changes have"
-        raise RedlinesOpen(f"{counted} no answer yet", fix="accept, refuse or counter each on the page Redlines")
+        subject = f"{counted(len(unanswered), 'proposed change')} {verb(len(unanswered), 'has', 'have')}"
+        raise RedlinesOpen(f"{subject} no answer yet", fix="accept, refuse or counter each on the page Redlines")
     base = _base(session, contract, found[-1])
     for redline in found[-1].redlines:
         if not is_in(redline, text, base[0]) and redline.answer is not None:

@@ -19,6 +19,7 @@ from app.kit import clock
 from app.kit.db import Database
 from app.kit.errors import Refused
 from app.kit.events import publish
+from app.kit.plural import counted
 
 ANOTHER = "ask for another code"
 
@@ -87,7 +88,8 @@ def check(database: Database, actor: Actor, contract_id: UUID, text_sha256: str,
         if matches("".join(typed.split()), code.code_hash):
             return CodeCheck(code_id=code.id)
         left = CODE_TRIES - code.tries
-    message = f"this is not the code that was mailed; it can be tried {left} more times"
+    again = f"can be tried {counted(left, 'more time')}" if left else "cannot be tried again"
+    message = f"this is not the code that was mailed; it {again}"
     return CodeCheck(refusal=WrongSigningCode(message, fix="type the code of the newest mail" if left else ANOTHER))
 
 

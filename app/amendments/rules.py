@@ -10,6 +10,7 @@ from app.agreements.deemed_acceptance import working_days
 from app.agreements.plan_check import Advice, PlannedPayment
 from app.amendments.errors import NoticeTooShort
 from app.kit.money import percent
+from app.kit.plural import counted
 
 
 class ChangeOrderState(StrEnum):
@@ -37,7 +38,7 @@ def end_of_notice(today: date, notice_days: int | None, wanted: date | None) -> 
     earliest = today + timedelta(days=notice_days)
     if wanted is not None and wanted < earliest:
         raise NoticeTooShort(
-            f"{wanted} is before {earliest}; the contract wants {notice_days} days of notice",
+            f"{wanted} is before {earliest}; the contract wants {counted(notice_days, 'day')} of notice",
             errors=[{"where": "ends_on", "message": f"wanted {earliest} or later"}],
             fix=f"give notice for {earliest}; it ends at once when both agree to the statement",
         )
@@ -119,7 +120,7 @@ def warnings_of(
             said.append(
                 Advice(
                     "rush",
-                    f"{new.name} is due on {new.due_on}, in less than {rush_days} working days.",
+                    f"{new.name} is due on {new.due_on}, in less than {counted(rush_days, 'working day')}.",
                     f"By the clause on rates such work costs {percent(rush_bp)} more; say so in its price.",
                 )
             )

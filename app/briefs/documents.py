@@ -24,6 +24,7 @@ from app.briefs.schemas import (
     BriefVersionRead,
     BriefVersionSummary,
 )
+from app.kit.plural import counted
 from app.projects.service import ProjectAccess
 
 
@@ -123,7 +124,7 @@ def markdown_of(name: str, answers: Answers, *, version: int) -> str:
 def _markdown(name: str, answers: Answers, version: int) -> Iterator[str]:
     figures = completeness(answers)
     published = f"Version {version} is the newest published." if version else "No version is published."
-    yield f"# Brief: {name}\n\n{figures.answered} of {figures.total} questions answered. {published}"
+    yield f"# Brief: {name}\n\n{figures.answered} of {counted(figures.total, 'question')} answered. {published}"
     for topic in TOPICS:
         yield f"\n## {topic.title}"
         for question in QUESTIONS:

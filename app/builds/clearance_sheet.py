@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, fields
 
 from app.builds.documentation_key import Cell, workbook_of
+from app.kit.plural import counted, verb
 from app.kit.typesetting import typeset
 from app.sound_lists.rules import spreadsheet_safe
 
@@ -110,7 +111,10 @@ def sums_of(rows: Sequence[ClearanceRow]) -> str:
     """Return in a sentence how many sounds are clear."""
     still_open = sum(bool(row.open_points) for row in rows)
     unpaid = sum(row.paid == "no" for row in rows)
-    return f"{len(rows)} sounds; points are open on {still_open}; {unpaid} are not paid in full."
+    return (
+        f"{counted(len(rows), 'sound')}; points are open on {still_open}; "
+        f"{unpaid} {verb(unpaid, 'is', 'are')} not paid in full."
+    )
 
 
 def _entry(row: ClearanceRow) -> dict[str, object]:

@@ -5,6 +5,7 @@ import re
 from collections.abc import Sequence
 
 from app.builds.documentation_key import KeyRow
+from app.kit.plural import counted, verb
 from app.kit.typesetting import typeset
 
 # What people wrote comes in as data and is never read as markup.
@@ -44,11 +45,17 @@ def key_pdf(rows: Sequence[KeyRow], *, title: str) -> bytes:
     files = sum(bool(row.file) for row in rows)
     content = {
         "title": title,
-        "sums": f"{files} of {len(rows)} accepted sounds have a file; SHA256SUMS has their sums.",
+        "sums": sums_of(files, len(rows)),
         "rows": [_entry(row) for row in rows],
     }
     inputs = {"key": json.dumps(content, ensure_ascii=False)}
     return typeset(LOOK, inputs)
+
+
+def sums_of(files: int, sounds: int) -> str:
+    """Return in a sentence how many accepted sounds have a file."""
+    have = verb(files, "has", "have")
+    return f"{files} of {counted(sounds, 'accepted sound')} {have} a file; SHA256SUMS has their sums."
 
 
 def _entry(row: KeyRow) -> dict[str, object]:

@@ -23,6 +23,7 @@ from app.deliveries.rules import TakeState
 from app.kit import clock
 from app.kit.db import insert_if_absent
 from app.kit.events import publish
+from app.kit.plural import counted, verb
 from app.kit.storage import Store
 from app.projects.models import Project
 from app.projects.queries import current_spec
@@ -110,7 +111,8 @@ def manifest_read(session: Session, store: Store, approved: Approved) -> Manifes
         ensure_stored(store, approved.studio_id, entries)
         wait_s = ManifestNotReady.retry_after_s
         raise ManifestNotReady(
-            f"{len(unheard)} of {len(sizes_bytes)} approved sounds are still being listened to",
+            f"{len(unheard)} of {counted(len(sizes_bytes), 'approved sound')} "
+            f"{verb(len(unheard), 'is', 'are')} still being listened to",
             fix=f"ask again in {wait_s} seconds; where it stays so, the page of jobs says why",
         )
     known = queries.manifest_entries(session, approved.studio_id, sizes_bytes)

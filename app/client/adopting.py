@@ -14,7 +14,7 @@ from app.client.game_project import packed_project
 from app.client.headers import HEAD_BYTES, format_of
 from app.client.server import Server
 from app.client.settings import read_source
-from app.client.terminal import Progress, say, shown
+from app.client.terminal import Progress, counted, say, shown
 from app.client.zipped import unpacked
 
 SOUNDS = frozenset(
@@ -110,8 +110,9 @@ def _send(server: Server, opened: dict[str, Any], files: dict[str, Path]) -> int
 def _print_plan(plan: dict[str, Any]) -> None:
     categories = plan["categories"]
     say(
-        f"{plan['files']} files become {len(plan['cues'])} cues in {len(categories)} categories, "
-        f"{plan['sets']} of them sets"
+        f"{counted(plan['files'], 'file')} {'becomes' if plan['files'] == 1 else 'become'} "
+        f"{counted(len(plan['cues']), 'cue')} in {counted(len(categories), 'category', 'categories')}, "
+        f"{plan['sets']} of them {'a set' if plan['sets'] == 1 else 'sets'}"
     )
     for name, count in categories.items():
         say(f"  {shown(name) or 'no category':<24}  {count}")

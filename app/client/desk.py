@@ -20,7 +20,7 @@ from app.client.desk_servers import DeskServer, file_path, read_servers, write_s
 from app.client.errors import DONE, REFUSED, UNREACHABLE, Refusal, ServerUnreachable
 from app.client.server import Server
 from app.client.settings import TOKEN, ensure_token, safe_address
-from app.client.terminal import say, shown, warn
+from app.client.terminal import counted, say, shown, warn
 
 FORMAT = 1
 AT_ONCE = 8
@@ -209,7 +209,7 @@ def _remarks(answers: Sequence[Answer]) -> list[str]:
             remarks.append(f"{name} is left out: {shown(answer.problem)}")
         elif not answer.is_whole:
             rest = "open the desk in the browser for the rest"
-            remarks.append(f"{name}: only the first {len(answer.cues)} cues are shown; {rest}")
+            remarks.append(f"{name}: it shows no more than the first {counted(len(answer.cues), 'cue')}; {rest}")
     return remarks
 
 

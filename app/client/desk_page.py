@@ -9,7 +9,7 @@ from html import escape
 from pathlib import Path
 from typing import NamedTuple
 
-from app.client.terminal import shown
+from app.client.terminal import counted, shown
 
 FILE_NAME = "desk.html"
 NAME_AT = 2  # the column that leads to the page
@@ -55,7 +55,7 @@ class Line(NamedTuple):
 def html_of(heads: Sequence[str], lines: Sequence[Line], remarks: Sequence[str], written_at: datetime) -> str:
     """Return the page; remarks name servers that did not answer, or not in full."""
     said = "".join(f"<li>{_text(one)}</li>" for one in remarks)
-    count = f"{len(lines)} {'cue' if len(lines) == 1 else 'cues'}"
+    count = counted(len(lines), "cue")
     if lines:
         head = "".join(f'<th scope="col">{_text(one)}</th>' for one in heads)
         rows = "\n".join(_row(heads, line) for line in lines)

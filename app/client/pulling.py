@@ -12,7 +12,7 @@ from app.client.planning import Gone, Lacking, Listing, Plan, listing_of, plan_o
 from app.client.server import Server
 from app.client.settings import ensure_fits, read_source
 from app.client.source_control import LfsLocks, Perforce
-from app.client.terminal import Progress, say, shown, warn
+from app.client.terminal import Progress, counted, say, shown, warn
 
 
 def pull(options: argparse.Namespace) -> int:
@@ -52,7 +52,10 @@ def _gate(listing: Listing, plan: Plan, *, prune: bool) -> int:
         return DONE
     for one in open_files:
         say(f"not final  {shown(one.path)}  {shown(one.cue)}: {shown(one.reason)}")
-    warn(f"{len(open_files)} of the game's files are not the final sound (--no-placeholders). Nothing was written")
+    warn(
+        f"{len(open_files)} of the game's files {'is' if len(open_files) == 1 else 'are'} not the final sound "
+        "(--no-placeholders). Nothing was written"
+    )
     return NOT_AS_APPROVED
 
 
@@ -68,7 +71,10 @@ def _without_server(root: Path, lock: Lock | None, reason: str) -> int:
             say(f"not renewed  {shown(entry.path)}  {shown(entry.cue)}: it is not here")
         elif content != entry.sha256:
             say(f"not renewed  {shown(entry.path)}  {shown(entry.cue)}: it was changed here")
-    warn(f"{whole} of {len(entries)} files are here as they were pulled; what was approved since is not known")
+    warn(
+        f"{whole} of {counted(len(entries), 'file')} {'is' if whole == 1 else 'are'} here as pulled; "
+        "what was approved since is not known"
+    )
     return UNREACHABLE
 
 
@@ -196,9 +202,8 @@ class _Pull:
         if failed:
             words = [word for word in words if not word.endswith((" added", " changed"))]
             words.insert(0, f"{len(plan.writes) - failed} written")
-        head = (
-            f"{shown(self._listing.project)}, {shown(self._listing.target)}: {len(self._listing.files)} approved files"
-        )
+        files = counted(len(self._listing.files), "approved file")
+        head = f"{shown(self._listing.project)}, {shown(self._listing.target)}: {files}"
         say(f"{head}, {', '.join([*words, f'{plan.same} unchanged'])}")
 
     def _description(self) -> str:
@@ -213,8 +218,7 @@ class _Pull:
             by_cue.setdefault(gone.entry.cue, []).append(f"remove {shown(gone.entry.path)}")
         count = len(self._plan.writes) + len(self._removed)
         lines = [
-            f"Soundlist: {count} {'file' if count == 1 else 'files'} of {shown(self._listing.project)} "
-            f"for {shown(self._listing.target)}"
+            f"Soundlist: {counted(count, 'file')} of {shown(self._listing.project)} for {shown(self._listing.target)}"
         ]
         for cue in sorted(by_cue):
             lines += ["", f"{shown(cue)} {shown(names.get(cue, ''))}".rstrip(), *(f"  {file}" for file in by_cue[cue])]

@@ -6,6 +6,11 @@ import unicodedata
 UNSEEN = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}  # control, format, surrogate, private, unassigned, separators
 
 
+def counted(count: int, one: str, many: str | None = None) -> str:
+    """Return a number with its noun: 0 files, 1 file, 2 files."""
+    return f"{count:,} {one if count == 1 else many or f'{one}s'}"
+
+
 def shown(text: str) -> str:
     """Return a text of the server or of a file name with what could control a terminal as escapes."""
     return "".join(

@@ -23,6 +23,7 @@ from app.kit.db import is_conflict, is_unavailable, new_id
 from app.kit.errors import FieldProblem, Refused
 from app.kit.http import PROBLEM_TYPE, Problem
 from app.kit.idempotency import SAFE_METHODS, RightsOf
+from app.kit.plural import verb
 
 METHODS = SAFE_METHODS | {"POST", "PUT", "PATCH", "DELETE"}
 REQUEST_ID = re.compile(r"[A-Za-z0-9._:-]{8,128}")
@@ -74,7 +75,9 @@ def install(
             for e in itertools.islice(error.errors(), MAX_ERRORS)
         ]
         if (more := len(error.errors()) - MAX_ERRORS) > 0:
-            errors.append({"where": "", "message": f"{more:,} more of this request are not listed"})
+            errors.append(
+                {"where": "", "message": f"{more:,} more of this request {verb(more, 'is', 'are')} not listed"}
+            )
         detail = "; ".join(f"{e['where']}: {e['message']}" if e["where"] else e["message"] for e in errors[:5])
         return _problem(request, 422, "invalid-request", detail, errors=errors)
 

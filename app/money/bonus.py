@@ -6,6 +6,7 @@ from datetime import date
 from enum import StrEnum
 
 from app.agreements.terms import BonusWhen
+from app.kit.plural import counted, verb
 
 
 class BonusState(StrEnum):
@@ -49,7 +50,7 @@ def bonus_status_of(
     if not cues:
         return BonusStatus(BonusState.MISSED, "no cue of the contract is left")
     if accepted < len(cues):
-        return _open(is_running, f"{accepted} of {len(cues)} cues are accepted")
+        return _open(is_running, f"{accepted} of {counted(len(cues), 'cue')} {verb(accepted, 'is', 'are')} accepted")
     how = "by the date of its milestone" if when is BonusWhen.ON_TIME else "without a round of changes"
     return BonusStatus(BonusState.EARNED, f"every cue was accepted {how}")
 

@@ -18,6 +18,7 @@ from app.agreements.terms import MoneyTerms, PriceMode
 from app.kit import clock
 from app.kit.events import publish
 from app.kit.money import money
+from app.kit.plural import counted, verb
 from app.money import queries
 from app.money.errors import (
     CapExceeded,
@@ -157,7 +158,8 @@ def _entry_of_day(session: Session, contract: Contract, day: WorkedDay) -> Entry
     left_minor = terms.days_cap_minor - _agreed_minor(load_ledger_book(session, contract))
     if left_minor <= 0:
         raise CapExceeded(
-            f"the {terms.days_cap} days agreed to are used up, {money(terms.days_cap_minor, contract.currency)}",
+            f"the {counted(terms.days_cap, 'day')} agreed to {verb(terms.days_cap, 'is', 'are')} used up, "
+            f"{money(terms.days_cap_minor, contract.currency)}",
             fix="propose a change order that raises the cap of days; agree to this day once it holds, or refuse it",
         )
     kind, amount_minor = LineKind.WORKED_DAY, min(price_of(day.quarters or 0, terms.day_rate_minor), left_minor)

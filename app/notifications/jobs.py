@@ -14,11 +14,12 @@ from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.kit import clock
 from app.kit.db import new_id
+from app.kit.plural import counted
 from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
 from app.notifications import queries
 from app.notifications.notifier import Notifier, cue_label
-from app.notifications.rules import counted, finding_line
+from app.notifications.rules import finding_line
 from app.notifications.spot_rules import SpotLine, spot_of
 from app.projects.models import Engagement, Project
 from app.projects.visibility import nda_is_pending

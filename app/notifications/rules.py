@@ -26,11 +26,6 @@ def mail_state(sent_at: datetime | None, failure: str | None, *, can_send: bool)
     return MailState.WAITING if failure is None else MailState.FAILED
 
 
-def counted(count: int, one: str, many: str) -> str:
-    """Return a count with its noun: 1 file, 2 files."""
-    return f"{count} {one if count == 1 else many}"
-
-
 def text_of(lines: Sequence[str], link: str | None, preferences_link: str | None = None) -> str:
     """Return the whole text of a mail; the last link is for who wants fewer of them."""
     parts = ["\n\n".join(lines)]

@@ -31,6 +31,7 @@ from app.kit import clock, kill_points
 from app.kit.db import new_id
 from app.kit.events import publish
 from app.kit.in_array import in_array
+from app.kit.plural import counted, verb
 from app.projects.service import ProjectAccess
 from app.reviews import adoption_queries as queries
 from app.reviews.errors import AdoptionInUse, FilesMissing, NothingToAdopt, NothingToUndo
@@ -65,7 +66,9 @@ def adopt(session: Session, actor: Actor, adoption_id: UUID) -> Adopted:
     uploaded = opened.finished_uploads(session, adoption.studio_id, scope_of(adoption))
     if missing := missing_files(plan, adoption, uploaded):
         raise FilesMissing(
-            f"{len(missing)} files are not uploaded yet, the first is {missing[0]}", fix="upload them, then adopt"
+            f"{counted(len(missing), 'file')} {verb(len(missing), 'is', 'are')} not uploaded yet, "
+            f"the first is {missing[0]}",
+            fix="upload them, then adopt",
         )
     rows = [
         {"name": cue.name, "file_name": cue.file_name, "category": cue.category, "variations": len(cue.paths)}

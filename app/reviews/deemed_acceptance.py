@@ -10,6 +10,7 @@ from app.deliveries.models import Take
 from app.kit import clock
 from app.kit.db import insert_if_absent, new_id
 from app.kit.events import publish
+from app.kit.plural import counted
 from app.money.settlement import record_reminder
 from app.projects.approval import approval_rights
 from app.reviews import queries
@@ -45,8 +46,8 @@ def apply_deemed(session: Session, cue_id: UUID, now: datetime) -> None:
 
 def _accept(session: Session, one: DeemedCue, now: datetime) -> None:
     note = (
-        f"Auto-accepted: no response within {one.wait.clause.days} working days, until {one.wait.last_day(now)} "
-        f"({one.contract.title})"
+        f"Auto-accepted: no response within {counted(one.wait.clause.days, 'working day')}, "
+        f"until {one.wait.last_day(now)} ({one.contract.title})"
     )
     decision = Decision(session, None, note, deemed_by_contract_id=one.contract.id)
     for take in one.picks:

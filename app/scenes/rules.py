@@ -6,6 +6,7 @@ from enum import StrEnum
 from typing import Any, NamedTuple
 from uuid import UUID
 
+from app.kit.plural import counted
 from app.sound_lists.rules import folded
 
 MOST_NEIGHBOURS = 8
@@ -121,7 +122,7 @@ def masking_words(bands: Sequence[CoveredBand]) -> str:
     if not part:
         return "The sound is silent."
     heard = [band for band in part if band.is_heard]
-    words = [f"Heard in {len(heard)} of {len(part)} bands."]
+    words = [f"Heard in {len(heard)} of {counted(len(part), 'band')}."]
     clearest = max(heard, key=lambda band: band.margin_db, default=None)
     if clearest is None:
         words = ["Covered in all bands."]

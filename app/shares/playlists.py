@@ -9,6 +9,7 @@ from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
 from app.kit import clock
 from app.kit.errors import FieldProblem
+from app.kit.plural import verb
 from app.projects.approval import approval_scope
 from app.projects.errors import ProjectNotFound
 from app.projects.service import ProjectAccess, project_access
@@ -208,7 +209,11 @@ def _put_entries(session: Session, playlist: Playlist, take_ids: Sequence[UUID])
         raise _invalid("take_ids", "a version stands here twice; each can be in the playlist once")
     unknown = set(take_ids) - queries.playable(session, playlist.project_id, take_ids)
     if unknown:
-        raise _invalid("take_ids", f"{len(unknown)} of these are not versions of a cue of this project")
+        raise _invalid(
+            "take_ids",
+            f"{len(unknown)} of these {verb(len(unknown), 'is no version', 'are not versions')} "
+            "of a cue of this project",
+        )
     session.add_all(
         PlaylistEntry(
             playlist_id=playlist.id,

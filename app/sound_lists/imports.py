@@ -8,6 +8,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
+from app.kit.plural import counted, verb
 from app.projects.models import Project
 from app.projects.service import project_access
 from app.sound_lists import naming, queries
@@ -312,7 +313,9 @@ def _guessed(
     if guess.field == "number":
         labels = sum(read_label(known.cue_prefix, cell) is not None for cell in filled)
         if 2 * labels < len(filled):
-            why = f"{len(filled) - labels} of {len(filled)} cells are no IDs such as {label(known.cue_prefix, 14)}"
+            others = len(filled) - labels
+            are = verb(others, "is no ID", "are no IDs")
+            why = f"{others} of {counted(len(filled), 'cell')} {are} such as {label(known.cue_prefix, 14)}"
             return replace(guess, field=None, note=why)
     if guess.field in PEOPLE and filled and not any(_is_person(known.people, cell) for cell in filled):
         return replace(guess, field=None, note="no cell names a person of this project")
@@ -397,7 +400,8 @@ def _by_column(faults: Sequence[RowFault], columns: Sequence[Column], sheet: She
             yield RowFault(
                 first.row,
                 first.field,
-                f"{len(own)} of {filled} cells in this column do not fit: {first.message}; "
+                f"{len(own)} of {counted(filled, 'cell')} in this column {verb(len(own), 'does', 'do')} not fit: "
+                f"{first.message}; "
                 "map the column to another field, or ignore it",
             )
             faults = [fault for fault in faults if fault.field != column.field]

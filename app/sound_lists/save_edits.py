@@ -14,6 +14,7 @@ from app.accounts.quotas import QuotaKind, ensure_room
 from app.kit import clock
 from app.kit.db import new_id
 from app.kit.events import publish
+from app.kit.plural import counted
 from app.projects.models import Project
 from app.sound_lists import queries
 from app.sound_lists.models import Cue, CueChange, Revision, Stem
@@ -300,7 +301,7 @@ def _publish(session: Session, revision: Revision, actor_id: UUID, *, added: int
 def _in_words(added: int, changed: int) -> str:
     parts = []
     if added:
-        parts.append(f"{added} {'cue' if added == 1 else 'cues'} added")
+        parts.append(f"{counted(added, 'cue')} added")
     if changed:
-        parts.append(f"{changed} {'cue' if changed == 1 else 'cues'} changed" if not added else f"{changed} changed")
+        parts.append(f"{counted(changed, 'cue')} changed" if not added else f"{changed} changed")
     return ", ".join(parts)

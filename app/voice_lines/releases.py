@@ -11,6 +11,7 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
 from app.kit import clock
+from app.kit.plural import counted, verb
 from app.kit.uploads import finished_upload
 from app.projects.service import ProjectAccess, project_access
 from app.references.service import upload_scope
@@ -118,7 +119,7 @@ def _approved_lines(session: Session, access: ProjectAccess) -> Counter[tuple[UU
 def _warning(releases: list[Release], lines: int, today: date) -> str:
     if not lines:
         return ""
-    count = "1 approved line has" if lines == 1 else f"{lines:,} approved lines have"
+    count = f"{counted(lines, 'approved line')} {verb(lines, 'has', 'have')}"
     if not releases:
         return f"{count} no release"
     dates = [Validity(one.valid_from, one.valid_until) for one in releases]

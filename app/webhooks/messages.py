@@ -11,10 +11,10 @@ from app.agreements.models import Contract
 from app.builds.audit_models import BuildAudit
 from app.builds.models import Build, SealedPack
 from app.kit.money import money
+from app.kit.plural import counted
 from app.money.models import Invoice, Payment
 from app.notifications.notifier import cue_label
 from app.notifications.queries import changes_of, take_with_place
-from app.notifications.rules import counted
 from app.projects.models import Project
 from app.reviews.models import Feedback
 from app.sound_lists.models import Cue, Question

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest'
 
-import { amount, hours, minorOf, minutesOf, money, percent, slipInWords } from './words'
+import { amount, conceptWords, hours, minorOf, minutesOf, money, percent, slipInWords } from './words'
 
 describe('sums', () => {
   test('have as many decimals as their currency', () => {
@@ -55,4 +55,15 @@ describe('hours', () => {
     ['h', null],
     ['much', null],
   ])('%s is typed for %s minutes', (typed, minutes) => expect(minutesOf(typed)).toBe(minutes))
+})
+
+test('days late and concepts are read with 1 and 2', () => {
+  const late = (days: number) => slipInWords({ days, designer_days: days, studio_days: 0 }, 'team')
+  expect([0, 1, 2].map(late)).toEqual([
+    'on time',
+    '1 day late: 1 with the designer',
+    '2 days late: 2 with the designer',
+  ])
+  const concepts = (count: number) => conceptWords({ count, cues: count, amount_minor: 4_000 }, 'EUR').split(',')[0]
+  expect([1, 2].map(concepts)).toEqual(['1 of 1 cue is a concept still', '2 of 2 cues are concepts still'])
 })

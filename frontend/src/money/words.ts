@@ -1,3 +1,5 @@
+import { plural } from '@/ui/format'
+
 import type { CueMoney } from './api'
 
 /** Sums as people read them: "$7,200.00", a true minus, as many decimals as the currency has. */
@@ -70,7 +72,7 @@ export function slipInWords(
   side: 'team' | 'designer',
 ): string {
   if (days === 0) return 'on time'
-  const late = `${days} ${days === 1 ? 'day' : 'days'} late`
+  const late = `${plural(days, 'day')} late`
   const [you, they] = side === 'team' ? [studio, designer] : [designer, studio]
   const whose = side === 'team' ? 'the designer' : 'the studio'
   const parts = [they > 0 ? `${they} with ${whose}` : '', you > 0 ? `${you} with you` : ''].filter(Boolean)
@@ -82,4 +84,4 @@ export const conceptWords = (
   { count, cues, amount_minor: minor }: { count: number; cues: number; amount_minor: number },
   currency: string,
 ): string =>
-  `${count} of ${cues} ${cues === 1 ? 'cue' : 'cues'} ${count === 1 ? 'is a concept' : 'are concepts'} still, for ${money(minor, currency)}: settle ${count === 1 ? 'it' : 'them'} before you order, or the work may be thrown away.`
+  `${count} of ${plural(cues, 'cue')} ${count === 1 ? 'is a concept' : 'are concepts'} still, for ${money(minor, currency)}: settle ${count === 1 ? 'it' : 'them'} before you order, or the work may be thrown away.`

@@ -1,6 +1,7 @@
 import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
+import { plural } from '@/ui/format'
 import { useLazy } from '@/ui/useLazy'
 
 import { cueReferencesQuery } from './api'
@@ -15,7 +16,7 @@ export function ReferencesWhereAny({ projectId, cueId }: { projectId: string; cu
   if (references === undefined || references.length === 0) return null
   return (
     <details onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
-      <summary className="small strong">{`${references.length} ${references.length === 1 ? 'reference' : 'references'}`}</summary>
+      <summary className="small strong">{plural(references.length, 'reference')}</summary>
       {isOpen && Strip && <Strip projectId={projectId} cueId={cueId} />}
     </details>
   )

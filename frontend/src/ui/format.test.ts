@@ -49,6 +49,8 @@ test.each([
 
 test.each([
   [0, '0 bytes'],
+  [1, '1 byte'],
+  [2, '2 bytes'],
   [999, '999 bytes'],
   [1000, '1.0 kB'],
   [999_949, '999.9 kB'],

@@ -91,7 +91,7 @@ export function sampleFormat(bits: number | undefined, encoding: unknown, qualit
 /** "17.3 MB", in thousands as disks are sold; whole bytes below one thousand. */
 export function bytes(count: number): string {
   const units = ['kB', 'MB', 'GB', 'TB']
-  if (count < 1000) return `${count} bytes`
+  if (count < 1000) return plural(count, 'byte')
   let value = count / 1000
   let unit = 0
   while (value >= 999.95 && unit < units.length - 1) {

@@ -60,7 +60,7 @@ def test_nothing_unanswered_or_refused_gets_in(world: World, redlining: Redlinin
     redlining.answer(1, "refused", comment="They are not.")
     redlining.answer(3, "refused", comment="It says what this is.")
     unsent = world.producer.post(f"/v1{redlining.path}/send", json={})
-    assert refusal(unsent) == (409, "redlines-open", "one proposed change has no answer yet")
+    assert refusal(unsent) == (409, "redlines-open", "1 proposed change has no answer yet")
     said = words_of(redlining.draft())
     assert "Nothing is warranted." not in said
     assert "At four" not in said

@@ -213,7 +213,8 @@ def test_a_code_is_tried_five_times(world: World, contracts: Contracts, mails: M
     for left in (4, 3, 2, 1, 0):
         answer = sign(world.designer, sent, wrong(code))
         assert refusal(answer) == (403, "wrong-signing-code")
-        assert f"{left} more times" in answer.json()["detail"]
+        again = {1: "can be tried 1 more time", 0: "cannot be tried again"}.get(left, f"can be tried {left} more times")
+        assert answer.json()["detail"] == f"this is not the code that was mailed; it {again}"
     assert refusal(sign(world.designer, sent, code)) == (409, "signing-code-over")
     assert sign(world.designer, sent, code_for(world, mails, sent, world.designer, world.designer_id)).is_success
 

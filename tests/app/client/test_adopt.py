@@ -51,7 +51,7 @@ def sounds(game: Path) -> Path:
 def test_a_dry_run_prints_what_happens_to_each_file_and_sends_no_sound(client: Client, sounds: Path) -> None:
     assert client.adopt(sounds, "--dry-run") == 0, client.err
     lines = client.out.splitlines()
-    assert lines[0] == "5 files become 4 cues in 2 categories, 1 of them sets"
+    assert lines[0] == "5 files become 4 cues in 2 categories, 1 of them a set"
     assert "  ui/again.wav: also ui/click.wav" in lines
     assert any(line.startswith("  theme.m4a: WAV, FLAC, Ogg, Opus and MP3 are adopted, found m4a") for line in lines)
     assert lines[-1] == "Nothing was sent."
@@ -77,7 +77,7 @@ def test_a_zip_is_sent_as_its_folder_is(client: Client, sounds: Path, tmp_path: 
                 archive.write(path, path.relative_to(sounds))
         archive.writestr("__MACOSX/ui/._click.wav", b"x")
     assert client.adopt(tmp_path / "Sounds.zip") == 0, client.err
-    assert client.out.splitlines()[0] == "6 files become 5 cues in 3 categories, 1 of them sets"
+    assert client.out.splitlines()[0] == "6 files become 5 cues in 3 categories, 1 of them a set"
     assert "5 files were sent" in client.out
     assert format_of((sounds / "music.ogg").read_bytes()) == Format(22_050, None)
     assert format_of(coded_bytes("opus", rate=48_000)) == Format(48_000, None)
@@ -99,7 +99,7 @@ def test_a_file_that_was_adopted_counts_as_pulled(
         world.server.wait_for_jobs()
         for _ in range(2):
             assert client.pull(game) == 0, client.out
-            assert client.out.splitlines() == ["Shield Wing, game: 1 approved files, 1 unchanged"]
+            assert client.out.splitlines() == ["Shield Wing, game: 1 approved file, 1 unchanged"]
         assert (game / "click.wav").read_bytes() == shipped
         take = deliver(world, "click.wav", wav_bytes(noise(dbfs=-24, seconds=0.3, seed=9), rate=RATE, bits=16))
         world.server.wait_for_jobs()

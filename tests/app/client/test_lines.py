@@ -89,7 +89,7 @@ def test_without_the_server_the_folder_is_compared_with_its_lock(client: Client,
     client.source[1] = "http://127.0.0.1:9"  # the discard port, where nothing listens
     assert client.pull(game) == 3
     assert "The server cannot be reached" in client.err
-    assert "1 of 3 files are here as they were pulled" in client.err
+    assert "1 of 3 files is here as pulled" in client.err
     assert client.out.splitlines() == [
         f"not renewed  {PATHS[0]}  SW-001: it is not here",
         f"not renewed  {PATHS[1]}  SW-001: it was changed here",

@@ -44,7 +44,7 @@ def a_cue(accepted_on: date | None = None, *, due_on: date | None = DUE, has_rou
     ("cues", "today", "state", "because"),
     [
         ([a_cue(DUE)], DUE, "earned", "every cue was accepted by the date of its milestone"),
-        ([a_cue(DUE), a_cue()], DUE, "possible", "1 of 2 cues are accepted"),
+        ([a_cue(DUE), a_cue()], DUE, "possible", "1 of 2 cues is accepted"),
         ([a_cue(DUE), a_cue()], DUE + DAY, "missed", "SW-001 shot was not accepted by 20 November 2026"),
         (
             [a_cue(DUE + DAY)],
@@ -73,7 +73,7 @@ def test_the_last_acceptance_in_time_makes_one_line_due(world: World) -> None:
     agreed.agree(milestone("Alpha", first, amount_minor=10_000), milestone("Beta", second, amount_minor=20_000))
     assert bonus(agreed) == bonus(agreed, world.designer) == ("possible", "0 of 2 cues are accepted")
     agreed.approve(agreed.take(first))
-    assert (bonus(agreed), bonus_lines(agreed)) == (("possible", "1 of 2 cues are accepted"), [])
+    assert (bonus(agreed), bonus_lines(agreed)) == (("possible", "1 of 2 cues is accepted"), [])
     agreed.approve(last := agreed.take(second))
     assert bonus(agreed) == ("earned", "every cue was accepted by the date of its milestone")
     assert bonus_lines(agreed) == [("bonus", BONUS_MINOR)]

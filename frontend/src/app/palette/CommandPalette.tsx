@@ -1,6 +1,7 @@
 import { Modal } from '@mantine/core'
 import { useEffect, useId, useMemo, useRef, useState } from 'react'
 
+import { plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { Key } from '@/ui/Key'
 
@@ -178,7 +179,7 @@ function PaletteBody({ onClose }: { onClose: () => void }) {
       </div>
       <p role="status" className={lines.length > 0 ? 'visually-hidden' : `${classes.nothing} mid`}>
         {lines.length > 0
-          ? `${lines.length} ${lines.length === 1 ? 'result' : 'results'}`
+          ? plural(lines.length, 'result')
           : asking
             ? 'Searching…'
             : `No results for “${query.trim()}”.`}

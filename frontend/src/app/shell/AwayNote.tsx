@@ -1,6 +1,7 @@
 import { lazy, Suspense, useSyncExternalStore } from 'react'
 
 import { connection, later } from '@/api'
+import { plural } from '@/ui/format'
 
 import classes from './Shell.module.css'
 
@@ -10,7 +11,7 @@ const RefusedWrites = lazy(async () => ({ default: (await import('./RefusedWrite
 export function AwayNote() {
   const isAway = useSyncExternalStore(connection.subscribe, connection.isAway)
   const { waiting, refused } = useSyncExternalStore(later.subscribe, later.getState)
-  const kept = waiting === 1 ? '1 verdict or comment' : `${waiting} verdicts and comments`
+  const kept = plural(waiting, 'verdict or comment', 'verdicts and comments')
   return (
     <>
       <div aria-live="polite" className={classes.away} data-away={isAway || waiting > 0 || undefined}>

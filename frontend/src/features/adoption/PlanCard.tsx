@@ -32,7 +32,7 @@ export function PlanCard({
       <CardHead id="plan" title="What happens to each file" />
       <div className={classes.plan}>
         <p>
-          {plural(plan.files, 'file')} become {plural(plan.cues.length, 'cue')} in{' '}
+          {plural(plan.files, 'file becomes', 'files become')} {plural(plan.cues.length, 'cue')} in{' '}
           {plural(categories.length, 'category', 'categories')}, {plan.sets} of them{' '}
           {plan.sets === 1 ? 'a set' : 'sets'} of variations.
         </p>

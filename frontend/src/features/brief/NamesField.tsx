@@ -17,6 +17,7 @@ import {
   readName,
   type Token,
 } from './naming'
+import { fitInWords } from './words'
 
 const SEPARATORS = [
   { value: '_', label: '_' },
@@ -125,9 +126,7 @@ export function NamesField({ value, onChange, names }: NamesFieldProps) {
                 ))}
               </ul>
               <p className="small mid" role="status">
-                {misfits.length === 0
-                  ? `All ${names.length} names on the list fit.`
-                  : `${fitting.length} of ${names.length} names on the list fit.`}
+                {fitInWords(fitting.length, names.length)}
               </p>
             </>
           )}

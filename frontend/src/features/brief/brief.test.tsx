@@ -241,7 +241,7 @@ describe('answering', () => {
     const card = await screen.findByRole('region', { name: NAMING.text })
     await userEvent.click(within(card).getByRole('button', { name: 'what' }))
     await userEvent.click(within(card).getByRole('button', { name: 'detail' }))
-    expect(await within(card).findByText('1 of 2 names on the list fit.')).toBeVisible()
+    expect(await within(card).findByText('1 of 2 names on the list fits.')).toBeVisible()
     expect(within(card).getByText('does not fit; airlock_cycle.wav would')).toBeVisible()
     await waitFor(() => expect(server.kept.naming?.value).toMatchObject({ separator: '_' }), { timeout: 3000 })
     await userEvent.click(within(card).getByRole('button', { name: 'Paste names already in the code' }))

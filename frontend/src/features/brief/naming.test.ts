@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest'
 
 import { correctedName, exampleOf, type Naming, namingFrom, readName } from './naming'
+import { fitInWords } from './words'
 
 const NAMING: Naming = {
   tokens: [
@@ -76,4 +77,12 @@ describe('a convention read from names', () => {
     expect(namingFrom('door_é.wav ui_confirm.wav')).toBeNull()
     expect(namingFrom('  ')).toBeNull()
   })
+})
+
+test('how many names fit is read with 0, 1 and 2', () => {
+  expect(fitInWords(0, 1)).toBe('0 of 1 name on the list fit.')
+  expect(fitInWords(1, 1)).toBe('The one name on the list fits.')
+  expect(fitInWords(0, 2)).toBe('0 of 2 names on the list fit.')
+  expect(fitInWords(1, 2)).toBe('1 of 2 names on the list fits.')
+  expect(fitInWords(2, 2)).toBe('All 2 names on the list fit.')
 })

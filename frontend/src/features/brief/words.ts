@@ -1,3 +1,5 @@
+import { plural } from '@/ui/format'
+
 import type { Brief, Question } from './api'
 
 /** A sentence of the server: a capital first, an end. */
@@ -15,4 +17,10 @@ export function openWords({ open, open_required: needed }: Brief): string {
   return needed.length === 0
     ? `${open.length} open`
     : `${open.length} open, ${needed.length} of them named in the contract`
+}
+
+/** How many names on the list fit the naming rule. */
+export function fitInWords(fitting: number, count: number): string {
+  if (fitting < count) return `${fitting} of ${plural(count, 'name')} on the list ${fitting === 1 ? 'fits' : 'fit'}.`
+  return count === 1 ? 'The one name on the list fits.' : `All ${plural(count, 'name')} on the list fit.`
 }

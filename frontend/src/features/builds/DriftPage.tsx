@@ -72,7 +72,7 @@ function Head({ audit, projectId }: { audit: AuditSummary; projectId: string }) 
   const words = [
     `${countOf(asApproved, audit.sounds)} ${audit.sounds === 1 ? 'sound plays' : 'sounds play'} as approved`,
     audit.drifted > 0 ? `${plural(audit.drifted, 'sound')} drifted` : '',
-    data && data.depends > 0 ? `${plural(data.depends, 'level')} depend on the game’s state` : '',
+    data && data.depends > 0 ? `${plural(data.depends, 'level depends', 'levels depend')} on the game’s state` : '',
   ].filter(Boolean)
   return (
     <header className={classes.head}>

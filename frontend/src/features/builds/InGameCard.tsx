@@ -17,7 +17,11 @@ export function InGameCard({ projectId }: { projectId: string }) {
   if (data === undefined) return null
   return (
     <Card aria-labelledby="in-game">
-      <CardHead id="in-game" title="In the game" note={`${countOf(data.in_build, data.cues)} cues in the build`} />
+      <CardHead
+        id="in-game"
+        title="In the game"
+        note={`${figure(data.in_build)} of ${plural(data.cues, 'cue')} in the build`}
+      />
       <div className={classes.inside}>
         <p>
           <span className="figure">{figure(data.heard)}</span>{' '}

@@ -44,7 +44,7 @@ export function ComparePage() {
             {compared.data &&
               (changed.length === 0
                 ? `Versions ${from} and ${to} are identical.`
-                : `${plural(changed.length, 'paragraph')} of ${contract?.title ?? 'the contract'} differ between version ${from} and ${to}.`)}
+                : `${plural(changed.length, 'paragraph')} of ${contract?.title ?? 'the contract'} ${changed.length === 1 ? 'differs' : 'differ'} between version ${from} and ${to}.`)}
           </p>
         </div>
         <div className={classes.buttons}>

@@ -4,7 +4,7 @@ import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
-import { countOf, plural } from '@/ui/format'
+import { countOf, figure, plural } from '@/ui/format'
 import { Meter } from '@/ui/Meter'
 import { Segmented } from '@/ui/Segmented'
 import { State } from '@/ui/State'
@@ -66,7 +66,7 @@ export function PlaceholdersPage() {
               />
             )}
             <Meter
-              label={`${countOf(register.replaced, register.files)} files have an accepted sound`}
+              label={`${figure(register.replaced)} of ${plural(register.files, 'file')} ${register.replaced === 1 ? 'has' : 'have'} an accepted sound`}
               whole={register.files}
               parts={[{ value: register.replaced, tone: 'ok' }, { value: register.made }]}
             />

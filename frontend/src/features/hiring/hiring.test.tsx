@@ -373,6 +373,7 @@ const candidate = (id: string, more: Partial<Posting['candidates'][number]> = {}
   person: null,
   is_invited: true,
   joined_at: null,
+  created_at: '2026-11-25T10:00:00Z',
   ...more,
 })
 const mailedLink = (of: string, more: object) => ({
@@ -392,7 +393,7 @@ test('each person who is asked has the state of their email beside them, and the
     state: 'open',
     candidates: [...people, candidate('eve', { joined_at: '2026-11-25T10:00:00Z' })],
   })
-  server.answers[`GET ${server.at}/mailed-links`] = {
+  server.answers['GET /v1/projects/shield-wing/mailed-links'] = {
     can_send: true,
     links: [
       mailedLink('ada', { state: 'no_server', link: 'http://x/posting/ada' }),

@@ -5,7 +5,7 @@ import { type ContractMoney, daysQuery, type Hours } from '@/money/api'
 import { hours, money } from '@/money/words'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
-import { shortDay } from '@/ui/format'
+import { plural, shortDay } from '@/ui/format'
 import { Rows } from '@/ui/Rows'
 
 import { HoursForm } from './HoursForm'
@@ -75,7 +75,8 @@ export function HoursCard({ contract, projectId, side, isProducer }: HoursCardPr
 function inWords(terms: Hours, currency: string): string {
   const { retainer_minor: retainer, retainer_months: months, included_min: included, rate_minor: rate } = terms
   const parts = []
-  if (retainer > 0) parts.push(`${money(retainer, currency)} a month for ${months} months with ${hours(included)}`)
+  if (retainer > 0)
+    parts.push(`${money(retainer, currency)} a month for ${plural(months, 'month')} with ${hours(included)}`)
   if (rate > 0) {
     const caps = `${hours(terms.month_cap_min)} a month and ${hours(terms.cap_min)} in all at most`
     parts.push(`${money(rate, currency)} an hour, ${caps}, ${hours(terms.paid_min)} used`)

@@ -19,7 +19,7 @@ import {
 import { amount, money, percent } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { day } from '@/ui/format'
+import { day, plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { Row, Rows } from '@/ui/Rows'
 
@@ -236,7 +236,8 @@ function IssueForm({ contract }: { contract: ContractMoney }) {
           </p>
         ))}
         <p className={`strong ${classes.line}`}>
-          <span>Payment term {draft.payment_days} days</span> <span>{money(draft.total_minor, currency)}</span>
+          <span>{`Payment term ${plural(draft.payment_days, 'day')}`}</span>{' '}
+          <span>{money(draft.total_minor, currency)}</span>
         </p>
       </div>
       <TextInput

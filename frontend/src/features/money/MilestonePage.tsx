@@ -286,7 +286,7 @@ function EstimateCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
           <p className={`small ${classes.line}`}>
             <span className="mid">From signing to due date</span>
             <span>
-              {figure(whole.estimate)} days, {whole.actual === null ? 'so far' : 'actual'} {figure(whole.so_far)}
+              {plural(whole.estimate, 'day')}, {whole.actual === null ? 'so far' : 'actual'} {figure(whole.so_far)}
               {error(whole.error_percent)}
             </span>
           </p>

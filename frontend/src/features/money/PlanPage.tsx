@@ -210,7 +210,7 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
 function modeInWords({ version, currency }: Contract): string {
   const { price_mode: mode, day_rate_minor: rate, days_cap: cap } = version.terms
   if (mode === 'day_rate') {
-    return `By the day: ${money(Number(rate ?? 0), currency)} a day, ${String(cap ?? 0)} days at most. Milestones here are dates only; they need no amount.`
+    return `By the day: ${money(Number(rate ?? 0), currency)} a day, ${plural(Number(cap ?? 0), 'day')} at most. Milestones here are dates only; they need no amount.`
   }
   return mode === 'per_cue'
     ? 'Per cue: a milestone’s amount is the sum of its cues’ prices.'

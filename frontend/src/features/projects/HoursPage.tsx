@@ -62,7 +62,7 @@ function Shown({ data, projectId }: { data: Hours; projectId: string }) {
     return (
       <EmptyState head="No agreed work is open">
         {data.uncontracted > 0
-          ? `${plural(data.uncontracted, 'cue')} of the list are under no agreed contract, so their hours are not known. `
+          ? `${plural(data.uncontracted, 'cue of the list is', 'cues of the list are')} under no agreed contract, so ${data.uncontracted === 1 ? 'its' : 'their'} hours are not known. `
           : ''}
         Hours come from the estimates in the plan of a contract:{' '}
         <Link className="link" to="/projects/$projectId/contracts" params={{ projectId }}>

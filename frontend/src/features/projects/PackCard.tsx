@@ -9,7 +9,7 @@ import { ButtonLink } from '@/ui/Button'
 import { ClearanceLinks } from '@/ui/ClearanceLinks'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
-import { bytes, countOf, plural } from '@/ui/format'
+import { bytes, figure, plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 
 import { keyUrl, type Pack, packsQuery, packUrl } from './api'
@@ -29,7 +29,7 @@ export function PackCard({ projectId }: { projectId: string }) {
       <CardHead
         id="pack"
         title="Approved pack"
-        note={first && !nothing ? `${countOf(first.cues_accepted, first.cues_wanted)} cues` : undefined}
+        note={first && !nothing ? `${figure(first.cues_accepted)} of ${plural(first.cues_wanted, 'cue')}` : undefined}
         end={
           <Link className="link" to="/projects/$projectId/packs" params={{ projectId }}>
             Seal<span className="visually-hidden"> a pack; see earlier packs</span>

@@ -20,16 +20,6 @@ describe('people', () => {
     expires_at: '2099-12-20T10:00:00Z',
     accepted_at: null,
   }
-  const mail = (recipient: string, link: string, sent_at: string | null = null) => ({
-    id: link,
-    recipient,
-    subject: 'An invitation',
-    text: '',
-    link,
-    created_at: '2026-11-20T10:00:00Z',
-    sent_at,
-    failure: null,
-  })
 
   test('a designer is invited by address, kind and note', async () => {
     const { asked, answers } = serve({ ...inProject(), 'POST /v1/projects/p1/invitations': answer(INVITATION, 201) })

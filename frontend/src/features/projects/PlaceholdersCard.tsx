@@ -3,7 +3,7 @@ import { Link } from '@tanstack/react-router'
 
 import { ApiProblem } from '@/api'
 import { Card, CardHead } from '@/ui/Card'
-import { countOf, plural } from '@/ui/format'
+import { figure, plural } from '@/ui/format'
 import { Meter } from '@/ui/Meter'
 
 import { type Countdown, countdownQuery } from './api'
@@ -43,7 +43,7 @@ function Counted({ projectId, countdown }: { projectId: string; countdown: Count
   return (
     <div className={classes.counted}>
       <Meter
-        label={`${countOf(files - left, files)} files have an accepted sound`}
+        label={`${figure(files - left)} of ${plural(files, 'file')} ${files - left === 1 ? 'has' : 'have'} an accepted sound`}
         whole={files}
         parts={[{ value: files - left, tone: 'ok' }]}
       />
@@ -53,7 +53,7 @@ function Counted({ projectId, countdown }: { projectId: string; countdown: Count
           .map(({ category, files: all, left: open }) => (
             <li key={category} className="row small">
               <span className="grow">{category || 'without a category'}</span>
-              <span className="mid">{`${countOf(open, all)} ${all === 1 ? 'file' : 'files'}`}</span>
+              <span className="mid">{`${figure(open)} of ${plural(all, 'file')}`}</span>
             </li>
           ))}
       </ul>

@@ -8,12 +8,11 @@ import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card } from '@/ui/Card'
 import { Face } from '@/ui/Face'
-import { plural } from '@/ui/format'
 
 import { type Project, useChangeProject } from './api'
 import classes from './Project.module.css'
 import { Refusal } from './Refusal'
-import { against, KIND_WORDS, speaks } from './words'
+import { against, KIND_WORDS, otherMembers, speaks } from './words'
 
 interface Someone {
   id: string
@@ -80,7 +79,7 @@ export function ProjectHead({ project, members = 0 }: ProjectHeadProps) {
               {part}
             </li>
           ))}
-          {mine.is_team && others > 0 && <li className="wide-only">{`+ ${plural(others, 'other')} team members`}</li>}
+          {mine.is_team && others > 0 && <li className="wide-only">{otherMembers(others)}</li>}
         </ul>
         <Link className="link" to={`/projects/${projectId}/brief` as LinkProps['to']}>
           Brief

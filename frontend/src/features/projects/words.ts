@@ -1,4 +1,5 @@
 import { ApiProblem } from '@/api'
+import { plural } from '@/ui/format'
 
 import type { Project } from './api'
 import type { EngagementKind } from './people/api'
@@ -58,3 +59,6 @@ export function proposedPrefix(name: string): string {
   const letters = words.length > 1 ? words.map((word) => word.charAt(0)).join('') : (words[0] ?? '').slice(0, 3)
   return letters.replace(/^[0-9]+/, '').slice(0, 8)
 }
+
+/** "+ 1 other team member". */
+export const otherMembers = (count: number): string => `+ ${plural(count, 'other team member')}`

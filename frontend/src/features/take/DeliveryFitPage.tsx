@@ -101,7 +101,11 @@ function Takes({ fit }: { fit: DeliveryFit }) {
   const apart = fit.takes.filter(({ is_apart }) => is_apart).length
   return (
     <Card aria-labelledby="takes">
-      <CardHead id="takes" title="Sound by sound" end={`${plural(apart, 'sound')} of ${fit.takes.length} outliers`} />
+      <CardHead
+        id="takes"
+        title="Sound by sound"
+        end={`${apart} of ${plural(fit.takes.length, 'sound')} ${apart === 1 ? 'is an outlier' : 'are outliers'}`}
+      />
       <ul className={classes.takes}>
         {fit.takes.map((take) => (
           <li key={take.take_id}>

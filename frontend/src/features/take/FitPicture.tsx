@@ -1,3 +1,5 @@
+import { plural } from '@/ui/format'
+
 import { axisOf, type MeasureFit, said, stands, type TakeFit, WHAT } from './fit'
 import classes from './Fit.module.css'
 
@@ -42,7 +44,7 @@ function Strip({ fit }: { fit: MeasureFit }) {
         width="100%"
         height={HEIGHT}
         role="img"
-        aria-label={`${WHAT[fit.measure]}: ${said(fit.measure, fit.value)}; ${fit.others.length} others from ${said(fit.measure, fit.lowest)} to ${said(fit.measure, fit.highest)}`}
+        aria-label={`${WHAT[fit.measure]}: ${said(fit.measure, fit.value)}; ${plural(fit.others.length, 'other')} from ${said(fit.measure, fit.lowest)} to ${said(fit.measure, fit.highest)}`}
       >
         <line data-axis x1="0" x2="100%" y1={MIDDLE} y2={MIDDLE} />
         <rect data-reach x={x(fit.lowest)} width={reach} y={MIDDLE - 9} height={18} rx={3} />

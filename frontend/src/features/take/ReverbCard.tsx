@@ -2,7 +2,7 @@ import { Link } from '@tanstack/react-router'
 
 import { LevelWell } from '@/audio'
 import { Card, CardHead } from '@/ui/Card'
-import { figure, score } from '@/ui/format'
+import { figure, plural, score } from '@/ui/format'
 
 import type { Check, Take } from './api'
 import { DryStem } from './DryStem'
@@ -68,7 +68,7 @@ function DecayPlot({ evidence: { bands, stepS } }: { evidence: ReverbEvidence })
         viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
         preserveAspectRatio="none"
         role="img"
-        aria-label={`Energy decay curves of ${bands.length} octaves over ${figure(lengthS, 2)} s; the table below has their figures`}
+        aria-label={`Energy decay curves of ${plural(bands.length, 'octave')} over ${figure(lengthS, 2)} s; the table below has their figures`}
       >
         {LINES_DB.map((db) => (
           <line key={db} data-grid x1={0} x2={WIDTH} y1={y(db)} y2={y(db)} />

@@ -228,7 +228,8 @@ export function ScriptPage(): ReactNode {
               )}
               {read.not_in_script.length > 0 && (
                 <p className="small mid">
-                  {plural(read.not_in_script.length, 'line')} of the project not in this script; they stay as they are.
+                  {plural(read.not_in_script.length, 'line of the project is', 'lines of the project are')} not in this
+                  script and {read.not_in_script.length === 1 ? 'stays as it is' : 'stay as they are'}.
                 </p>
               )}
             </div>

@@ -1,4 +1,4 @@
-import { shortDay } from '@/ui/format'
+import { plural, shortDay } from '@/ui/format'
 
 import classes from './Roster.module.css'
 import { type Week, WEEK_WORDS } from './words'
@@ -14,7 +14,7 @@ export function weeksInWords(weeks: readonly Week[], firstOn: string): string {
   const runs: { state: Week; from: number }[] = []
   for (const [place, state] of weeks.entries()) if (runs.at(-1)?.state !== state) runs.push({ state, from: place })
   const only = runs[0]
-  if (only && runs.length === 1) return `${WEEK_WORDS[only.state]} for ${weeks.length} weeks`
+  if (only && runs.length === 1) return `${WEEK_WORDS[only.state]} for ${plural(weeks.length, 'week')}`
   return runs.map(({ state, from }) => `${WEEK_WORDS[state]} from ${shortDay(mondayOf(firstOn, from))}`).join(', ')
 }
 

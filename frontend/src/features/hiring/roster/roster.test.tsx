@@ -338,4 +338,5 @@ test('weeks are read out as runs with their Mondays', () => {
   const weeks: Week[] = ['booked', 'booked', 'free', 'half_days']
   expect(weeksInWords(weeks, '2026-11-23')).toMatch(/^booked from .*23.*, free from .*7.*, half days from .*14/)
   expect(weeksInWords(['free', 'free'], '2026-11-23')).toBe('free for 2 weeks')
+  expect(weeksInWords(['free'], '2026-11-23')).toBe('free for 1 week')
 })

@@ -2,7 +2,6 @@ import { TextInput } from '@mantine/core'
 import { useState } from 'react'
 
 import { Card, CardHead } from '@/ui/Card'
-import { plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 
 import type { Cue } from '../api'
@@ -11,6 +10,7 @@ import { checksWithoutLimit, tuningLimits, useChecks } from './checks'
 import { Against, Choices, NumberField, SeverityField, useWriting } from './fields'
 import { AcceptFields, LimitFields } from './GroupFields'
 import { fits } from './naming'
+import { namesInWords } from './say'
 import classes from './SpecForm.module.css'
 import { at } from './tables'
 import { Targets } from './Targets'
@@ -126,13 +126,7 @@ function Naming({ cues }: { cues: readonly Cue[] }) {
               </span>
             </p>
           )}
-          {stems.length > 0 && (
-            <p className="small mid">
-              {odd.length === 0
-                ? `All ${plural(stems.length, 'name')} in the list match.`
-                : `${plural(odd.length, 'name')} of ${stems.length} in the list don’t match: ${odd.slice(0, 3).join(', ')}${odd.length > 3 ? ' …' : ''}`}
-            </p>
-          )}
+          {stems.length > 0 && <p className="small mid">{namesInWords(odd, stems.length)}</p>}
         </div>
       </div>
     </Card>

@@ -1,4 +1,4 @@
-import { channels, figure, sampleFormat, rate } from '@/ui/format'
+import { channels, figure, plural, sampleFormat, rate } from '@/ui/format'
 
 import type { Check, Spec } from '../api'
 import { listed } from '../words'
@@ -213,4 +213,13 @@ export const SOUND_KINDS: Record<string, string> = {
 export function kindOf(tables: Tables, category: string): string {
   const kind = at(tables, ['categories', category, 'kind'])
   return typeof kind === 'string' ? (SOUND_KINDS[kind] ?? kind) : ''
+}
+
+/** Whether the names of the list fit a pattern: "1 name of 4 in the list doesn’t match: laser". */
+export function namesInWords(odd: readonly string[], count: number): string {
+  if (odd.length === 0) {
+    return count === 1 ? 'The one name in the list matches.' : `All ${plural(count, 'name')} in the list match.`
+  }
+  const first = `${odd.slice(0, 3).join(', ')}${odd.length > 3 ? ' …' : ''}`
+  return `${odd.length} of ${plural(count, 'name')} in the list ${odd.length === 1 ? 'doesn’t' : 'don’t'} match: ${first}`
 }

@@ -134,7 +134,7 @@ describe('by form', () => {
         ],
       },
     })
-    expect(await screen.findByText('1 name of 3 in the list don’t match: UI-Back')).toBeVisible()
+    expect(await screen.findByText('1 of 3 names in the list doesn’t match: UI-Back')).toBeVisible()
     type(screen.getByLabelText('Test a name'), 'Laser')
     expect(screen.getByText('does not match.', { exact: false })).toBeVisible()
     type(screen.getByLabelText('Test a name'), 'laser_2')

@@ -1,9 +1,10 @@
 import { describe, expect, test } from 'vitest'
 
-import { proposedPrefix } from '../words'
+import { otherMembers, proposedPrefix } from '../words'
 import { diffLines, folded } from './diff'
 import { fits } from './naming'
 import { correctionOf, hasComments, lineOf } from './places'
+import { namesInWords } from './say'
 import checks from '@/test/checks.json'
 
 import type { Check } from '../api'
@@ -177,4 +178,17 @@ describe('in words', () => {
     ['the_long-night', 'TLN'],
     ['!', ''],
   ])('%s is shortened to %s', (name, prefix) => expect(proposedPrefix(name)).toBe(prefix))
+})
+
+test('sentences with 0, 1 and 2', () => {
+  expect([0, 1, 2].map(otherMembers)).toEqual([
+    '+ 0 other team members',
+    '+ 1 other team member',
+    '+ 2 other team members',
+  ])
+  expect(namesInWords([], 1)).toBe('The one name in the list matches.')
+  expect(namesInWords([], 2)).toBe('All 2 names in the list match.')
+  expect(namesInWords(['laser'], 1)).toBe('1 of 1 name in the list doesn’t match: laser')
+  expect(namesInWords(['laser'], 2)).toBe('1 of 2 names in the list doesn’t match: laser')
+  expect(namesInWords(['laser', 'hum'], 2)).toBe('2 of 2 names in the list don’t match: laser, hum')
 })
