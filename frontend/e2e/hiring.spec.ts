@@ -126,7 +126,7 @@ async function hire(browser: Browser, url: string): Promise<void> {
     await expect(producer.getByRole('button', { name: 'Shortlist Ben Waves' })).toHaveText('Shortlisted')
     await producer.keyboard.press('Shift+Enter')
     const dialog = producer.getByRole('dialog', { name: 'Award All sounds of Deep Field to Ben Waves?' })
-    await expect(dialog).toContainText('Ada Tones: thanked by email')
+    await expect(dialog).toContainText('Ada Tones: thanked')
     await dialog.getByRole('button', { name: 'Award', exact: true }).click()
     await expect(producer).toHaveURL(/\/contracts\/[0-9a-f-]{36}\/draft$/)
   })

@@ -1,28 +1,41 @@
+import { useQuery } from '@tanstack/react-query'
 import { Link, useParams, useRouter } from '@tanstack/react-router'
 
 import { useTitle } from '@/app/title'
 
-import { useAskReset, useNewPassword } from './api'
+import { signUpQuery, useAskReset, useNewPassword } from './api'
 import { Field, Form, Sheet } from '@/app/Form'
 
 /** Ask for a mail with a link; the answer never says whether the address is known. */
 export function ForgottenPasswordPage() {
   useTitle('Forgot password?')
   const asking = useAskReset()
+  const { data: way } = useQuery(signUpQuery)
+  const sendsMail = way?.by_mail !== false
   if (asking.isSuccess) {
     return (
       <Sheet>
-        <h1>Check your inbox</h1>
+        <h1>{sendsMail ? 'Check your inbox' : 'Ask the administrator for your link'}</h1>
         <p className="mid">
-          If {asking.variables} has an account, we have sent it a link to set a new password. The link works once,
-          within an hour.
+          {sendsMail
+            ? `If ${asking.variables} has an account, we have sent it a link to set a new password. `
+            : `If ${asking.variables} has an account, a link to set a new password is ready. `}
+          The link works once, within an hour.
         </p>
         <p className="small mid" style={{ marginTop: 'var(--sl-4)' }}>
-          No email?{' '}
-          <button type="button" className="link" onClick={() => asking.reset()}>
-            Send it again
-          </button>{' '}
-          If this server has no mail server, its administrator can read the link with <code>soundlist mails</code>.
+          {sendsMail ? (
+            <>
+              No email?{' '}
+              <button type="button" className="link" onClick={() => asking.reset()}>
+                Send it again
+              </button>
+            </>
+          ) : (
+            <>
+              This server sends no email. Its administrator can read the link with{' '}
+              <code>soundlist mails {asking.variables}</code> and pass it to you.
+            </>
+          )}
         </p>
       </Sheet>
     )
@@ -30,9 +43,13 @@ export function ForgottenPasswordPage() {
   return (
     <Sheet>
       <h1>Forgot password?</h1>
-      <p className="mid">We’ll email you a link to set a new one.</p>
+      <p className="mid">
+        {sendsMail
+          ? 'We’ll email you a link to set a new one.'
+          : 'This server sends no email: its administrator passes you the link to set a new one.'}
+      </p>
       <Form
-        action="Email me a link"
+        action={sendsMail ? 'Email me a link' : 'Create a link'}
         busy={asking.isPending}
         error={asking.error}
         onSubmit={(value) => asking.mutate(value('email'))}

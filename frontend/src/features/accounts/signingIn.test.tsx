@@ -104,17 +104,20 @@ describe('signing in', () => {
     expect(screen.getByLabelText('Studio name')).toHaveValue('Blue Hull')
   })
 
-  test('a forgotten password: the page says the same for every address', async () => {
+  test.each([
+    [true, 'Email me a link', /we have sent it a link/],
+    [false, 'Create a link', /a link to set a new password is ready/],
+  ])('a forgotten password: the page says the same for every address, by mail: %s', async (byMail, action, says) => {
     const { asked } = serve({
       'GET /v1/session': NOBODY,
-      'GET /v1/sign-up': AT_ONCE,
+      'GET /v1/sign-up': { ...AT_ONCE, by_mail: byMail },
       'POST /v1/password-resets': answer(null, 202),
     })
     const user = userEvent.setup()
     openApp('/forgotten-password')
     await user.type(await screen.findByLabelText('Email'), 'who@sound.example')
-    await user.click(screen.getByRole('button', { name: 'Email me a link' }))
-    expect(await screen.findByText(/If who@sound\.example has an account/)).toBeInTheDocument()
+    await user.click(await screen.findByRole('button', { name: action }))
+    expect(await screen.findByText(/If who@sound\.example has an account/)).toHaveTextContent(says)
     expect(asked.at(-1)?.body).toEqual({ email: 'who@sound.example' })
   })
 

@@ -1,6 +1,8 @@
+import { useQuery } from '@tanstack/react-query'
 import { useNavigate } from '@tanstack/react-router'
 
 import { Dialog } from '@/app/Dialog'
+import { mailedLinksQuery } from '@/mails'
 import { money } from '@/money/words'
 import { Button } from '@/ui/Button'
 
@@ -19,6 +21,8 @@ interface AwardDialogProps {
 export function AwardDialog({ comparison, bid, projectId, onClose }: AwardDialogProps) {
   const award = useAward(comparison.posting_id)
   const navigate = useNavigate()
+  const { data: mails } = useQuery(mailedLinksQuery(projectId))
+  const sendsMail = mails?.can_send !== false
   const others = comparison.bids.filter(({ id }) => id !== bid.id).map(({ designer }) => designer.name)
   const send = () => {
     if (award.isPending) return
@@ -30,11 +34,12 @@ export function AwardDialog({ comparison, bid, projectId, onClose }: AwardDialog
   return (
     <Dialog title={`Award ${comparison.title} to ${bid.designer.name}?`} opened onClose={onClose}>
       <div className={classes.dialog}>
-        <p>{`${bid.designer.name} gets an email that the bid was chosen, and joins the project.`}</p>
+        <p>{`${bid.designer.name} gets ${sendsMail ? 'an email' : 'a notice here'} that the bid was chosen, and joins the project and your roster.`}</p>
         {others.length > 0 && (
-          <p>{`${others.join(', ')}: thanked by email, and informed that another bid was chosen.`}</p>
+          <p>{`${others.join(', ')}: thanked${sendsMail ? ' by email' : ''}, and informed that another bid was chosen.`}</p>
         )}
         <p>{`A draft contract over ${money(bid.total_minor, comparison.currency)} opens. Nothing is signed.`}</p>
+        {!sendsMail && <p className="mid">This server sends no email: everyone reads it in Soundlist.</p>}
         {bid.missing.length > 0 && (
           <p className="tone-warn">
             <span className="toned">{`This bid is without ${bid.missing.join(', ')}.`}</span>

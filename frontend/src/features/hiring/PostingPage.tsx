@@ -8,6 +8,7 @@ import { MailedLink } from '@/mails'
 import { amount, minorOf } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { CopyButton } from '@/ui/CopyButton'
 import { day, plural } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 import { Select } from '@/ui/Select'
@@ -437,12 +438,17 @@ function PeopleCard({ posting }: { posting: Posting }) {
             )}
           </div>
           {make.data && posting.has_link && (
-            <TextInput
-              label="Link, shown this once"
-              readOnly
-              value={make.data.url}
-              onFocus={(event) => event.currentTarget.select()}
-            />
+            <div className="stack">
+              <TextInput
+                label="Link, shown this once"
+                readOnly
+                value={make.data.url}
+                onFocus={(event) => event.currentTarget.select()}
+              />
+              <CopyButton text={make.data.url} what="Link">
+                Copy link
+              </CopyButton>
+            </div>
           )}
         </div>
       )}
