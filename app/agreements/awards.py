@@ -18,6 +18,7 @@ from app.agreements.rules import ContractKind
 from app.hiring.comparison import award_bid, record_contract
 from app.hiring.models import Bid, Posting
 from app.hiring.postings import asked_cue_ids
+from app.hiring.roster import keep_on_roster
 from app.hiring.rules import BidLineKind, PostingPhase, amount_minor, total_minor
 from app.hiring.schemas import BidContent
 from app.kit.events import publish
@@ -27,9 +28,10 @@ from app.projects.rules import EngagementKind
 
 
 def award(session: Session, actor: Actor, bid_id: UUID) -> Contract:
-    """Award a posting to a bid: engage its designer, and begin a draft with the bid's lines as milestones."""
+    """Award a posting to a bid: engage its designer, keep them on the roster, and begin a draft with the bid's lines as milestones."""
     bid = award_bid(session, actor, bid_id)
     posting = bid.posting
+    keep_on_roster(session, actor, posting.studio_id, bid.designer_id)
     kind = EngagementKind.ADVISORY if posting.phase is PostingPhase.ADVISORY else EngagementKind.CONTRACT
     engagement = engage(
         session, studio_id=posting.studio_id, project_id=posting.project_id, designer=bid.designer, kind=kind

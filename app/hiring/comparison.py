@@ -10,7 +10,6 @@ from app.hiring import queries
 from app.hiring.access import bid_for_team, posting_access, posting_for_team
 from app.hiring.errors import WrongPostingState
 from app.hiring.models import Bid, Posting, Score
-from app.hiring.roster import keep_on_roster
 from app.hiring.rules import PostingState, ensure_scores_fit, place_of
 from app.kit import clock
 from app.projects.service import project_access
@@ -74,7 +73,6 @@ def award_bid(session: Session, actor: Actor, bid_id: UUID) -> Bid:
     posting.closed_at = posting.closed_at or clock.now()
     posting.revision += 1
     session.flush()
-    keep_on_roster(session, actor, posting.studio_id, bid.designer_id)
     return bid
 
 
