@@ -28,7 +28,7 @@ from app.projects.rules import EngagementKind
 
 
 def award(session: Session, actor: Actor, bid_id: UUID) -> Contract:
-    """Award a posting to a bid: engage its designer, keep them on the roster, and begin a draft with the bid's lines as milestones."""
+    """Award a posting: engage the designer, keep them on the roster, begin a draft with the bid's lines."""
     bid = award_bid(session, actor, bid_id)
     posting = bid.posting
     keep_on_roster(session, actor, posting.studio_id, bid.designer_id)
