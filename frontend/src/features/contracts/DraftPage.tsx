@@ -87,6 +87,7 @@ function Editor({ contract: newest, back }: { contract: Contract; back: string }
       ...now,
       clauses: now.clauses.map((clause) => (clause.key === key ? { ...clause, ...changes } : clause)),
     }))
+  const standing = draft.clauses.filter(({ stands }) => stands).length
   const [placed, setPlaced] = useState('')
   const move = (clause: Clause, by: -1 | 1) => {
     const changed = movedClause(draft, clause.key, by)
@@ -213,8 +214,8 @@ function Editor({ contract: newest, back }: { contract: Contract; back: string }
             <CardHead
               id="clauses"
               title="Clauses"
-              count={draft.clauses.filter(({ stands }) => stands).length}
-              note="that stand"
+              count={standing}
+              note={standing === 1 ? 'that stands' : 'that stand'}
             />
             <p role="status" className="visually-hidden">
               {placed}
