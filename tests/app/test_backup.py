@@ -83,6 +83,7 @@ def contents(world: World, server: RunningServer) -> dict[str, Any]:
     }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("before", "after"), [("folder", "s3"), ("s3", "folder")])
 def test_a_new_server_out_of_a_backup_serves_the_same(opened: Opened, tmp_path: Path, before: str, after: str):
     folder = tmp_path / "backup"
@@ -100,6 +101,7 @@ def test_a_new_server_out_of_a_backup_serves_the_same(opened: Opened, tmp_path: 
             assert sorted(new.runtime.store.blobs(), key=str) == blobs
 
 
+@pytest.mark.slow
 def test_blobs_are_copied_once_and_old_databases_go(opened: Opened, tmp_path: Path):
     folder = tmp_path / "backup"
     with opened("old") as old:
@@ -114,6 +116,7 @@ def test_blobs_are_copied_once_and_old_databases_go(opened: Opened, tmp_path: Pa
     assert len([path for path in folder.iterdir() if path.is_file()]) == 2
 
 
+@pytest.mark.slow
 def test_an_altered_blob_is_named_and_left_out(opened: Opened, tmp_path: Path):
     with opened("old") as old:
         migrate(old.runtime.database)
@@ -127,6 +130,7 @@ def test_an_altered_blob_is_named_and_left_out(opened: Opened, tmp_path: Path):
     assert not list((tmp_path / "backup").rglob(sha256))
 
 
+@pytest.mark.slow
 def test_nothing_is_put_over_what_is_there(opened: Opened, tmp_path: Path):
     with opened("old") as old:
         migrate(old.runtime.database)
@@ -141,6 +145,7 @@ def test_nothing_is_put_over_what_is_there(opened: Opened, tmp_path: Path):
             restore(new.runtime, tmp_path, other)
 
 
+@pytest.mark.slow
 def test_a_copy_from_before_the_release_is_refused_before_anything_is_written(opened: Opened, tmp_path: Path):
     folder = tmp_path / "backup"
     with opened("old") as old:
@@ -156,6 +161,7 @@ def test_a_copy_from_before_the_release_is_refused_before_anything_is_written(op
         assert list(new.runtime.store.blobs()) == []
 
 
+@pytest.mark.slow
 def test_the_commands_say_what_they_did(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     def ran(*command: str) -> Any:
         return CliRunner().invoke(cli, [*command])

@@ -45,6 +45,7 @@ def mode(path: Path) -> int:
     return stat.S_IMODE(path.stat().st_mode)
 
 
+@pytest.mark.slow
 def test_what_was_open_is_tightened_and_what_is_written_is_the_servers_alone(tmp_path: Path):
     data, backups = tmp_path / "data", tmp_path / "backups"
     runtime = Runtime.of(Settings(data_dir=data))

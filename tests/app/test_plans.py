@@ -65,6 +65,7 @@ def planning(engine: sa.Engine) -> Iterator[sa.Connection]:
         yield connection
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SCREENS)
 def test_no_large_table_is_read_whole(server: RunningServer, made: Made, name: str):
     screen, engine = SCREENS[name], server.runtime.database.engine
@@ -78,6 +79,7 @@ def test_no_large_table_is_read_whole(server: RunningServer, made: Made, name: s
     assert not [(text, tables) for text, tables in found if tables]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "asked",
     ["SELECT * FROM deliveries_takes WHERE note = ''", "SELECT id FROM deliveries_takes ORDER BY id"],

@@ -187,6 +187,7 @@ def test_where_a_designer_stopped_in_a_playlist_is_their_own(database: Database)
             session.execute(sa.insert(table).values(row_of(table, HERE, one) | wrong))
 
 
+@pytest.mark.slow
 def test_the_team_shares_views_of_the_review_queue_alone(database: Database):
     table = Base.metadata.tables["shares_saved_views"]
     row = row_of(table, HERE, PROJECTS[HERE][0])

@@ -19,6 +19,8 @@ from app.settings import Settings
 from tests.support.postgres import Postgres
 from tests.support.server import RunningServer, World
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def server(postgres: Postgres, tmp_path_factory: pytest.TempPathFactory) -> Iterator[RunningServer]:

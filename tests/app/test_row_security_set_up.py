@@ -33,6 +33,7 @@ def runtime(postgres: Postgres, tmp_path_factory: pytest.TempPathFactory) -> Ite
 class TestSetUp:
     """What is wrong with logins and roles is said in words."""
 
+    @pytest.mark.slow
     def test_a_guarded_database_is_ready_and_left_as_it_is(self, runtime: Runtime):
         ensure_rows_are_guarded(runtime)
         said: list[str] = []
@@ -43,6 +44,7 @@ class TestSetUp:
         assert said
         assert not [statement for statement in said if "create policy" in statement]
 
+    @pytest.mark.slow
     @pytest.mark.usefixtures("runtime")
     def test_another_login_is_noticed(self, postgres: Postgres, tmp_path: Path):
         with postgres.superuser("set_up") as connection:
@@ -59,6 +61,7 @@ class TestSetUp:
         with pytest.raises(NotReady, match="run: soundlist migrate"):
             ensure_rows_are_guarded(runtime)
 
+    @pytest.mark.slow
     def test_a_login_without_the_right_says_what_an_administrator_types(self, postgres: Postgres):
         with postgres.superuser() as connection:
             connection.execute("create role modest login")

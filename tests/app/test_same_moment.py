@@ -39,6 +39,7 @@ def statuses(answers: list[Response]) -> list[int]:
     return sorted(answer.status_code for answer in answers)
 
 
+@pytest.mark.slow
 def test_of_two_editors_of_a_cue_one_is_refused(world: World, together: Callable[..., list[Response]]):
     (cue,) = add_cues(world, {"name": "door_open"})
     for number in range(ROUNDS):
@@ -88,6 +89,7 @@ def test_a_question_is_answered_by_one_of_two(world: World, together: Callable[.
     assert world.producer.get(f"/v1/cues/{cue['id']}").json()["description"] == f"how large? {said}"
 
 
+@pytest.mark.slow
 def test_a_cue_is_cut_once(world: World, together: Callable[..., list[Response]]):
     for cue in add_cues(world, *({"name": f"cut_{number}"} for number in range(ROUNDS))):
         cut = {"reason": "the level is gone"}

@@ -97,6 +97,7 @@ def test_what_cannot_serve_does_not_start(environment, tmp_path: Path, command: 
     assert "Traceback" not in result.output
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", ["serve", "worker", "migrate"])
 def test_a_database_from_before_the_release_is_reported_and_kept(environment, tmp_path: Path, command: str):
     environment(SECRET_KEY="k" * 32)
@@ -123,6 +124,7 @@ def test_a_data_folder_that_cannot_be_made_is_reported(environment, tmp_path: Pa
     assert "Traceback" not in result.output
 
 
+@pytest.mark.slow
 def test_a_metrics_port_that_is_in_use_is_reported(environment):
     environment(SECRET_KEY="k" * 32)
     assert started("migrate").exit_code == 0

@@ -76,6 +76,7 @@ def test_a_folder_has_no_bucket(tmp_path):
     assert Settings(store_url=f"file://{tmp_path}").blob_dir == tmp_path
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", ["serve", "worker"])
 @pytest.mark.parametrize(
     ("changed", "reported"),

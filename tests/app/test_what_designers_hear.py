@@ -34,6 +34,7 @@ def stand(house: House, choice: DesignersHear, state: TakeState) -> None:
     house.server.in_database(write)
 
 
+@pytest.mark.slow
 def test_the_routes_that_serve_sound_are_among_those_asked() -> None:
     asked = {one.name for one in of_another()}
     sound = {
@@ -47,6 +48,7 @@ def test_the_routes_that_serve_sound_are_among_those_asked() -> None:
     assert asked >= {*HEARD, *sound, "get_take_sounds", "see_take", "see_delivery"}
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 @pytest.mark.parametrize("choice", DesignersHear)
 def test_a_route_shows_an_approved_sound_of_another_only_as_what_is_heard(house: House, choice: DesignersHear) -> None:

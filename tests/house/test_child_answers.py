@@ -125,6 +125,7 @@ class Unreadable(Invalid):
     """Of these tests."""
 
 
+@pytest.mark.slow
 def test_a_parser_that_lies_is_refused_and_recorded_as_the_childs_fault():
     parsers = Parsers()
     parsers.connect((*rooms.PARSERS, __name__))

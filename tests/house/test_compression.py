@@ -35,6 +35,7 @@ def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RunningServer]:
     runtime.database.dispose()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("accept", "encoding"),
     [("gzip, deflate, br, zstd", "br"), ("gzip", "gzip"), ("br;q=0, gzip", "gzip"), ("identity", None)],
@@ -51,6 +52,7 @@ def test_assets_are_sent_as_the_build_compressed_them(served: RunningServer, acc
         assert gzip.decompress(raw) == SCRIPT
 
 
+@pytest.mark.slow
 def test_each_encoding_of_an_asset_has_its_own_tag(served: RunningServer):
     tags = {}
     for accept in ("br", "gzip", "identity"):
@@ -85,6 +87,7 @@ def test_text_is_compressed_unless_another_site_asks(
     assert (answer.status_code, answer.headers.get("content-encoding")) == (200, encoding)
 
 
+@pytest.mark.slow
 def test_the_tag_of_a_compressed_page_is_weak(served: RunningServer):
     compressed = served.browser().get("/", headers={"Accept-Encoding": "gzip"})
     plain = served.browser().get("/", headers={"Accept-Encoding": "identity"})

@@ -35,6 +35,7 @@ def initialised() -> Iterator[Postgres]:
         yield server
 
 
+@pytest.mark.slow
 def test_the_login_owns_its_database_and_may_do_nothing_else(initialised: Postgres):
     with initialised.superuser() as connection:
         roles = (
@@ -50,6 +51,7 @@ def test_the_login_owns_its_database_and_may_do_nothing_else(initialised: Postgr
     assert passwords[OWNER].startswith("SCRAM-SHA-256$")
 
 
+@pytest.mark.slow
 def test_it_suffices_to_migrate_and_to_guard_rows(initialised: Postgres):
     database = Database(initialised.url("soundlist"))
     migrate(database)
@@ -57,6 +59,7 @@ def test_it_suffices_to_migrate_and_to_guard_rows(initialised: Postgres):
     database.dispose()
 
 
+@pytest.mark.slow
 def test_it_reads_no_file_of_the_server(initialised: Postgres):
     with (
         psycopg.connect(host=str(initialised.folder), user=OWNER, dbname="soundlist") as connection,
@@ -74,6 +77,7 @@ def test_a_superuser_is_named(initialised: Postgres):
     assert warning.startswith(f"the login {SUPERUSER} is a superuser of PostgreSQL")
 
 
+@pytest.mark.slow
 def test_compose_runs_the_script_where_its_volume_is_empty():
     compose = (ROOT / "docker-compose.yml").read_text()
     assert "./deploy/postgres.sh:/docker-entrypoint-initdb.d/soundlist.sh:ro" in compose

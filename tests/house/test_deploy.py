@@ -172,6 +172,7 @@ class answering:  # noqa: N801
         self._server.server_close()
 
 
+@pytest.mark.slow
 def test_the_health_checks_ask_what_the_server_answers(server: RunningServer, ours: dict[str, dict[str, Any]]):
     assert server.browser().get("/healthz").status_code == 200
     assert "/healthz" in ours["web"]["healthcheck"]["test"][-1]

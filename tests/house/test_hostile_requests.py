@@ -19,6 +19,7 @@ def this_week() -> int:
     return year * 100 + week
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("database", ["sqlite", "postgres"])
 def test_no_request_breaks_the_server(database: str):
     with running_application(database) as server:

@@ -52,16 +52,19 @@ def tables_of(database: Database) -> set[str]:
     return set(sa.inspect(database.engine).get_table_names())
 
 
+@pytest.mark.slow
 def test_the_history_ends_at_the_models(database: Database):
     migrate(database)
     command.check(alembic_config(database))
 
 
+@pytest.mark.slow
 def test_the_initial_migration_is_the_one_that_the_models_make(tmp_path: Path):
     write_initial(tmp_path / "initial.py")
     assert INITIAL.read_text() == (tmp_path / "initial.py").read_text(), "run: make migration"
 
 
+@pytest.mark.slow
 def test_other_tables_have_another_revision(tmp_path: Path):
     write_initial(tmp_path / "initial.py")
     with_one_more = sa.MetaData(naming_convention=CONSTRAINT_NAMES)

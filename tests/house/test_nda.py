@@ -14,6 +14,8 @@ from tests.house.routes import Operation, ask, operations
 from tests.house.test_policies import CONTRACTS, ONE_DESIGNERS, names_in
 from tests.support.server import RunningServer
 
+pytestmark = pytest.mark.slow
+
 # The project's head says that an NDA is asked for, the next step is to sign it, and the contracts are where it is read
 # and accepted. What two parties agreed to and owe each other stays theirs; how far one's own upload came, one's own
 # sign-ins, and that a sound library of one's own is forgotten, say nothing of the project.

@@ -64,6 +64,7 @@ def wrong_of_page(headers: Headers) -> dict[str, str | None]:
     return found
 
 
+@pytest.mark.slow
 def test_no_answer_of_the_api_is_kept_by_a_shared_cache(served: RunningServer):
     house = House(served)
     kept = set()
@@ -79,6 +80,7 @@ def test_no_answer_of_the_api_is_kept_by_a_shared_cache(served: RunningServer):
     assert not {name for name in kept if "master" in name or "download" in name}, kept
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("path", "status", "caching"),
     [
@@ -113,6 +115,7 @@ def test_the_documentation_is_a_page_of_our_own(served: RunningServer):
         assert "https://" not in path.read_text()
 
 
+@pytest.mark.slow
 def test_signing_out_clears_what_the_browser_kept(served: RunningServer):
     answer = House(served).producer.post("/v1/sign-out")
     assert (answer.status_code, answer.headers["clear-site-data"]) == (204, '"cache", "storage"')

@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+import pytest
 import sqlalchemy as sa
 from hypothesis import given
 from hypothesis import strategies as st
@@ -11,6 +12,7 @@ from tests.support.statements import Recorder, fewest, recorded
 SENT = st.dictionaries(st.text("abc", min_size=1), st.sets(st.integers(0, 12)), max_size=9)
 
 
+@pytest.mark.slow
 @given(SENT, st.sets(st.text("abc", min_size=1), max_size=3))
 def test_everything_is_sent_and_no_test_is_chosen_for_nothing(sent: dict[str, set[int]], always: set[str]):
     chosen = fewest(sent, always)

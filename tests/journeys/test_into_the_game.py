@@ -304,6 +304,7 @@ def play_it_through(studio: Studio, team: Client, content: bytes) -> None:
     assert studio.states()["heard"] == 1
 
 
+@pytest.mark.slow
 def test_into_the_game_and_back(
     server: RunningServer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -210,6 +210,7 @@ class Agreement:
         return faults
 
 
+@pytest.mark.slow
 def test_every_amount_of_the_page(server: RunningServer, monkeypatch: pytest.MonkeyPatch) -> None:
     page, november = Page(PAGE.read_text()), Calendar(monkeypatch)
     november.go_to(2)

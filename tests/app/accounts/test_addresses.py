@@ -45,11 +45,13 @@ def ask_link(browser: TestClient) -> int:
     return browser.post("/v1/me/email-verifications").status_code
 
 
+@pytest.mark.slow
 def test_a_new_account_is_not_verified(server: RunningServer, account: tuple[TestClient, str]) -> None:
     assert account[0].get("/v1/me").json()["email_verified_at"] is None
     assert proof_of(server, account[1]) is None
 
 
+@pytest.mark.slow
 def test_the_mailed_link_verifies_once(
     server: RunningServer, account: tuple[TestClient, str], mails: MailServer
 ) -> None:
@@ -157,6 +159,7 @@ def test_a_link_that_the_outbox_showed_is_invalid_once_it_is_mailed(world: World
         assert world.nobody.get(f"/v1/studio-invitations/{mailed}").status_code == 200
 
 
+@pytest.mark.slow
 def test_a_mailed_secret_stands_nowhere_in_the_database(world: World, mails: MailServer) -> None:
     email = address()
     invite(world, email)
@@ -219,6 +222,7 @@ def test_an_operator_is_named_by_the_command_line_alone(
     assert browser.get("/v1/operations").status_code == 403
 
 
+@pytest.mark.slow
 def test_the_command_line_signs_an_account_out_everywhere(
     server: RunningServer, account: tuple[TestClient, str], world: World, soundlist: Callable[..., Any]
 ) -> None:

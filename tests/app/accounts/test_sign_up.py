@@ -102,6 +102,7 @@ def test_by_invitation_only_the_first_person_signs_up(server: RunningServer) -> 
         settings.sign_up = "open"
 
 
+@pytest.mark.slow
 @pytest.mark.on_folder
 def test_an_empty_server_takes_its_first_person(tmp_path_factory: pytest.TempPathFactory) -> None:
     runtime = Runtime.of(Settings(data_dir=tmp_path_factory.mktemp("empty")))

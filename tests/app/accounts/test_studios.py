@@ -176,6 +176,7 @@ def test_joining_adds_to_the_roles_held(server: RunningServer, world: World) -> 
     assert roles[str(world.other_designer_id)] == ["implementer", "reviewer"]
 
 
+@pytest.mark.slow
 def test_nobody_mails_the_whole_world(world: World) -> None:
     path = f"/v1/studios/{world.studio_id}/invitations"
     codes = [

@@ -138,6 +138,7 @@ def test_an_entry_names_who_did_it(agreed: Agreed, act: Act, kind: str, part: st
     assert all(one["by"] and one["role"] for one in entries(agreed))
 
 
+@pytest.mark.slow
 def test_a_designers_file_that_a_reviewer_matches_is_the_designers_still(agreed: Agreed) -> None:
     cue = agreed.cue("radar_ping")
     agreed.agree(milestone("Alpha", cue, amount_minor=18_000))

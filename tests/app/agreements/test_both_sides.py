@@ -47,6 +47,7 @@ def entries(world: World, contract_id: str) -> list[dict[str, Any]]:
     return [json.loads(entry["payload"]) for entry in record["entries"] if entry["kind"] == "accepted_by"]
 
 
+@pytest.mark.slow
 def test_an_unproven_address_accepts_nothing_where_mail_can_prove_it(
     world: World, contracts: Contracts, with_smtp: None
 ) -> None:
@@ -60,6 +61,7 @@ def test_an_unproven_address_accepts_nothing_where_mail_can_prove_it(
     assert entries(world, sent["id"]) == []
 
 
+@pytest.mark.slow
 def test_without_mail_the_record_says_that_an_address_was_not_proven(world: World, contracts: Contracts) -> None:
     sent = contracts.send(contracts.begin())
     prove(world, world.designer_id, AddressProof.OPERATOR)
@@ -95,6 +97,7 @@ def test_a_producer_begins_no_contract_with_themselves(world: World) -> None:
     assert (refused.status_code, refused.json()["code"]) == (403, "same-person-on-both-sides")
 
 
+@pytest.mark.slow
 def test_its_designer_does_not_act_for_the_studio_even_as_its_producer(world: World, contracts: Contracts) -> None:
     contract = contracts.begin()
     membership = Membership(studio_id=world.studio_id, person_id=world.designer_id, roles=[Role.PRODUCER])
@@ -108,6 +111,7 @@ def test_its_designer_does_not_act_for_the_studio_even_as_its_producer(world: Wo
     assert accept(sent, world.producer).json()["state"] == "agreed"
 
 
+@pytest.mark.slow
 def test_two_accounts_of_one_mailbox_do_not_agree_with_each_other(world: World, contracts: Contracts) -> None:
     sent = contracts.send(contracts.begin())
     box = f"{new_id()}"

@@ -75,6 +75,7 @@ def test_one_person_has_two_at_once_and_another_has_two_more() -> None:
         pass
 
 
+@pytest.mark.slow
 def test_twenty_comparisons_by_one_person_keep_no_one_else_waiting(
     world: World, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -82,6 +82,7 @@ def drawn_by_designer(world: World, contracts: Contracts) -> dict[str, Any]:
     return contracts.accept(sent, world.producer, "P. Producer")
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_it_is_kept_shown_recorded_and_held_against_the_record(world: World, contracts: Contracts) -> None:
     agreed = drawn_by_designer(world, contracts)
@@ -116,6 +117,7 @@ def test_it_is_kept_shown_recorded_and_held_against_the_record(world: World, con
     assert world.server.in_database(faults) == []
 
 
+@pytest.mark.slow
 def test_it_is_drawn_on_the_certificate(world: World, contracts: Contracts) -> None:
     agreed = drawn_by_designer(world, contracts)
     world.server.wait_for_jobs()

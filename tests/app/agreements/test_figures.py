@@ -190,6 +190,7 @@ def test_what_is_no_number_is_none():
 EDITS = st.sampled_from(["type", "word", "delete", "move", "copy", "strike"])
 
 
+@pytest.mark.slow
 @given(st.data())
 @settings(max_examples=12, deadline=None)
 def test_a_text_without_faults_says_what_is_counted(data: st.DataObject):

@@ -127,6 +127,7 @@ def test_it_is_refused_with_what_was_found_and_what_to_do(name: str):
     assert refusal.value.fix
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["pdf", "entities", "nested", "a zip bomb", "linked picture"])
 def test_the_child_says_the_same(parsers: Parsers, name: str):
     made, words = REFUSALS[name]
@@ -157,6 +158,7 @@ def test_what_the_child_says_is_the_document(parsers: Parsers):
     assert WordText.of(parsers.call(parse_word_file, in_base64(GOOD), refusal=BadWordFile)) == read_word_file(GOOD)
 
 
+@pytest.mark.slow
 def test_what_says_nothing_is_passed_over():
     inside = '<w:r><w:instrText xml:space="preserve"> DATE </w:instrText></w:r>' + run("Two")
     inside += (

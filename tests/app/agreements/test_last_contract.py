@@ -49,6 +49,7 @@ def test_nothing_to_begin_like_before_one_was_sent(contracts: Contracts) -> None
     assert last(contracts) is None
 
 
+@pytest.mark.slow
 def test_clauses_terms_and_payment_are_those_of_the_last(contracts: Contracts) -> None:
     sent = changed(contracts)
     found = last(contracts)
@@ -74,6 +75,7 @@ def test_what_is_another_designers_own_begins_as_in_the_library(contracts: Contr
     assert (begun["terms"]["tax_bp"], begun["terms"]["rounds_included"]) == (library["terms"]["tax_bp"], 3)
 
 
+@pytest.mark.slow
 def test_the_last_with_the_same_designer_comes_first(contracts: Contracts) -> None:
     mine = changed(contracts)
     other = engage_another(contracts)

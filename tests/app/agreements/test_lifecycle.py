@@ -106,6 +106,7 @@ def test_two_editors_notice_each_other(world: World, contracts: Contracts):
     assert (refused.status_code, refused.json()["code"]) == (409, "draft-changed")
 
 
+@pytest.mark.slow
 def test_both_accept_the_same_text(world: World, contracts: Contracts):
     begun = contracts.begin()
     path = f"/contracts/{begun['id']}"
@@ -161,6 +162,7 @@ def test_nobody_accepts_what_they_did_not_read(world: World, contracts: Contract
     assert (looks_on.status_code, looks_on.json()["code"]) == (403, "not-your-contract")
 
 
+@pytest.mark.slow
 def test_the_designer_asks_for_a_change(world: World, contracts: Contracts):
     begun = contracts.begin()
     sent = contracts.send(begun)
@@ -185,6 +187,7 @@ def test_the_designer_asks_for_a_change(world: World, contracts: Contracts):
     assert [run["text"] for run in rounds["runs"] if run["is_in"] == "later"] == ["1"]
 
 
+@pytest.mark.slow
 def test_sending_again_shows_the_list_of_that_moment(world: World, contracts: Contracts):
     begun = contracts.begin()
     add(world, {"name": "Radar ping"})
@@ -196,6 +199,7 @@ def test_sending_again_shows_the_list_of_that_moment(world: World, contracts: Co
     assert again["acceptances"] == []
 
 
+@pytest.mark.slow
 def test_a_contract_too_large_for_a_pdf_stays_a_draft(
     world: World, contracts: Contracts, monkeypatch: pytest.MonkeyPatch
 ):
@@ -220,6 +224,7 @@ def test_the_pdf_of_another_text_is_not_sent(world: World, contracts: Contracts,
     assert contracts.ask(world.producer, "GET", f"/contracts/{draft['id']}")["state"] == "draft"
 
 
+@pytest.mark.slow
 def test_agreed_is_agreed(world: World, contracts: Contracts):
     agreed = contracts.agree(contracts.begin())
     for path, by, body in (
@@ -249,6 +254,7 @@ def test_a_draft_that_was_never_sent_stays_unseen_when_it_ends(world: World, con
     assert contracts.ask(world.designer, "GET", f"/projects/{world.project_id}/contracts") == []
 
 
+@pytest.mark.slow
 def test_a_framework_once_then_a_batch(world: World, contracts: Contracts):
     alone = {"engagement_id": contracts.engagement_id(), "kind": "statement_of_work", "title": "Alpha"}
     path = f"/v1/projects/{world.project_id}/contracts"
@@ -263,6 +269,7 @@ def test_a_framework_once_then_a_batch(world: World, contracts: Contracts):
     assert contracts.agree(batch)["state"] == "agreed"
 
 
+@pytest.mark.slow
 def test_a_framework_with_another_studio_carries_nothing(world: World, contracts: Contracts):
     framework = contracts.agree(contracts.begin("framework", title="Sound design framework"))
     elsewhere = World(world.server)
@@ -294,6 +301,7 @@ def test_the_studios_own_people_need_none(world: World, contracts: Contracts, ki
     assert (refused.status_code, refused.json()["code"]) == (409, "no-contract-needed")
 
 
+@pytest.mark.slow
 def test_another_designer_sees_nothing_of_it(world: World, contracts: Contracts):
     agreed = contracts.agree(contracts.begin())
     for path in ("", "/versions", "/versions/1", "/record", "/record.json"):
@@ -302,6 +310,7 @@ def test_another_designer_sees_nothing_of_it(world: World, contracts: Contracts)
         assert world.approver.get(f"/v1/contracts/{agreed['id']}{path}").status_code == 200, path
 
 
+@pytest.mark.slow
 def test_the_party_whose_step_is_next_is_notified_by_mail(world: World, contracts: Contracts):
     contracts.agree(contracts.begin())
     world.server.wait_for_jobs()

@@ -52,6 +52,7 @@ def test_both_parties_are_reminded_and_mailed_once(world: World) -> None:
     assert mails(world) == sent
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("days", "is_shown"), [(15, False), (14, True), (0, True), (-14, True), (-15, False)])
 def test_a_day_is_near_for_two_weeks(world: World, days: int, is_shown: bool) -> None:
     agreed = Agreed(world, terms={"exclusive_until": in_days(days)})

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+import pytest
 from fastapi.testclient import TestClient
 from sqlalchemy import select
 
@@ -36,6 +37,7 @@ def listed_open(caller: TestClient) -> bool:
     return bool(project["nda_open"])
 
 
+@pytest.mark.slow
 def test_what_is_closed_opens_with_the_nda(world: World, contracts: Contracts):
     (cue,) = add(world, {"name": "Radar ping"})
     request_nda(world)

@@ -35,6 +35,7 @@ def test_without_a_brief_nothing_of_it_is_printed_and_all_is_sent(world: World, 
     assert contracts.send(struck)["state"] == "sent"
 
 
+@pytest.mark.slow
 def test_a_text_that_leaves_them_out_is_not_sent(world: World, contracts: Contracts) -> None:
     answer(world, 0, naming={"is_unknown": True})
     begun = contracts.begin()

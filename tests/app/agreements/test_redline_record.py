@@ -13,6 +13,8 @@ from tests.app.agreements.conftest import Contracts
 from tests.app.agreements.redlining import INSERTED, Redlining
 from tests.support.server import World
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture
 def redlining(world: World, contracts: Contracts) -> Redlining:

@@ -22,6 +22,7 @@ def redlining(world: World, contracts: Contracts) -> Redlining:
     return Redlining(world, contracts)
 
 
+@pytest.mark.slow
 def test_what_is_accepted_is_signed_word_for_word(world: World, redlining: Redlining):
     round_ = redlining.propose(
         redlining.replace("rounds", ROUNDS, comment="Two are enough."),
@@ -55,6 +56,7 @@ def test_what_is_accepted_is_signed_word_for_word(world: World, redlining: Redli
     assert redlining.faults() == []
 
 
+@pytest.mark.slow
 def test_nothing_unanswered_or_refused_gets_in(world: World, redlining: Redlining):
     redlining.propose(redlining.replace("warranty", "Nothing is warranted."), INSERTED, STRUCK)
     redlining.answer(1, "refused", comment="They are not.")
@@ -73,6 +75,7 @@ def test_nothing_unanswered_or_refused_gets_in(world: World, redlining: Redlinin
     assert redlining.faults() == []
 
 
+@pytest.mark.slow
 def test_a_counter_goes_in_and_both_see_it_beside_what_was_proposed(world: World, redlining: Redlining):
     redlining.propose(redlining.replace("warranty", "Own work."), STRUCK)
     redlining.answer(1, "countered", title="Originality", text=" Licensed work.\n", comment="Licensed we can do.")
@@ -114,6 +117,7 @@ def test_both_read_one_text_with_marks(world: World, redlining: Redlining):
     assert set(others) == {"same"}
 
 
+@pytest.mark.slow
 def test_a_value_of_a_clause_is_changed_with_it(redlining: Redlining):
     text = redlining.clause("rounds")["text"]
     round_ = redlining.propose(redlining.replace("rounds", text, terms={"rounds_included": 4}))
@@ -133,6 +137,7 @@ def test_a_variable_that_became_its_value_is_marked_too(redlining: Redlining):
     assert _words(marked["lines"], "earlier") == ["{project}."]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("typed", ["3", "three", "**3**", "three (3)"])
 def test_a_number_typed_over_a_figure_is_signed_as_it_is_counted(world: World, redlining: Redlining, typed: str):
     text = redlining.clause("rounds")["text"]
@@ -191,6 +196,7 @@ def test_a_needed_figure_cannot_be_struck_or_contradicted_elsewhere(world: World
     assert "{rounds_included}" in unsaved.json()["detail"]
 
 
+@pytest.mark.slow
 def test_a_text_that_contradicts_its_figures_is_neither_sent_nor_signed(world: World, redlining: Redlining):
     def type_over(session: Session) -> None:
         version = version_by_number(session, UUID(redlining.sent["id"]), redlining.sent["version"]["number"])
@@ -216,6 +222,7 @@ def test_a_text_that_contradicts_its_figures_is_neither_sent_nor_signed(world: W
     redlining.contracts.send(redlining.draft())
 
 
+@pytest.mark.slow
 def test_the_last_answer_counts_and_undoes_the_one_before(redlining: Redlining):
     before = redlining.draft()["version"]["clauses"]
     redlining.propose(redlining.replace("warranty", "Own work."), INSERTED, STRUCK)
@@ -229,6 +236,7 @@ def test_the_last_answer_counts_and_undoes_the_one_before(redlining: Redlining):
     assert redlining.draft()["version"]["clauses"] == before
 
 
+@pytest.mark.slow
 def test_an_agreed_clause_that_was_edited_afterwards_is_not_sent(world: World, redlining: Redlining):
     redlining.propose(redlining.replace("warranty", "Own work."))
     redlining.answer(1, "accepted")
@@ -304,6 +312,7 @@ def test_answers_that_mean_nothing_are_refused(redlining: Redlining):
     assert refusal(redlining.try_to_answer(2, "accepted"))[:2] == (404, "redline-not-found")
 
 
+@pytest.mark.slow
 def test_accepting_keeps_the_draft_whole(redlining: Redlining, contracts: Contracts, world: World):
     contracts.ask(world.producer, "POST", f"{redlining.path}/recall", json={"reason": "Tax."})
     draft = redlining.draft()
@@ -343,6 +352,7 @@ def test_changes_of_a_text_that_stands_no_more_are_kept_back(redlining: Redlinin
     assert refusal(stale)[:2] == (409, "text-changed")
 
 
+@pytest.mark.slow
 def test_a_second_round_counts_on(world: World, redlining: Redlining):
     redlining.propose(redlining.replace("warranty", "Own work."))
     redlining.answer(1, "refused", comment="Two.")

@@ -60,6 +60,7 @@ def words_of(pdf: bytes) -> str:
     return " ".join(" ".join(page.extract_text() for page in PdfReader(io.BytesIO(pdf)).pages).split())
 
 
+@pytest.mark.slow
 def test_once_all_have_signed_downloads_are_sealed(
     world: World, contracts: Contracts, agreed: dict[str, Any], sealed: bytes
 ) -> None:
@@ -83,6 +84,7 @@ def test_once_all_have_signed_downloads_are_sealed(
         assert said.replace(" ", "") in words.replace(" ", ""), said
 
 
+@pytest.mark.slow
 def test_the_page_says_what_an_untouched_file_binds(world: World, agreed: dict[str, Any], sealed: bytes) -> None:
     said = verify(world, sealed)
     assert said["verdict"] == "untouched"
@@ -102,6 +104,7 @@ def flipped(pdf: bytes, place: int, bit: int) -> bytes:
     return bytes(changed)
 
 
+@pytest.mark.slow
 def test_each_of_two_thousand_changed_bytes_is_found(world: World, sealed: bytes) -> None:
     chance = random.Random(24)
 
@@ -112,12 +115,14 @@ def test_each_of_two_thousand_changed_bytes_is_found(world: World, sealed: bytes
     assert world.server.in_database(verdicts) == {seals.Verdict.CHANGED}
 
 
+@pytest.mark.slow
 def test_a_changed_file_is_known_by_its_key_where_nothing_else_names_it(world: World, sealed: bytes) -> None:
     unnamed = sealed.replace(b"soundlist-seal:", b"soundlist-leas:")
     assert unnamed != sealed
     assert verify(world, unnamed)["verdict"] == "changed"
 
 
+@pytest.mark.slow
 def test_by_the_seal_alone_each_change_under_it_is_found(sealed: bytes) -> None:
     begins = sealed.index(b"/Contents <") + len(b"/Contents ")
     ends = sealed.index(b">", begins) + 1
@@ -132,6 +137,7 @@ def test_by_the_seal_alone_each_change_under_it_is_found(sealed: bytes) -> None:
     assert not (longer.is_intact and longer.covers_file)
 
 
+@pytest.mark.slow
 def test_a_byte_that_no_seal_covers_is_found_by_the_server(world: World, sealed: bytes) -> None:
     ends = sealed.index(b">", sealed.index(b"/Contents <"))
     padded = flipped(sealed, ends - 1, 0)  # of the zeros that fill the place of the seal
@@ -146,6 +152,7 @@ def test_other_files_are_not_ours(world: World, content: bytes) -> None:
     assert (said["verdict"], said["binds"]) == ("not_ours", None)
 
 
+@pytest.mark.slow
 def test_a_seal_by_another_key_is_not_ours(world: World, contracts: Contracts, agreed: dict[str, Any]) -> None:
     as_sent = contracts.ask(world.designer, "GET", f"/contracts/{agreed['id']}/versions/1/contract.pdf?as_sent=true")
     other = seal_files.seal(as_sent, seal_files.own_signer("another server"), mark="soundlist-seal:", timestamp_url="")
@@ -188,6 +195,7 @@ def given(world: World, tmp_path: Path) -> Iterator[str]:
     settings.seal_certificate = settings.seal_key = None
 
 
+@pytest.mark.slow
 def test_the_operators_certificate_seals_where_one_is_set(world: World, contracts: Contracts, given: str) -> None:
     own = read_seal_of(world, contracts)
     settings = world.server.runtime.settings
@@ -202,6 +210,7 @@ def read_seal_of(world: World, contracts: Contracts) -> seal_files.SealRead:
     return read_seal(contracts.ask(world.designer, "GET", f"/contracts/{signed['id']}/versions/1/contract.pdf"))
 
 
+@pytest.mark.slow
 def test_a_name_in_letters_that_the_fonts_lack_is_sealed_all_the_same(world: World, contracts: Contracts) -> None:
     sent = contracts.send(contracts.begin())
     contracts.accept(sent, world.designer, "山田 太郎")
@@ -217,6 +226,7 @@ def on_command_line(monkeypatch: pytest.MonkeyPatch, world: World, *args: str) -
     return CliRunner().invoke(cli, ["verify", *args])
 
 
+@pytest.mark.slow
 def test_the_command_reports_on_a_pdf(
     world: World, sealed: bytes, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -235,6 +245,7 @@ def test_the_command_reports_on_a_pdf(
     assert "it has no seal" in on_command_line(monkeypatch, world, "--offline", str(path)).output
 
 
+@pytest.mark.slow
 def test_a_seal_whose_file_was_swapped_is_named(
     world: World, agreed: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -282,6 +293,7 @@ def timestamp_server() -> Iterator[str]:
         server.shutdown()
 
 
+@pytest.mark.slow
 def test_a_timestamp_server_dates_the_seal_where_one_is_set(world: World, contracts: Contracts) -> None:
     settings = world.server.runtime.settings
     with timestamp_server() as address:

@@ -76,6 +76,7 @@ def refusal(answer: Any) -> tuple[int, str]:
     return answer.status_code, answer.json()["code"]
 
 
+@pytest.mark.slow
 def test_two_named_signers_sign_in_their_order(world: World, contracts: Contracts, second: UUID) -> None:
     draft = contracts.begin()
     named = name_signers(world, draft, world.producer_id, second, first="studio").json()
@@ -106,6 +107,7 @@ def test_a_producer_who_is_not_named_does_not_sign(world: World, contracts: Cont
     assert sign(world.signed_in(second), sent).json()["state"] == "agreed"
 
 
+@pytest.mark.slow
 def test_each_signer_is_mailed_when_it_is_their_turn(
     world: World, contracts: Contracts, second: UUID, mails: MailServer
 ) -> None:
@@ -139,6 +141,7 @@ def test_signers_stand_once_it_is_sent(world: World, contracts: Contracts) -> No
     assert refusal(name_signers(world, sent, world.producer_id)) == (409, "wrong-state")
 
 
+@pytest.mark.slow
 def test_who_signed_an_agreed_contract_is_final(world: World, contracts: Contracts) -> None:
     agreed = contracts.agree(contracts.begin())
     answer = name_signers(world, agreed, world.producer_id)
@@ -164,6 +167,7 @@ def code_for(world: World, mails: MailServer, contract: dict[str, Any], by: Test
     return str(codes[-1])
 
 
+@pytest.mark.slow
 def test_a_name_counts_with_the_code_that_was_mailed(world: World, contracts: Contracts, mails: MailServer) -> None:
     sent = contracts.send(contracts.begin())
     assert refusal(sign(world.designer, sent)) == (403, "signing-code-needed")
@@ -192,6 +196,7 @@ def test_neither_database_nor_outbox_holds_the_code(world: World, contracts: Con
     assert not re.search(rf"(?<!\d){code}(?!\d)", world.server.in_database(everything))
 
 
+@pytest.mark.slow
 def test_a_code_is_for_one_text_one_person_and_one_time(world: World, contracts: Contracts, mails: MailServer) -> None:
     first, other = contracts.send(contracts.begin()), contracts.send(contracts.begin(title="Music"))
     code = code_for(world, mails, first, world.designer, world.designer_id)
@@ -207,6 +212,7 @@ def wrong(code: str) -> str:
     return f"{(int(code) + 1) % 1_000_000:06}"
 
 
+@pytest.mark.slow
 def test_a_code_is_tried_five_times(world: World, contracts: Contracts, mails: MailServer) -> None:
     sent = contracts.send(contracts.begin())
     code = code_for(world, mails, sent, world.designer, world.designer_id)
@@ -219,6 +225,7 @@ def test_a_code_is_tried_five_times(world: World, contracts: Contracts, mails: M
     assert sign(world.designer, sent, code_for(world, mails, sent, world.designer, world.designer_id)).is_success
 
 
+@pytest.mark.slow
 def test_a_code_ends_after_ten_minutes_and_with_the_next_one(
     world: World, contracts: Contracts, mails: MailServer
 ) -> None:
@@ -255,6 +262,7 @@ def test_codes_are_mailed_a_few_times_only(world: World, contracts: Contracts, m
     assert codes == [201] * 5 + [429]
 
 
+@pytest.mark.slow
 def test_a_change_order_is_signed_with_a_code_too(world: World, contracts: Contracts, mails: MailServer) -> None:
     cue, begun = Stage(world).cue("radar_ping"), contracts.begin()
     plan = {"milestones": [milestone("Alpha", cue, amount_minor=36_000)]}

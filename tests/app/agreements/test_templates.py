@@ -24,6 +24,7 @@ def test_the_library_comes_back_from_its_file(kind: ContractKind):
     assert parse_toml(library_toml(kind))[1:] == (kind, [clause.as_row() for clause in clauses], terms)
 
 
+@pytest.mark.slow
 @given(KEYS, ANY, ANY, st.booleans(), st.dictionaries(KEYS, st.integers(0, 2**53) | ANY, max_size=3))
 def test_whatever_is_written_is_read_again(key: str, title: str, text: str, stands: bool, terms: dict[str, int | str]):
     clause = Clause(key, title.strip(), text.strip(), stands)
@@ -54,6 +55,7 @@ def test_a_file_that_is_not_a_template_is_refused_with_a_reason(toml: str, words
         parse_toml(toml)
 
 
+@pytest.mark.slow
 def test_kept_taken_out_changed_and_brought_in(world: World, contracts: Contracts):
     begun = contracts.begin()
     rows = [row | {"text": "Between us."} if row["key"] == "parties" else row for row in begun["version"]["clauses"]]

@@ -73,6 +73,7 @@ def test_nothing_that_was_typed_is_run(name: str):
     assert pdf.metadata.title == shown
 
 
+@pytest.mark.slow
 def test_the_same_text_is_the_same_pdf_in_another_process():
     code = (
         "import hashlib, sys; from app.agreements.documents import pdf_of;"

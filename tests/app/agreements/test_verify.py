@@ -22,6 +22,8 @@ from app.settings import Settings
 from tests.app.agreements.conftest import Contracts
 from tests.support.server import World
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture
 def agreed(contracts: Contracts) -> dict[str, Any]:

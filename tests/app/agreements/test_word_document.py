@@ -112,6 +112,7 @@ def test_tracked_changes_lead_from_any_text_to_any_other(old: list[str], new: li
     assert lines(document, accepted=False) == clean(earlier)
 
 
+@pytest.mark.slow
 def test_both_parties_take_a_version_out_and_only_those_they_see(world: World, contracts: Contracts):
     redlining = Redlining(world, contracts)
     redlining.propose(redlining.replace("warranty", "Own work."))

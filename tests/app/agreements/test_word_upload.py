@@ -43,6 +43,7 @@ def upload(world: World, contracts: Contracts) -> Upload:
     return Upload(world, contracts)
 
 
+@pytest.mark.slow
 def test_its_changes_are_a_draft_that_is_sent_as_if_typed(upload: Upload):
     tea = paragraph("9. Tea", "Heading2") + paragraph("At four.")
     document = edited(
@@ -68,6 +69,7 @@ def test_its_changes_are_a_draft_that_is_sent_as_if_typed(upload: Upload):
     assert proposed["unanswered"] == 2
 
 
+@pytest.mark.slow
 def test_a_number_in_words_is_the_new_value_of_its_field(upload: Upload):
     read = upload.upload(edited(upload.document(), ("2 rounds", "three rounds")))
     (change,) = read["changes"]
@@ -84,6 +86,7 @@ def test_a_document_that_nobody_edited_proposes_nothing(upload: Upload):
     assert read == {"version": 1, "changes": [], "note": "", "findings": []}
 
 
+@pytest.mark.slow
 def test_a_document_of_an_earlier_version_names_what_changed_since(upload: Upload):
     first, about = upload.document(), upload.clause("about")["title"]
     upload.propose(upload.replace("rounds", upload.clause("rounds")["text"] + "\n\nEach is asked for in writing."))

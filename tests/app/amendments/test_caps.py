@@ -14,6 +14,8 @@ from tests.app.money.agreed import day, deposit, milestone
 from tests.support.pdfs import text_of
 from tests.support.server import World
 
+pytestmark = pytest.mark.slow
+
 BY_HOUR = {"hour_rate_minor": 6_001, "hours_cap": 5, "hours_month_cap": 4}
 
 

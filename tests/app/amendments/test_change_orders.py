@@ -81,6 +81,7 @@ def move(order: Order, name: str, due_on: str) -> dict[str, Any]:
     return {"kind": "move_date", "milestone_id": order.milestones[name], "due_on": due_on}
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_it_holds_when_both_have_accepted(order: Order) -> None:
     shield = order.cue("shield_down")
@@ -109,6 +110,7 @@ def test_it_holds_when_both_have_accepted(order: Order) -> None:
     assert figures["agreed_minor"] == 25_000 + 36_000 + 85_500 + 7_875
 
 
+@pytest.mark.slow
 def test_a_cue_in_work_is_taken_out_at_its_kill_fee(order: Order) -> None:
     order.take(order.cues[2], state=TakeState.RETURNED)
     order.propose(about("cut_cue", order.cues[2]))
@@ -123,6 +125,7 @@ def test_a_cue_in_work_is_taken_out_at_its_kill_fee(order: Order) -> None:
     assert listed["state"] != "cut", "the list keeps it, for another contract"
 
 
+@pytest.mark.slow
 def test_a_price_is_changed_and_its_milestone_with_it(order: Order) -> None:
     order.in_force(about("reprice_cue", order.cues[0], price_minor=20_000))
     assert order.plan_now()[1] == ("Alpha", 38_000, day(14))
@@ -130,6 +133,7 @@ def test_a_price_is_changed_and_its_milestone_with_it(order: Order) -> None:
     assert order.owed()[-1] == ("accepted", 20_000)
 
 
+@pytest.mark.slow
 def test_work_beside_the_cues_is_due_when_both_agree(order: Order) -> None:
     body = {"milestone_id": order.milestones["Alpha"], "text": "Voice session, two hours", "amount_minor": 50_000}
     order.in_force({"kind": "add_work", **body})
@@ -140,6 +144,7 @@ def test_work_beside_the_cues_is_due_when_both_agree(order: Order) -> None:
     assert lines[-1] == {"text": "Work by a change order (Alpha)", "amount_minor": 50_000, "tax_bp": None}
 
 
+@pytest.mark.slow
 def test_a_round_agreed_beforehand_is_not_proposed_again(order: Order) -> None:
     cue = order.cues[0]
     order.in_force(about("add_round", cue))
@@ -151,6 +156,7 @@ def test_a_round_agreed_beforehand_is_not_proposed_again(order: Order) -> None:
     assert order.owed().count(("extra_round", 4_500)) == 1
 
 
+@pytest.mark.slow
 def test_a_third_round_is_offered_by_itself_and_a_change_order_agrees_to_it(order: Order) -> None:
     cue = order.cues[0]
     for _ in range(3):
@@ -177,6 +183,7 @@ def problems_of(order: Order, *changes: dict[str, Any]) -> list[str]:
     return previewed["problems"]
 
 
+@pytest.mark.slow
 def test_what_is_refused_and_the_act_that_works(order: Order) -> None:
     """Each refusal names an act; the act is done, and works."""
     accepted, cut = order.cues[:2]
@@ -205,6 +212,7 @@ def test_without_a_price_of_rounds_none_is_invented(world: World) -> None:
     assert problems_of(order, about("reprice_cue", order.cues[0], price_minor=20_000)) == []
 
 
+@pytest.mark.slow
 def test_an_order_that_no_longer_fits_is_not_agreed(order: Order) -> None:
     cue = order.cues[0]
     order.propose(about("reprice_cue", cue, price_minor=20_000))
@@ -219,6 +227,7 @@ def test_an_order_that_no_longer_fits_is_not_agreed(order: Order) -> None:
     assert order.owed()[-1] == ("extra_work", 2_000)
 
 
+@pytest.mark.slow
 def test_two_orders_on_one_milestone(order: Order) -> None:
     order.propose(about("reprice_cue", order.cues[0], price_minor=20_000))
     order.propose(about("reprice_cue", order.cues[1], price_minor=21_000))
@@ -246,6 +255,7 @@ def test_one_person_does_not_sign_for_both(order: Order) -> None:
     assert refused(order.accept(order.world.producer)) == (409, "already-accepted")
 
 
+@pytest.mark.slow
 def test_an_end_lapses_what_is_proposed(order: Order, contracts: Contracts) -> None:
     order.propose(about("add_round", order.cues[0]))
     contracts.end({"id": str(order.contract_id)})
@@ -254,6 +264,7 @@ def test_an_end_lapses_what_is_proposed(order: Order, contracts: Contracts) -> N
     assert refused(order.propose(about("add_round", order.cues[0]))) == (409, "not-in-force")
 
 
+@pytest.mark.slow
 def test_only_batches_of_a_framework_are_changed(world: World, contracts: Contracts) -> None:
     framework = contracts.agree(contracts.begin("framework"))
     body = {"reason": "More", "changes": [{"kind": "cut_cue", "cue_id": str(uuid4())}]}
@@ -262,6 +273,7 @@ def test_only_batches_of_a_framework_are_changed(world: World, contracts: Contra
     assert answer.json()["fix"] == "propose it to the batch that has the cues"
 
 
+@pytest.mark.slow
 def test_who_sees_and_who_proposes(order: Order) -> None:
     world = order.world
     order.propose(about("add_round", order.cues[0]))
@@ -282,6 +294,7 @@ def test_the_text_says_what_changes_and_nothing_else(order: Order) -> None:
     assert ["".join(span["text"] for span in row[0]) for row in table] == ["Milestone", "Alpha"]
 
 
+@pytest.mark.slow
 def test_the_order_as_pdf(order: Order) -> None:
     order.propose(about("add_round", order.cues[0]))
     first = order.world.designer.get(f"{order.path}/1/change-order.pdf")
@@ -371,6 +384,7 @@ def test_a_change_order_types_no_figure_that_it_does_not_set(order: Order, text:
     assert order.propose(fine).status_code == 201
 
 
+@pytest.mark.slow
 def test_a_contract_under_notice_says_when_it_ends(order: Order) -> None:
     world, path = order.world, f"/v1/contracts/{order.contract_id}"
     assert body_of(world.producer.get(path))["notice"] is None

@@ -15,6 +15,8 @@ from tests.app.agreements.test_drawn_names import NAME, SHA256, content_of
 from tests.app.amendments.refusal_parties import Parties, granted
 from tests.support.server import World
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture
 def parties(world: World) -> Parties:

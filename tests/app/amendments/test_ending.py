@@ -85,6 +85,7 @@ def state_of(agreed: Agreed) -> str:
     return body_of(agreed.world.producer.get(f"/v1/contracts/{agreed.contract_id}"))["state"]
 
 
+@pytest.mark.slow
 def test_before_a_notice_it_is_a_forecast(agreed: Agreed) -> None:
     half_way(agreed)
     said = ending(agreed)
@@ -111,6 +112,7 @@ def test_before_a_notice_it_is_a_forecast(agreed: Agreed) -> None:
     assert agreed.figures()["open_minor"] > 0, "a forecast changes nothing"
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_when_both_agree_the_ledger_has_it_in_one_step(agreed: Agreed) -> None:
     half_way(agreed)
@@ -134,6 +136,7 @@ def test_when_both_agree_the_ledger_has_it_in_one_step(agreed: Agreed) -> None:
     assert contract["end_reason"] == REASON
 
 
+@pytest.mark.slow
 def test_cutting_a_settled_cue_owes_nothing_twice(agreed: Agreed) -> None:
     cues = half_way(agreed)
     body_of(give_notice(agreed))
@@ -143,6 +146,7 @@ def test_cutting_a_settled_cue_owes_nothing_twice(agreed: Agreed) -> None:
     assert agreed.owed() == before
 
 
+@pytest.mark.slow
 def test_what_is_settled_is_invoiced_and_paid(agreed: Agreed) -> None:
     half_way(agreed)
     paid = agreed.invoice()
@@ -156,6 +160,7 @@ def test_what_is_settled_is_invoiced_and_paid(agreed: Agreed) -> None:
     assert (agreed.figures()["due_minor"], agreed.figures()["open_minor"]) == (0, 0)
 
 
+@pytest.mark.slow
 def test_approval_of_an_outdated_state_no_longer_counts(agreed: Agreed) -> None:
     cues = half_way(agreed)
     body_of(give_notice(agreed))
@@ -170,6 +175,7 @@ def test_approval_of_an_outdated_state_no_longer_counts(agreed: Agreed) -> None:
     assert state_of(agreed) == "ended"
 
 
+@pytest.mark.slow
 def test_one_party_agrees_once(agreed: Agreed) -> None:
     half_way(agreed)
     body_of(give_notice(agreed))
@@ -187,6 +193,7 @@ def end_yesterday(agreed: Agreed) -> None:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_without_agreement_the_last_day_settles_it_once(agreed: Agreed) -> None:
     half_way(agreed)
@@ -203,6 +210,7 @@ def test_without_agreement_the_last_day_settles_it_once(agreed: Agreed) -> None:
     assert "amendments.settle_ended" in worker.CHORES
 
 
+@pytest.mark.slow
 def test_only_who_gave_the_notice_withdraws_it(agreed: Agreed) -> None:
     half_way(agreed)
     path = f"/v1/contracts/{agreed.contract_id}/ending/withdraw"
@@ -232,6 +240,7 @@ def test_rules_of_notice() -> None:
     assert [is_over(one, TODAY) for one in (None, TODAY, TODAY - timedelta(days=1))] == [False, False, True]
 
 
+@pytest.mark.slow
 def test_without_the_clause_it_ends_only_when_both_agree(world: World) -> None:
     agreed = Agreed(world)
     half_way(agreed)
@@ -243,6 +252,7 @@ def test_without_the_clause_it_ends_only_when_both_agree(world: World) -> None:
     assert state_of(agreed) == "ended"
 
 
+@pytest.mark.slow
 def test_a_deposit_that_is_set_off(world: World) -> None:
     agreed = Agreed(world, terms=TERMS | {"deposit_at_end": "set_off"})
     half_way(agreed)
@@ -258,6 +268,7 @@ def test_a_deposit_that_is_set_off(world: World) -> None:
     assert agreed.invoice()["total_minor"] == 15_750 + 23_625 - 144_000, "a credit note"
 
 
+@pytest.mark.slow
 def test_what_waited_for_a_whole_milestone_is_due(world: World) -> None:
     agreed = Agreed(world, terms=TERMS, release=ReleaseClause.ON_COMPLETION)
     half_way(agreed)
@@ -267,6 +278,7 @@ def test_what_waited_for_a_whole_milestone_is_due(world: World) -> None:
     assert sorted(agreed.owed()[1:]) == [("accepted", 18_000), ("cut", 15_750), ("cut", 15_750), ("cut", 23_625)]
 
 
+@pytest.mark.slow
 def test_days_count_that_the_studio_agreed_to(world: World) -> None:
     terms = TERMS | {"price_mode": "day_rate", "day_rate_minor": 40_000, "days_cap": 10}
     agreed = Agreed(world, terms=terms)
@@ -294,6 +306,7 @@ def test_another_designers_takes_are_not_this_ones_work(agreed: Agreed) -> None:
     assert (said["state"], said["owed_minor"]) == ("not_begun", 0)
 
 
+@pytest.mark.slow
 def test_the_next_designer_may_be_contracted_for_what_was_left(agreed: Agreed, contracts: Contracts) -> None:
     cues = half_way(agreed)
     body_of(give_notice(agreed))
@@ -305,6 +318,7 @@ def test_the_next_designer_may_be_contracted_for_what_was_left(agreed: Agreed, c
     assert contracts.agree(begun)["state"] == "agreed"
 
 
+@pytest.mark.slow
 def test_a_contract_that_ended_without_settlement_is_settled_by_both(agreed: Agreed) -> None:
     """Before settlements existed, ending wrote no line; such a contract is settled where both agree."""
     half_way(agreed)
@@ -331,6 +345,7 @@ def test_who_sees_and_who_acts(agreed: Agreed) -> None:
     )
 
 
+@pytest.mark.slow
 def test_the_statement_as_pdf(agreed: Agreed) -> None:
     half_way(agreed)
     path = f"/v1/contracts/{agreed.contract_id}/ending/statement.pdf"
@@ -348,6 +363,7 @@ def test_the_statement_as_pdf(agreed: Agreed) -> None:
     assert signatures.startswith("Signatures")
 
 
+@pytest.mark.slow
 def test_both_are_notified_by_mail(agreed: Agreed) -> None:
     half_way(agreed)
     body_of(give_notice(agreed))

@@ -9,6 +9,7 @@ from datetime import date
 from fractions import Fraction
 from uuid import UUID, uuid4
 
+import pytest
 from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, rule
@@ -20,6 +21,8 @@ from app.money.figures import figures_of
 from app.money.hours import HourTerms, month_begins_on
 from app.money.ledger_book import Entry, LedgerBook, Line, PayRules, PricedCue, settle_bonus, settle_shares
 from app.money.rules import LineKind
+
+pytestmark = pytest.mark.slow
 
 DEPOSIT_MINOR, ROUND_BP = 77_777, 1_250
 PARTS = {"not_begun": 333, "in_work": 5_000, "delivered": 7_501}

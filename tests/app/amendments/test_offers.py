@@ -69,6 +69,7 @@ def test_nothing_is_offered_where_nothing_changed(order: Order) -> None:
     assert offers(order) == []
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_a_round_beyond_those_included(order: Order) -> None:
     send_rounds(order, order.cues[0], 3)
@@ -82,6 +83,7 @@ def test_a_round_beyond_those_included(order: Order) -> None:
     assert (round_["state"], order.owed()[-1]) == ("agreed", ("extra_round", 4_500))
 
 
+@pytest.mark.slow
 def test_a_round_that_money_settled_is_offered_no_more(order: Order) -> None:
     send_rounds(order, order.cues[0], 3)
     send_rounds(order, order.cues[1], 3)
@@ -93,6 +95,7 @@ def test_a_round_that_money_settled_is_offered_no_more(order: Order) -> None:
     assert offers(order) == []
 
 
+@pytest.mark.slow
 def test_a_round_without_a_price_in_the_text_is_offered_as_another_price(world: World) -> None:
     order = Order(world, terms={"extra_round_bp": 0})
     send_rounds(order, order.cues[0], 3)
@@ -101,6 +104,7 @@ def test_a_round_without_a_price_in_the_text_is_offered_as_another_price(world: 
     settle(order, offer, price_minor=20_000)
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_a_cue_described_differently_after_work_began(order: Order) -> None:
     cue = order.cues[0]
@@ -130,6 +134,7 @@ def test_what_is_changed_and_changed_back_is_not_offered(order: Order) -> None:
     assert offers(order) == []
 
 
+@pytest.mark.slow
 def test_an_accepted_cue_described_differently_is_offered_as_work_beside_it(order: Order) -> None:
     cue = order.cues[0]
     order.approve(order.take(cue))
@@ -139,6 +144,7 @@ def test_an_accepted_cue_described_differently_is_offered_as_work_beside_it(orde
     settle(order, offer, amount_minor=9_000)
 
 
+@pytest.mark.slow
 def test_a_change_order_written_by_hand_settles_it_too(order: Order) -> None:
     order.take(order.cues[0])
     edit(order, order.cues[0], loop=True)
@@ -146,6 +152,7 @@ def test_a_change_order_written_by_hand_settles_it_too(order: Order) -> None:
     assert offers(order) == []
 
 
+@pytest.mark.slow
 def test_a_refused_change_order_settles_nothing(order: Order) -> None:
     order.take(order.cues[0])
     edit(order, order.cues[0], loop=True)
@@ -156,6 +163,7 @@ def test_a_refused_change_order_settles_nothing(order: Order) -> None:
     assert offers(order) == [offer]
 
 
+@pytest.mark.slow
 def test_a_cue_needed_earlier(order: Order) -> None:
     edit(order, order.cues[0], due_on=day(20))
     assert offers(order) == [], "its milestone is earlier"
@@ -166,6 +174,7 @@ def test_a_cue_needed_earlier(order: Order) -> None:
     assert order.plan_now()[1][2] == day(5)
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_another_delivery_spec(order: Order) -> None:
     write_spec(order, "-3.0")
@@ -206,6 +215,7 @@ def write_spec(order: Order, true_peak_dbtp: str) -> None:
     save_spec(order, "\n".join([*lines[: at + 1], f"true_peak_dbtp = {true_peak_dbtp}", *lines[at + 1 :]]))
 
 
+@pytest.mark.slow
 def test_an_answer_after_the_day_of_the_work(order: Order) -> None:
     cue = order.cues[0]
     asked = order.world.designer.post(f"/v1/cues/{cue}/questions", json={"text": "How deep is the water?"})
@@ -227,6 +237,7 @@ def test_an_answer_after_the_day_of_the_work(order: Order) -> None:
     assert offers(order) == [], "the date that both agreed to settles the earlier day too"
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_a_cue_that_the_list_gained_in_the_categories_of_the_contract(order: Order) -> None:
     path = f"/v1/projects/{order.world.project_id}/cues"
@@ -246,6 +257,7 @@ def test_a_change_order_for_an_added_cue_written_by_hand_settles_it(order: Order
     assert offers(order) == []
 
 
+@pytest.mark.slow
 def test_a_cue_cut_in_work_where_no_clause_says_what_it_owes(world: World) -> None:
     order = Order(world, terms={"kill_fee_in_work_bp": 0})
     order.take(order.cues[0], state=TakeState.RETURNED)
@@ -263,6 +275,7 @@ def test_a_cut_that_a_clause_settles_is_not_offered(order: Order) -> None:
     assert (order.owed()[-1], offers(order)) == (("cut", 9_000), [])
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_a_dismissal_is_of_one_party_and_stays_in_the_record(order: Order) -> None:
     cue, designer = order.cues[0], order.world.designer
@@ -311,6 +324,7 @@ def test_it_neither_blocks_nor_charges(order: Order) -> None:
     assert order.owed() == [*before, ("accepted", 18_000)]
 
 
+@pytest.mark.slow
 def test_a_settled_offer_that_a_proposal_names_is_left_out(order: Order) -> None:
     order.take(order.cues[0])
     edit(order, order.cues[0], loop=True)
@@ -329,6 +343,7 @@ def refer(order: Order, **facts: Any) -> str:
     return str(answer.json()["id"])
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_a_reference_after_work_on_its_cue_began(order: Order) -> None:
     refer(order, cue_id=str(order.cues[0]))

@@ -18,6 +18,8 @@ from tests.app.amendments.refusal_parties import SCENES, Parties
 from tests.app.amendments.refusal_sites import refusal_sites
 from tests.support.server import World
 
+pytestmark = pytest.mark.slow
+
 # Refusals of a text too long to compare, and of a kept head; their own tests bring them about.
 OF_CONTENT = ("agreements.comparison.", "agreements.heads.")
 OTHERS = {

@@ -57,6 +57,7 @@ def signed(order: Order) -> list[tuple[str, str]]:
     return [(one["party"], one["name"]) for one in order.read()["orders"][-1]["signed"]]
 
 
+@pytest.mark.slow
 def test_a_change_order_holds_once_both_signers_and_the_designer_have_signed(order: Order, second: UUID) -> None:
     world, executive = order.world, order.world.signed_in(second)
     before = faults(order)
@@ -88,6 +89,7 @@ def test_a_producer_who_is_not_named_does_not_sign_it(order: Order, second: UUID
     assert refused(order.accept(world.signed_in(other), "L. Producer")) == (403, "not-a-signer")
 
 
+@pytest.mark.slow
 def test_a_signer_who_is_no_producer_any_more_is_passed_over(order: Order, second: UUID) -> None:
     leaves = sa.delete(Membership).where(Membership.person_id == second)
     order.world.server.in_database(lambda session: session.execute(leaves))
@@ -97,6 +99,7 @@ def test_a_signer_who_is_no_producer_any_more_is_passed_over(order: Order, secon
     assert agreed["state"] == "agreed"
 
 
+@pytest.mark.slow
 def test_the_settlement_statement_needs_both_signers(order: Order, second: UUID) -> None:
     world, executive = order.world, order.world.signed_in(second)
     path = f"/v1/contracts/{order.contract_id}/ending"
@@ -111,6 +114,7 @@ def test_the_settlement_statement_needs_both_signers(order: Order, second: UUID)
     assert set(faults(order)) <= set(before), "no signature is named"
 
 
+@pytest.mark.slow
 def test_the_second_signer_is_mailed_once_the_first_has_signed(order: Order, second: UUID) -> None:
     world, needs = order.world, "a change order needs your signature"
     text = {"text_sha256": proposed(order, world.producer)["text_sha256"]}
@@ -123,6 +127,7 @@ def test_the_second_signer_is_mailed_once_the_first_has_signed(order: Order, sec
         until(lambda: any(needs in text for text in mails.texts_for(f"{second}@example.test")))
 
 
+@pytest.mark.slow
 def test_a_signature_that_is_taken_away_is_found(order: Order, second: UUID) -> None:
     world = order.world
     proposed(order, world.designer)

@@ -74,6 +74,7 @@ def faults(world: World, contract_id: UUID) -> list[str]:
     return said
 
 
+@pytest.mark.slow
 def test_an_untouched_contract_is_whole(world: World, contract_id: UUID) -> None:
     assert faults(world, contract_id) == []
 
@@ -141,6 +142,7 @@ def of_contract(statement: UpdateBase, contract_id: UUID) -> UpdateBase:
     return statement.where(named == contract_id)
 
 
+@pytest.mark.slow
 def test_each_deed_is_named(world: World, contract_id: UUID) -> None:
     deeds = {deed: of_contract(statement, contract_id) for deed, (statement, _) in DEEDS.items()}
     named = faults_after(world, contract_id, deeds)
@@ -192,6 +194,7 @@ def chain_empty_entries(session: Session, contract_id: UUID) -> None:
     contract.record_sha256 = previous
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("deed", "words"),
     [
@@ -276,6 +279,7 @@ def kept_head(world: World, contract_id: UUID, folder: Path) -> Path:
     return folder / "head.json"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("deed", "words"),
     [
@@ -304,6 +308,7 @@ def test_a_kept_head_shows_what_is_whole_in_itself(
     assert any(words in fault for fault in verified_with(world, head, monkeypatch))
 
 
+@pytest.mark.slow
 def test_a_head_stays_true_while_the_record_grows(
     world: World, contracts: Contracts, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -313,6 +318,7 @@ def test_a_head_stays_true_while_the_record_grows(
     assert verified_with(world, head, monkeypatch) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("change", "words"),
     [
@@ -331,6 +337,7 @@ def test_an_altered_head_is_none(
     assert any(fault.startswith(words) for fault in verified_with(world, head, monkeypatch))
 
 
+@pytest.mark.slow
 def test_a_head_by_another_key_is_reported(
     world: World, nda_id: UUID, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -344,6 +351,7 @@ def test_a_head_by_another_key_is_reported(
     assert verified_with(world, head, monkeypatch)[0].startswith("it is signed by the key")
 
 
+@pytest.mark.slow
 def test_heads_are_mailed_once_a_day_to_both_parties_where_they_changed(
     world: World, contracts: Contracts, nda_id: UUID, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

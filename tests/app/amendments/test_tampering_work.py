@@ -83,10 +83,12 @@ def faults_after(world: World, contract_id: UUID, deeds: Mapping[str, UpdateBase
     return said
 
 
+@pytest.mark.slow
 def test_untouched_work_is_whole(world: World, contract_id: UUID) -> None:
     assert faults(world, contract_id) == []
 
 
+@pytest.mark.slow
 def test_the_record_says_what_changed_in_the_project(world: World, contract_id: UUID) -> None:
     entries = body_of(world.designer.get(f"/v1/contracts/{contract_id}/record"))["entries"]
     kinds = [entry["kind"] for entry in entries]
@@ -155,6 +157,7 @@ DEEDS: dict[str, tuple[UpdateBase, str]] = {
 }
 
 
+@pytest.mark.slow
 def test_each_deed_is_named(world: World, contract_id: UUID) -> None:
     of_studio = sa.column("studio_id", sa.Uuid) == world.studio_id
     named = faults_after(world, contract_id, {deed: one.where(of_studio) for deed, (one, _) in DEEDS.items()})
@@ -168,6 +171,7 @@ def copied(row: Any, **other: Any) -> Any:
     return type(row)(**facts | {"id": uuid4()} | other)
 
 
+@pytest.mark.slow
 def test_a_verdict_put_in_is_named(world: World, contract_id: UUID) -> None:
     def put_in(session: Session) -> None:
         session.add(
@@ -181,6 +185,7 @@ def test_a_verdict_put_in_is_named(world: World, contract_id: UUID) -> None:
     assert any(fault.endswith("(approve) is in no entry") for fault in faults(world, contract_id))
 
 
+@pytest.mark.slow
 def test_a_comment_put_in_is_named(world: World, contract_id: UUID) -> None:
     def put_in(session: Session) -> None:
         session.add(
@@ -194,6 +199,7 @@ def test_a_comment_put_in_is_named(world: World, contract_id: UUID) -> None:
     assert any(fault.startswith("the comment") for fault in faults(world, contract_id))
 
 
+@pytest.mark.slow
 def test_a_version_put_in_is_named(world: World, contract_id: UUID) -> None:
     def put_in(session: Session) -> None:
         of_contract = sa.select(ContractVersion).where(ContractVersion.contract_id == contract_id)

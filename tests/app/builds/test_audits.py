@@ -31,6 +31,7 @@ def test_the_words_of_audits_are_those_of_the_command() -> None:
     assert [status.value for status in AuditStatus] == list(STATUSES)
 
 
+@pytest.mark.slow
 def test_a_sound_turned_up_in_the_project_is_named_with_its_property(world: World, game: dict[str, Any]) -> None:
     first, second = game["first"], game["second"]
     assert (first["sounds"], first["drifted"], first["new_drifts"], first["engine"]) == (3, 0, 0, "wwise")
@@ -59,6 +60,7 @@ def test_a_sound_turned_up_in_the_project_is_named_with_its_property(world: Worl
     assert [(one["label"], one["status"]) for one in history] == [("482", "gain"), ("481", "same")]
 
 
+@pytest.mark.slow
 def test_accepted_drift_stays_accepted_until_the_level_is_another(
     world: World, game: dict[str, Any], tmp_path: Path
 ) -> None:
@@ -87,6 +89,7 @@ def test_accepted_drift_stays_accepted_until_the_level_is_another(
     assert sounds_of(world, same)[LASERS[0]]["accepted"] is None
 
 
+@pytest.mark.slow
 def test_a_reason_is_needed_and_a_person_who_acts_for_the_team(world: World, game: dict[str, Any]) -> None:
     second = game["second"]
     url, path = f"/v1/audits/{second['id']}/accepted-drifts", sounds_of(world, second)[LASERS[0]]["path"]
@@ -100,6 +103,7 @@ def test_a_reason_is_needed_and_a_person_who_acts_for_the_team(world: World, gam
     assert (gone.status_code, gone.json()["code"]) == (404, "audited-sound-not-found")
 
 
+@pytest.mark.slow
 def test_what_is_sent_back_is_one_task_for_the_implementers(world: World, game: dict[str, Any]) -> None:
     second = game["second"]
     path = sounds_of(world, second)[LASERS[0]]["path"]
@@ -121,6 +125,7 @@ def test_what_is_sent_back_is_one_task_for_the_implementers(world: World, game: 
     assert [one["id"] for one in world.producer.get(tasks, params={"done": True}).json()["items"]] == [task["id"]]
 
 
+@pytest.mark.slow
 def test_a_level_that_depends_on_the_game_is_no_drift_and_not_the_same(
     world: World, game: dict[str, Any], tmp_path: Path
 ) -> None:
@@ -135,6 +140,7 @@ def test_a_level_that_depends_on_the_game_is_no_drift_and_not_the_same(
     assert (shown["status"], shown["depends"], shown["has_drifted"]) == ("depends", ["Menu open"], False)
 
 
+@pytest.mark.slow
 def test_a_build_posts_by_its_token_and_a_designer_sees_none_of_it(world: World, game: dict[str, Any]) -> None:
     report = {"schema_version": 1, "tool": {"name": "audio-checks", "version": "1"}, "files": []}
     assert post(world, report, by=token(world, "checks:write")).status_code == 201

@@ -106,6 +106,7 @@ def test_a_number_that_is_none_is_refused(world: World) -> None:
     assert world.producer.post(url, content=body, headers=headers).status_code == 422
 
 
+@pytest.mark.slow
 def test_builds_are_paged_newest_first(world: World) -> None:
     for number in range(52):
         assert post(world, world.producer, report(), label=str(number)).status_code == 201
@@ -134,6 +135,7 @@ def test_scopes_and_sight(world: World, server: Any) -> None:
     assert world.producer.get(f"/v1/builds/{uuid4()}").status_code == 404
 
 
+@pytest.mark.slow
 def test_the_baseline_names_master_and_game_files(world: World) -> None:
     add_cues(world, {"name": "Alarm"})
     loud = wav_bytes(sine(hz=997, dbfs=0.0, seconds=0.5, rate=44_100), rate=44_100, bits=24)
@@ -156,6 +158,7 @@ def test_the_baseline_names_master_and_game_files(world: World) -> None:
     assert world.stranger.get(url).status_code == 404
 
 
+@pytest.mark.slow
 def test_the_lines_for_ci_do_what_they_say(world: World, tmp_path: Path) -> None:
     accepted_list(world)
     secret = (

@@ -16,6 +16,8 @@ from tests.app.builds.test_manifests import manifest
 from tests.app.builds.test_packs import KEY, download
 from tests.support.server import World
 
+pytestmark = pytest.mark.slow
+
 TARGETS = """
 [targets.coded]
 sample_rate_hz = 44100

@@ -14,6 +14,8 @@ from tests.support.adoptions import adopted
 from tests.support.deliver import deliver
 from tests.support.server import World
 
+pytestmark = pytest.mark.slow
+
 BOTH = pytest.mark.both_databases  # row policies hide contracts, approvals and people from a build, or do not
 
 

@@ -101,6 +101,7 @@ def test_an_event_that_is_called_as_a_folder_has_a_name_of_its_own(tmp_path: Pat
     assert found["runs"][1]["changes"] == 0
 
 
+@pytest.mark.slow
 @settings(max_examples=5, deadline=None)
 @given(cues=hostile_cues())
 def test_hostile_names_are_only_names(tmp_path_factory, cues: list[HandedCue]) -> None:

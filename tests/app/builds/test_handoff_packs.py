@@ -13,6 +13,8 @@ from tests.app.builds.test_sealed_packs import fetch, seal
 from tests.support.deliver import add_cues
 from tests.support.server import World
 
+pytestmark = pytest.mark.slow
+
 FILES = {
     "none": [],
     "wwise": ["wwise/sounds.tsv", "wwise/events.tsv"],

@@ -19,6 +19,8 @@ from tests.app.reviews.making import body_of, refused
 from tests.support.deliver import add_cues, deliver, open_delivery
 from tests.support.server import World
 
+pytestmark = pytest.mark.slow
+
 REASON = "The budget is gone"
 CUES = ("laser", "shield", "warp")
 

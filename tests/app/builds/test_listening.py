@@ -65,6 +65,7 @@ def test_nothing_is_there_to_hear_before_a_build_was_audited(world: World) -> No
     assert now == {"listening_pass": None, "newest_audit": None}
 
 
+@pytest.mark.slow
 def test_a_pass_lists_the_cues_of_the_build_with_what_it_plays(world: World, listening: dict[str, Any]) -> None:
     assert [one["cue"]["name"] for one in listening["cues"]] == ["Laser fire", "UI confirm"]
     laser = listening["cues"][0]
@@ -75,6 +76,7 @@ def test_a_pass_lists_the_cues_of_the_build_with_what_it_plays(world: World, lis
     assert started(world)["id"] == listening["id"], "a pass is continued"
 
 
+@pytest.mark.slow
 def test_what_is_too_loud_becomes_a_task_of_the_implementer_with_a_gain(
     world: World, listening: dict[str, Any]
 ) -> None:
@@ -90,6 +92,7 @@ def test_what_is_too_loud_becomes_a_task_of_the_implementer_with_a_gain(
     assert any("too loud, suggested −6.0 dB" in line for line in lines)
 
 
+@pytest.mark.slow
 def test_what_is_too_long_becomes_a_task_of_its_designer(world: World, listening: dict[str, Any]) -> None:
     assert say(world, listening, "UI confirm", "too-long").status_code == 201
     assert say(world, listening, "Laser fire", "missing").status_code == 201
@@ -105,6 +108,7 @@ def test_what_is_too_long_becomes_a_task_of_its_designer(world: World, listening
     assert world.designer.put(f"/v1/game-tasks/{other['id']}", json={"is_done": True}).status_code == 404
 
 
+@pytest.mark.slow
 def test_a_note_sent_again_counts_once_and_one_taken_back_not_at_all(world: World, listening: dict[str, Any]) -> None:
     body = {
         "note_id": str(new_id()),
@@ -127,6 +131,7 @@ def test_a_note_sent_again_counts_once_and_one_taken_back_not_at_all(world: Worl
     assert seen(world)["notes"] == []
 
 
+@pytest.mark.slow
 def test_a_later_note_of_the_same_person_replaces_theirs_alone(world: World, listening: dict[str, Any]) -> None:
     say(world, listening, "Laser fire", "too-loud", amount_db=-6.0)
     say(world, listening, "Laser fire", "wrong", by=world.reviewer)
@@ -138,6 +143,7 @@ def test_a_later_note_of_the_same_person_replaces_theirs_alone(world: World, lis
     assert seen(world)["people"] == 2
 
 
+@pytest.mark.slow
 def test_not_reached_and_missing_are_not_heard_and_what_was_never_heard_is_counted(
     world: World, listening: dict[str, Any]
 ) -> None:
@@ -157,6 +163,7 @@ def test_not_reached_and_missing_are_not_heard_and_what_was_never_heard_is_count
     assert now["build"] == "482"
 
 
+@pytest.mark.slow
 def test_an_implementer_sets_a_state_by_hand_and_a_reviewer_does_not(world: World, listening: dict[str, Any]) -> None:
     url = f"/v1/cues/{next(one['cue']['id'] for one in states(world)['unheard'] if one['cue']['name'] == 'Warp in')}"
     body = {"mark": "in-build", "is_set": True}
@@ -171,6 +178,7 @@ def test_an_implementer_sets_a_state_by_hand_and_a_reviewer_does_not(world: Worl
     assert world.producer.put(f"{url}/game-state", json=body | {"is_set": False}).json()["in_build"] == 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "more",
     [
@@ -189,6 +197,7 @@ def test_a_note_that_contradicts_itself_is_refused(
     assert world.producer.post(f"/v1/listening-passes/{listening['id']}/notes", json=body).status_code == 422
 
 
+@pytest.mark.slow
 def test_a_note_that_comes_late_keeps_its_time_within_the_pass(world: World, listening: dict[str, Any]) -> None:
     tomorrow = (datetime.now(UTC) + timedelta(days=1)).isoformat()
     said = say(world, listening, "UI confirm", "good", written_at=tomorrow).json()
@@ -197,6 +206,7 @@ def test_a_note_that_comes_late_keeps_its_time_within_the_pass(world: World, lis
     assert said["written_at"] == listening["started_at"]
 
 
+@pytest.mark.slow
 def test_designers_hear_their_own_cues_and_others_see_no_pass(world: World, listening: dict[str, Any]) -> None:
     assert len(seen(world, world.designer)["cues"]) == 2
     assert say(world, listening, "UI confirm", "too-short", by=world.designer).status_code == 201
@@ -207,6 +217,7 @@ def test_designers_hear_their_own_cues_and_others_see_no_pass(world: World, list
         assert client.post(f"{url}/close").status_code == 404
 
 
+@pytest.mark.slow
 def test_a_closed_pass_takes_no_notes_and_the_next_begins_with_the_newest_build(
     world: World, listening: dict[str, Any]
 ) -> None:

@@ -33,6 +33,8 @@ from tests.support.deliver import add_cues, deliver
 from tests.support.server import World
 from tests.support.waiting import until
 
+pytestmark = pytest.mark.slow
+
 
 def ask(world: World, **params: Any) -> Response:
     answer: Response = world.producer.get(

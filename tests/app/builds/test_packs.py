@@ -34,6 +34,7 @@ def download(world: World, by: TestClient | None = None, **params: Any) -> bytes
     return answer.content
 
 
+@pytest.mark.slow
 def test_the_pack_holds_what_the_game_expects(world: World, tmp_path: Path) -> None:
     masters = accepted_list(world)
     reported = world.producer.get(f"/v1/projects/{world.project_id}/pack", params={"target": "game"}).json()
@@ -55,6 +56,7 @@ def test_the_pack_holds_what_the_game_expects(world: World, tmp_path: Path) -> N
         assert archive.namelist() == SOUNDS + KEY
 
 
+@pytest.mark.slow
 def test_a_dry_stem_is_in_no_pack(world: World) -> None:
     cues = add_cues(world, {"name": "UI confirm", "file_name": "ui_confirm"})
     delivery_id = open_delivery(world)
@@ -71,6 +73,7 @@ def test_a_dry_stem_is_in_no_pack(world: World) -> None:
             assert all(archive.read(name) != sound(7) for name in held)
 
 
+@pytest.mark.slow
 def test_the_documentation_key_says_what_each_file_is(world: World) -> None:
     masters = accepted_list(world)
     with zipfile.ZipFile(io.BytesIO(download(world))) as archive:
@@ -99,6 +102,7 @@ def test_the_documentation_key_says_what_each_file_is(world: World) -> None:
     assert world.producer.get(f"{url}.xlsx").content == book
 
 
+@pytest.mark.slow
 def test_a_set_is_packed_only_when_it_is_whole(world: World) -> None:
     (laser, confirm) = add_cues(world, {"name": "Laser fire", "variations": 2}, {"name": "UI confirm"})
     approve(world, [{**laser, "stems": laser["stems"][:1]}, confirm])
@@ -116,6 +120,7 @@ def test_nothing_accepted_and_no_such_target(world: World) -> None:
     assert "handheld" in unknown.json()["detail"]
 
 
+@pytest.mark.slow
 def test_an_accepted_sound_without_a_game_file_is_never_left_out_unsaid(world: World) -> None:
     accepted_list(world)
     spec = world.producer.get(f"/v1/projects/{world.project_id}/spec").json()
@@ -145,6 +150,7 @@ def blob_of(world: World, name: str) -> Path:
     return blob_file(world.server.runtime.store, world.studio_id, sha256)
 
 
+@pytest.mark.slow
 def test_a_lost_blob_is_said_before_anything_is_sent(world: World) -> None:
     accepted_list(world)
     blob_of(world, "laser_fire_02.wav").unlink()
@@ -153,6 +159,7 @@ def test_a_lost_blob_is_said_before_anything_is_sent(world: World) -> None:
     assert "laser_fire_02.wav" in answer.json()["detail"]
 
 
+@pytest.mark.slow
 def test_a_blob_that_rotted_breaks_off_the_download(world: World) -> None:
     accepted_list(world)
     blob = blob_of(world, "laser_fire_02.wav")
@@ -178,6 +185,7 @@ def test_a_blob_that_rotted_breaks_off_the_download(world: World) -> None:
     assert not zipfile.is_zipfile(io.BytesIO(received))
 
 
+@pytest.mark.slow
 def test_a_render_that_names_no_file_of_its_size_is_damage(world: World) -> None:
     accepted_list(world)
     grow = sa.update(Render).where(Render.project_id == world.project_id).values(file_bytes=Render.file_bytes + 1)

@@ -39,6 +39,7 @@ def named(whole: bytes) -> list[str]:
         return [name for name in archive.namelist() if name.endswith(".wav")]
 
 
+@pytest.mark.slow
 def test_the_register_counts_down_as_sounds_are_accepted(world: World) -> None:
     (laser, _) = add_cues(world, {"name": "Laser fire", "variations": 2}, {"name": "Siren", "duration_s": 0.4})
     before = register(world)
@@ -64,6 +65,7 @@ def countdown(world: World) -> dict[str, Any]:
     return found
 
 
+@pytest.mark.slow
 def test_the_countdown_says_how_much_is_left_and_what_comes_next(world: World) -> None:
     assert countdown(world) == {
         "target": "game",
@@ -92,6 +94,7 @@ def test_the_countdown_says_how_much_is_left_and_what_comes_next(world: World) -
     assert after["next"]["path"] == "siren.wav"
 
 
+@pytest.mark.slow
 def test_placeholders_are_packed_only_on_request_and_marked(world: World, tmp_path: Path) -> None:
     accepted_list(world)  # two cues accepted, "Warp in" is not
     make(world)
@@ -114,6 +117,7 @@ def test_placeholders_are_packed_only_on_request_and_marked(world: World, tmp_pa
     assert (sealed["files"], sealed["placeholder_files"], sealed["placeholders"]) == (3, 1, True)
 
 
+@pytest.mark.slow
 def test_an_accepted_placeholder_does_not_ship_unnoticed(world: World) -> None:
     add_cues(world, {"name": "Siren"})
     make(world)

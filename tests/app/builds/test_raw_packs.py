@@ -5,9 +5,13 @@ import io
 import zipfile
 from pathlib import Path
 
+import pytest
+
 from tests.app.builds.approved import accepted_list
 from tests.app.builds.test_packs import KEY, download
 from tests.support.server import World
+
+pytestmark = pytest.mark.slow
 
 
 def test_unpacked_it_is_the_folder_that_the_list_of_game_files_says(world: World, tmp_path: Path) -> None:

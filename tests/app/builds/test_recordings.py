@@ -11,6 +11,8 @@ from tests.app.builds.test_listening import cue_named, say, seen, started, tasks
 from tests.support.references import added
 from tests.support.server import World
 
+pytestmark = pytest.mark.slow
+
 MP4 = b"\0\0\0\x18ftypisom\0\0\2\0isomiso2" + bytes(200)
 
 

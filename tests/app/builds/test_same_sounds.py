@@ -21,6 +21,8 @@ from tests.support.deliver import add_cues, deliver
 from tests.support.server import World
 from tests.support.waves import noise, wav_bytes
 
+pytestmark = pytest.mark.slow
+
 RATE = 44_100
 
 

@@ -51,6 +51,7 @@ def test_what_changed_is_reported_by_path() -> None:
     assert (found.new, found.changed, found.gone, found.same) == (["d"], ["b"], ["a"], 1)
 
 
+@pytest.mark.slow
 def test_a_sealed_pack_stays_as_it_was_and_its_sums_hold(world: World, tmp_path: Path) -> None:
     accepted_list(world)
     pack = seal(world, note="for the alpha", masters=True)
@@ -72,6 +73,7 @@ def test_a_sealed_pack_stays_as_it_was_and_its_sums_hold(world: World, tmp_path:
     assert reported(second["changes"]) == {"new": {"siren.wav"}, "changed": set(), "gone": set()}
 
 
+@pytest.mark.slow
 def test_the_current_pack_says_what_changed_since_the_last(world: World) -> None:
     accepted_list(world)
     url = f"/v1/projects/{world.project_id}/pack"
@@ -124,6 +126,7 @@ def current(world: World) -> bytes:
     return answer.content
 
 
+@pytest.mark.slow
 def test_what_sounds_as_it_did_is_the_very_file_of_the_last_pack(world: World) -> None:
     accepted_list(world)
     seal(world)
@@ -136,6 +139,7 @@ def test_what_sounds_as_it_did_is_the_very_file_of_the_last_pack(world: World) -
     assert reported(changes) == {"new": set(), "changed": {"laser_fire_01.wav"}, "gone": set()}
 
 
+@pytest.mark.slow
 def test_files_stand_in_the_folders_that_the_game_expects(world: World) -> None:
     accepted_list(world)
     spec = world.producer.get(f"/v1/projects/{world.project_id}/spec").json()
@@ -154,6 +158,7 @@ def test_files_stand_in_the_folders_that_the_game_expects(world: World) -> None:
     assert all(path in key for path in game)
 
 
+@pytest.mark.slow
 def test_a_lost_file_is_said_of_a_sealed_pack_too(world: World) -> None:
     accepted_list(world)
     pack = seal(world)
@@ -173,6 +178,7 @@ def test_nothing_accepted_is_not_sealed(world: World) -> None:
     assert (empty.status_code, empty.json()["code"]) == (409, "nothing-accepted")
 
 
+@pytest.mark.slow
 def test_a_build_fetches_what_was_sealed_by_its_token(world: World) -> None:
     accepted_list(world)
     pack = seal(world)
@@ -184,6 +190,7 @@ def test_a_build_fetches_what_was_sealed_by_its_token(world: World) -> None:
     assert token(world, "list:read").get(f"/v1/packs/{pack['id']}/pack.zip").status_code == 403
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("who", "status"), [("designer", 403), ("stranger", 404), ("nobody", 401)])
 def test_who_may_not(world: World, who: str, status: int) -> None:
     accepted_list(world)

@@ -78,6 +78,7 @@ def slower_rate(samples: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.fft.irfft(spectrum[: half // 2 + 1], n=half, axis=0) / 2
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_a_take_that_equals_a_file_is_said_with_whether_it_is_declared(world: World, tmp_path: Path) -> None:
     door = burst(1)
@@ -96,6 +97,7 @@ def test_a_take_that_equals_a_file_is_said_with_whether_it_is_declared(world: Wo
     assert equals(world.approver, unlike) == [], "a declared library without an equal file is not a finding"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "change",
     [lambda sound: sound / 2, lambda sound: coded(sound, RATE), lambda sound: sound[882:], lambda sound: sound],
@@ -119,12 +121,14 @@ def test_a_file_at_another_rate_is_found(world: World, tmp_path: Path) -> None:
     assert "at another sample rate" in found["words"]
 
 
+@pytest.mark.slow
 def test_none_of_many_other_sounds_is_taken_for_one(world: World, tmp_path: Path) -> None:
     post(world, sheet(tmp_path, {f"other{seed}.wav": burst(seed) for seed in range(100, 160)}))
     for seed in range(200, 206):
         assert equals(world.approver, take_of(world, f"Sound {seed}", burst(seed))) == []
 
 
+@pytest.mark.slow
 def test_takes_of_before_are_compared_in_every_project_of_the_studio(
     world: World, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -155,6 +159,7 @@ def test_a_designer_registers_a_library_and_sees_no_other(world: World, tmp_path
     assert world.designer.delete(f"/v1/sound-libraries/{own['id']}").status_code == 204
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_what_is_removed_is_forgotten(world: World, tmp_path: Path) -> None:
     sound = burst(9)
@@ -232,6 +237,7 @@ def test_a_fingerprint_of_any_bytes_is_compared_without_harm(world: World, tmp_p
     assert equals(world.approver, take) == []
 
 
+@pytest.mark.slow
 def test_the_clearance_sheet_says_it(world: World, tmp_path: Path) -> None:
     sound = burst(27)
     post(world, sheet(tmp_path, {"gate.wav": sound}))

@@ -3,10 +3,14 @@
 import io
 import zipfile
 
+import pytest
+
 from tests.app.builds.approved import approve
 from tests.app.builds.test_packs import download
 from tests.support.server import World
 from tests.support.voice import imported
+
+pytestmark = pytest.mark.slow
 
 
 def test_approved_lines_lie_in_the_folder_of_their_language(world: World) -> None:

@@ -2,6 +2,8 @@
 
 from typing import Any
 
+import pytest
+
 from tests.app.builds.approved import approve
 from tests.support.deliver import add_cues
 from tests.support.server import World
@@ -23,6 +25,7 @@ def budget(world: World, lines: str) -> None:
     assert saved.status_code == 200, saved.text
 
 
+@pytest.mark.slow
 def test_what_is_there_is_counted_and_the_rest_forecast(world: World) -> None:
     (laser, *_) = add_cues(
         world,

@@ -62,6 +62,7 @@ def gross(invoice: dict[str, Any]) -> int:
     return int(invoice["total_minor"])
 
 
+@pytest.mark.slow
 def test_files_open_with_the_payment_of_the_invoice_that_is_named(world: World) -> None:
     work = Work(world, "laser")
     answer = work.master()
@@ -80,6 +81,7 @@ def test_files_open_with_the_payment_of_the_invoice_that_is_named(world: World) 
     assert work.sounds()["closed"] is None
 
 
+@pytest.mark.slow
 def test_all_that_is_of_full_quality_is_closed_and_what_review_needs_is_not(world: World) -> None:
     work = Work(world, "laser")
     render = work.sounds(by="designer")["renders"][0]
@@ -106,6 +108,7 @@ def test_all_that_is_of_full_quality_is_closed_and_what_review_needs_is_not(worl
     assert work.master(by="designer").content == work.masters[0], "designers have their own files"
 
 
+@pytest.mark.slow
 def test_only_those_who_see_the_contract_read_its_invoice(world: World) -> None:
     work = Work(world, "laser")
     work.approve()
@@ -115,6 +118,7 @@ def test_only_those_who_see_the_contract_read_its_invoice(world: World) -> None:
     assert invoice["full_number"] not in str(work.sounds(by="reviewer"))
 
 
+@pytest.mark.slow
 def test_a_pack_is_refused_by_name_or_leaves_the_unpaid_out(world: World) -> None:
     work = Work(world, "laser", "shield")
     work.approve(0)
@@ -139,6 +143,7 @@ def test_a_pack_is_refused_by_name_or_leaves_the_unpaid_out(world: World) -> Non
     assert work.pack(masters=True).status_code == 200
 
 
+@pytest.mark.slow
 def test_a_retained_part_does_not_keep_a_paid_cue_closed(world: World) -> None:
     work = Work(world, "laser", "shield", holdback_bp=1_000)
     work.approve(0)
@@ -148,6 +153,7 @@ def test_a_retained_part_does_not_keep_a_paid_cue_closed(world: World) -> None:
     assert work.master(1).status_code == 403
 
 
+@pytest.mark.slow
 def test_on_completion_files_wait_for_their_milestone(world: World) -> None:
     work = Work(world, "laser", "shield", release=ReleaseClause.ON_COMPLETION)
     work.approve(0)
@@ -158,6 +164,7 @@ def test_on_completion_files_wait_for_their_milestone(world: World) -> None:
     assert [work.master(place).status_code for place in (0, 1)] == [200, 200]
 
 
+@pytest.mark.slow
 def test_a_refund_closes_and_a_cut_before_acceptance_never_opens(world: World) -> None:
     work = Work(world, "laser", "shield")
     work.approve(0)

@@ -124,6 +124,7 @@ def test_what_we_hand_out_passes_our_own_checks(
         assert checked(pulled, target) == (0, found)
 
 
+@pytest.mark.slow
 def test_a_warning_that_nobody_accepted_counts(world: World, tmp_path: Path, checked: Check) -> None:
     approve_whole_game(world)
     with zipfile.ZipFile(io.BytesIO(download(world))) as archive:

@@ -55,6 +55,7 @@ def test_an_empty_zip_is_valid() -> None:
     assert zipfile.ZipFile(io.BytesIO(packed([]))).namelist() == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("count", [0xFFFE, 0xFFFF])
 def test_many_files(count: int) -> None:
     whole = packed([entry(f"{number}.wav", b"") for number in range(count)])

@@ -58,6 +58,7 @@ def test_a_dry_run_prints_what_happens_to_each_file_and_sends_no_sound(client: C
     assert [path for path, _ in client.line.asked] == [f"/v1/projects/{client.world.project_id}/adoption-plan"]
 
 
+@pytest.mark.slow
 def test_files_are_sent_once_and_a_person_adopts_them(client: Client, sounds: Path) -> None:
     assert client.adopt(sounds) == 0, client.err
     assert "4 files were sent" in client.out
@@ -83,6 +84,7 @@ def test_a_zip_is_sent_as_its_folder_is(client: Client, sounds: Path, tmp_path: 
     assert format_of(coded_bytes("opus", rate=48_000)) == Format(48_000, None)
 
 
+@pytest.mark.slow
 def test_a_file_that_was_adopted_counts_as_pulled(
     world: World, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], game: Path, tmp_path: Path
 ) -> None:

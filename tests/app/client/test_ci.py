@@ -62,6 +62,7 @@ def test_a_build_as_it_was_approved(building: Client) -> None:
     assert (audit["label"], audit["target"]) == ("7", "game")
 
 
+@pytest.mark.slow
 def test_a_broken_sound_fails_and_is_posted(building: Client, game: Path) -> None:
     broken = join(silence(seconds=0.2, rate=22_050), sine(hz=500, seconds=0.2, rate=22_050))
     (game / "assets" / PATHS[0]).write_bytes(wav_bytes(broken, rate=22_050, bits=16))
@@ -73,6 +74,7 @@ def test_a_broken_sound_fails_and_is_posted(building: Client, game: Path) -> Non
     assert json.loads(report.read_text())["summary"]["rejected"] == 1
 
 
+@pytest.mark.slow
 def test_nothing_is_posted_or_audited_on_request(building: Client) -> None:
     before = len(posted(building, "builds")), len(posted(building, "audits"))
     code, out, err = run(building, "--no-post", "--no-audit")
@@ -80,6 +82,7 @@ def test_nothing_is_posted_or_audited_on_request(building: Client) -> None:
     assert (len(posted(building, "builds")), len(posted(building, "audits"))) == before
 
 
+@pytest.mark.slow
 def test_what_cannot_be_done_is_two(building: Client) -> None:
     code, _, err = run(building, "--target", "pc")
     assert (code, 'no target "pc"' in err) == (2, True)
@@ -97,6 +100,7 @@ def test_without_audio_checks_it_says_what_to_install(tmp_path: Path, monkeypatc
     assert ci.audio_checks_command() == [str(tmp_path / "audio-checks")]
 
 
+@pytest.mark.slow
 def test_the_token_is_not_handed_on(building: Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     spy = tmp_path / "spy"
     spy.write_text(f'#!/bin/sh\necho "token: $SOUNDLIST_TOKEN." > {tmp_path / "said"}\nexit 2\n')
@@ -106,6 +110,7 @@ def test_the_token_is_not_handed_on(building: Client, tmp_path: Path, monkeypatc
     assert (tmp_path / "said").read_text() == "token: .\n"
 
 
+@pytest.mark.slow
 def test_the_line_of_the_page(building: Client, game: Path) -> None:
     url = f"/v1/projects/{building.world.project_id}/ci"
     said = building.world.producer.get(url, params={"target": "game"}).json()

@@ -44,6 +44,7 @@ def kept(tmp_path: Path) -> Path:
     return tmp_path / "config" / "soundlist" / "desk.json"
 
 
+@pytest.mark.slow
 def test_two_servers_and_a_dead_one(world: World, other: World, port: int, run_desk: RunDesk, tmp_path: Path):
     for studio, name, day in ((world, "laser", "2026-12-02"), (other, "engine", "2026-12-01")):
         cue_id = Stage(studio).cue(name)

@@ -13,6 +13,7 @@ from tests.app.client.served import PATHS, Client, files_in
 from tests.support.server import World
 
 
+@pytest.mark.slow
 def test_the_program_pulls_without_anything_installed(client: Client, game: Path, tmp_path: Path) -> None:
     secret = os.environ["SOUNDLIST_TOKEN"]
     url = f"http://127.0.0.1:{client.port}/v1/projects/{client.world.project_id}/soundlist.pyz"

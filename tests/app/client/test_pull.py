@@ -57,6 +57,7 @@ def test_without_a_lock_file_what_is_as_approved_is_not_written_again(client: Cl
     assert len(client.line.downloads) == 3
 
 
+@pytest.mark.slow
 def test_only_a_changed_sound_is_written_and_a_cut_cue_is_reported_then_pruned(
     world: World, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], game: Path
 ) -> None:
@@ -223,6 +224,7 @@ def test_a_token_that_is_revoked_or_lacks_its_scope_is_refused(
     assert files_in(game) == {}
 
 
+@pytest.mark.slow
 def test_two_pulls_of_different_branches_merge_in_git(
     world: World, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], game: Path
 ) -> None:

@@ -80,6 +80,7 @@ def test_without_a_lock_file_the_server_is_asked_by_name(client: Client, game: P
     assert 'no approved file is called "nothing_like_it"' in client.err
 
 
+@pytest.mark.slow
 def test_a_version_that_was_replaced_is_said_to_be(
     world: World, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], game: Path
 ) -> None:

@@ -110,6 +110,7 @@ def test_a_file_dropped_on_a_cue_is_judged_under_the_cues_name(world: World) -> 
     assert (dropped["state"], codes(dropped)) == ("conforming", [])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("what", [hostile.crash, hostile.hang, hostile.eat_memory])
 def test_what_its_checker_cannot_survive_is_unjudged_after_three_tries(
     world: World,
@@ -215,6 +216,7 @@ def test_what_would_say_the_same_is_not_computed_again(world: World, monkeypatch
     assert ([run.is_current for run in kept], len({run.key for run in kept})) == ([False, True], 1)
 
 
+@pytest.mark.slow
 def test_a_new_spec_rechecks_undecided_takes(world: World) -> None:
     undecided = deliver(world, "undecided.wav", tone(dbfs=-3.0))
     quiet = deliver(world, "quiet.wav", tone(dbfs=-20.0))
@@ -248,6 +250,7 @@ def test_a_new_spec_that_asks_the_same_of_a_take_leaves_it_alone(world: World) -
     assert world.designer.get(f"/v1/takes/{take['id']}").json()["state_since"] == since
 
 
+@pytest.mark.slow
 def test_a_changed_cue_rechecks_its_takes(world: World) -> None:
     laser, _ = add_cues(world, {"name": "Laser fire", "duration_s": 0.1}, {"name": "Shield hit"})
     take = deliver(world, "laser_fire.wav", tone(hz=350))
@@ -337,6 +340,7 @@ class TestWaiver:
         world.server.wait_for_jobs()
         assert self.waive(world, take).json()["code"] == "nothing-to-waive"
 
+    @pytest.mark.slow
     def test_it_holds_at_a_new_spec_for_what_it_waived(self, world: World) -> None:
         take = self.loud(world)
         self.waive(world, take)

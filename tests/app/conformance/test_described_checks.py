@@ -3,6 +3,8 @@
 import json
 from pathlib import Path
 
+import pytest
+
 import audio_checks
 from tests.support.added_check import copy_with_check, run
 from tests.support.described_checks import described
@@ -44,6 +46,7 @@ def test_the_tests_of_pages_are_given_what_the_server_says():
     assert given == json.loads(described()), "run: make openapi"
 
 
+@pytest.mark.slow
 def test_a_check_that_is_added_is_in_the_form_of_the_spec(tmp_path: Path):
     copy_with_check(tmp_path)
     said = run(tmp_path, "-c", "from tests.support.described_checks import described; print(described())")

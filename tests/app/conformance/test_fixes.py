@@ -75,6 +75,7 @@ def test_findings_say_what_a_fix_does_about_each(world: World, take: dict[str, A
     assert reported["sample-peak:over"]["no_auto_fix"] is None
 
 
+@pytest.mark.slow
 def test_with_consent_it_becomes_a_version_and_no_round_counts(world: World, take: dict[str, Any]) -> None:
     used = world.designer.post(f"/v1/takes/{take['id']}/fix/use")
     assert used.status_code == 201, used.text
@@ -93,6 +94,7 @@ def test_with_consent_it_becomes_a_version_and_no_round_counts(world: World, tak
     assert (queued["rounds_so_far"], [one["id"] for one in queued["takes"]]) == (0, [new["id"]])
 
 
+@pytest.mark.slow
 def test_who_agreed_and_to_what_stays_on_record(world: World, take: dict[str, Any]) -> None:
     new = world.designer.post(f"/v1/takes/{take['id']}/fix/use").json()
     world.server.wait_for_jobs()
@@ -144,6 +146,7 @@ def test_a_fix_that_is_not_enough_is_not_made(world: World) -> None:
     assert (refused.status_code, refused.json()["code"]) == (409, "fix-not-ready")
 
 
+@pytest.mark.slow
 def test_a_warning_is_fixed_when_asked(world: World) -> None:
     add_cues(world, {"name": "Door"})
     late = wav_bytes(join(silence(seconds=0.05), sine(hz=440, dbfs=-6.0, seconds=0.2, phase=0.15)))
@@ -169,6 +172,7 @@ def test_a_take_that_is_decided_upon_is_not_fixed(world: World) -> None:
     assert world.designer.post(f"/v1/takes/{take['id']}/fix").status_code == 409
 
 
+@pytest.mark.slow
 def test_an_unmatched_file_waits_for_its_cue(world: World) -> None:
     take = returned(world, name="what is this.wav")
     assert take["cue"] is None
@@ -205,6 +209,7 @@ def test_a_closed_delivery_does_not_make_a_fix_late(world: World) -> None:
     assert (new["late"], new["delivery_id"]) == (False, delivery_id)
 
 
+@pytest.mark.slow
 def test_a_new_spec_makes_a_new_fix(world: World, take: dict[str, Any]) -> None:
     path = f"/v1/projects/{world.project_id}/spec"
     now = world.producer.get(path).json()
@@ -275,6 +280,7 @@ def test_a_take_that_moved_on_is_not_fixed(world: World, take: dict[str, Any]) -
     assert (refused.status_code, refused.json()["code"]) == (409, "nothing-to-fix")
 
 
+@pytest.mark.slow
 def test_a_fix_made_twice_of_the_same_sound_is_one_version(world: World, take: dict[str, Any]) -> None:
     fixed = world.designer.post(f"/v1/takes/{take['id']}/fix/use").json()
     again = returned(world, loud() + bytes(512))  # the same sound with padding after it: its fix has the same bytes
@@ -291,6 +297,7 @@ def test_a_cut_that_would_click_is_faded(world: World) -> None:
     assert "with a fade of 5.0 ms" in fix["says"]
 
 
+@pytest.mark.slow
 def test_what_a_fix_would_answer_is_listed_for_its_designer_and_the_team(world: World, take: dict[str, Any]) -> None:
     add_cues(world, {"name": "Door"}, {"name": "Laser"}, {"name": "Fine"})
     late = wav_bytes(join(silence(seconds=0.05), sine(hz=440, dbfs=-6.0, seconds=0.2, phase=0.15)))
@@ -332,6 +339,7 @@ def test_an_offset_is_taken_out_and_its_start_shown(world: World) -> None:
     assert [spot["kind"] for spot in fix["spots"]] == ["offset"]
 
 
+@pytest.mark.slow
 def test_all_that_came_back_with_an_offset_are_fixed_in_one_go(world: World) -> None:
     names = ("airlock", "hatch", "reactor")
     add_cues(world, *({"name": name} for name in names))

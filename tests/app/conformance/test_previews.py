@@ -3,6 +3,8 @@
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 import audio_checks
 from tests.support.browser_vectors import vectors
 from tests.support.deliver import add_cues, checked, deliver
@@ -28,6 +30,7 @@ def save_spec(world: World, toml: str) -> None:
     assert saved.status_code == 200, saved.text
 
 
+@pytest.mark.slow
 def test_the_sounds_that_the_page_is_tried_on_are_what_the_server_says() -> None:
     assert VECTORS.read_text() == vectors(), "run: make openapi"
 
@@ -72,6 +75,7 @@ def test_a_file_dropped_on_a_cue_is_that_cues(world: World) -> None:
     assert (file["cue"]["id"], file["findings"]) == (cue["id"], [])  # it will be named for its cue
 
 
+@pytest.mark.slow
 def test_a_name_is_found_wrong_in_the_words_of_the_check(world: World) -> None:
     save_spec(world, 'format = 1\n[naming]\npattern = "[a-z_]+"\nextension = ".wav"\n')
     add_cues(world, {"name": "Laser fire"})
@@ -104,6 +108,7 @@ def test_a_name_that_is_not_the_lists_has_the_lists_name_proposed(world: World) 
     assert all(file["cue"] and file["findings"] == [] for file in preview(world, *names)["files"])
 
 
+@pytest.mark.slow
 def test_names_of_a_set_without_a_number_get_its_free_variations(world: World) -> None:
     cue, _ = add_cues(world, {"name": "Steps", "variations": 5}, {"name": "Doors", "variations": 2})
     for place, name in enumerate(["steps_02.wav", "doors_01.wav", "doors_02.wav"]):

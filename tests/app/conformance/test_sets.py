@@ -42,6 +42,7 @@ def deliver_set(world: World, levels: dict[int, float]) -> dict[int, str]:
     }
 
 
+@pytest.mark.slow
 def test_the_one_that_stands_out_is_named_once_the_set_is_whole(world: World) -> None:
     add_cues(world, {"name": "Step", "variations": 4})
     takes = deliver_set(world, {1: -20, 2: -20, 3: -16})
@@ -54,6 +55,7 @@ def test_the_one_that_stands_out_is_named_once_the_set_is_whole(world: World) ->
     assert of_sets(checked(world, takes[1])) == []
 
 
+@pytest.mark.slow
 def test_the_review_room_shows_it_and_how_far_each_is_away(world: World) -> None:
     [cue] = add_cues(world, {"name": "Step", "variations": 3})
     deliver_set(world, {1: -20, 2: -20, 3: -16})
@@ -69,6 +71,7 @@ def test_the_review_room_shows_it_and_how_far_each_is_away(world: World) -> None
     assert "variation-set:level" in [finding["code"] for finding in third["findings"]]
 
 
+@pytest.mark.slow
 def test_the_list_shows_it(world: World) -> None:
     [cue] = add_cues(world, {"name": "Step", "variations": 3})
     deliver_set(world, {1: -20, 2: -20, 3: -16})
@@ -79,6 +82,7 @@ def test_the_list_shows_it(world: World) -> None:
         assert row["worst_finding"]["message"].startswith("_03 is ")
 
 
+@pytest.mark.slow
 def test_a_newer_take_replaces_the_one_in_its_place(world: World) -> None:
     add_cues(world, {"name": "Step", "variations": 3})
     takes = deliver_set(world, {1: -20, 2: -20, 3: -16})
@@ -87,6 +91,7 @@ def test_a_newer_take_replaces_the_one_in_its_place(world: World) -> None:
     assert of_sets(checked(world, takes[3])) == []  # it stands in the set no more
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("table", ["checks", "categories.foley.checks"], ids=["for all", "for its category"])
 def test_where_the_spec_turns_it_off(world: World, table: str) -> None:
     add_cues(world, {"name": "Step", "variations": 2, "category": "foley"})
@@ -101,6 +106,7 @@ def test_where_the_spec_turns_it_off(world: World, table: str) -> None:
     assert of_sets(checked(world, takes[2])) == []
 
 
+@pytest.mark.slow
 def test_what_was_found_is_remembered_until_something_of_it_changes(world: World) -> None:
     [cue] = add_cues(world, {"name": "Step", "variations": 2, "category": "foley"})
     takes = deliver_set(world, {1: -20, 2: -14})
@@ -118,6 +124,7 @@ def test_what_was_found_is_remembered_until_something_of_it_changes(world: World
     assert of_sets(checked(world, takes[2])) == []
 
 
+@pytest.mark.slow
 def test_what_was_found_counts_for_the_facts_of_its_cue(world: World) -> None:
     [cue] = add_cues(world, {"name": "Step", "variations": 3, "category": "foley"})
     takes = deliver_set(world, {1: -20, 2: -20, 3: -14})
@@ -135,6 +142,7 @@ def test_what_was_found_counts_for_the_facts_of_its_cue(world: World) -> None:
         assert found() == []
 
 
+@pytest.mark.slow
 def test_a_set_is_another_once_anything_of_a_take_in_it_changes(world: World) -> None:
     [cue] = add_cues(world, {"name": "Step", "variations": 2, "category": "foley"})
     takes = deliver_set(world, {1: -20, 2: -14})
@@ -153,6 +161,7 @@ def test_a_set_is_another_once_anything_of_a_take_in_it_changes(world: World) ->
     assert len(set(seen)) == 1 + len(changes)
 
 
+@pytest.mark.slow
 def test_one_sound_under_two_names_of_a_delivery(world: World) -> None:
     _, close = add_cues(world, {"name": "Door open"}, {"name": "Door close"})
     delivery = open_delivery(world)

@@ -37,6 +37,7 @@ def test_a_first_take_has_none_before_it(judged_before) -> None:
     assert judged_before(master(DRY))[1] is None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("sounds", "verdict"), [((DRY, WET), "more reverb"), ((WET, DRY), "less reverb")])
 def test_the_second_says_whether_it_has_more_than_the_first(judged_before, sounds, verdict) -> None:
     first, before = judged_before(*(master(samples) for samples in sounds))
@@ -45,11 +46,13 @@ def test_the_second_says_whether_it_has_more_than_the_first(judged_before, sound
     assert before["evidence"]["bands"]
 
 
+@pytest.mark.slow
 def test_the_third_is_judged_beside_the_second(judged_before) -> None:
     second, before = judged_before(master(WET), master(DRY), master(0.5 * DRY))
     assert (before["verdict"], before["take_id"], before["number"]) == ("as much reverb", second["id"], 2)
 
 
+@pytest.mark.slow
 def test_an_alternate_is_another_idea_and_no_earlier_take(world: World, judged_before) -> None:
     judged_before(master(DRY))
     other = deliver(world, "knock_altB.wav", master(WET))

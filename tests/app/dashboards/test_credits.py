@@ -31,6 +31,7 @@ def read(world: World, by: Any) -> list[tuple[str, str]]:
     return [(one["role"], one["name"]) for one in body_of(by.get(credits_of(world)))["credits"]]
 
 
+@pytest.mark.slow
 def test_people_are_listed_by_role(worked: World) -> None:
     listed = read(worked, worked.producer)
     assert listed == [

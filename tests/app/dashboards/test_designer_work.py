@@ -70,6 +70,7 @@ def work_three(world: World, agreed: Agreed) -> None:
         agreed.approve(agreed.take(cue))
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_both_see_the_same_figures(world: World, agreed: Agreed) -> None:
     entry = on_file(world)
@@ -88,6 +89,7 @@ def test_both_see_the_same_figures(world: World, agreed: Agreed) -> None:
     assert "4500" not in own.text
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_no_one_else_sees_them(world: World, agreed: Agreed) -> None:
     entry = on_file(world)

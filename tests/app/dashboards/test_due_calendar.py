@@ -4,6 +4,8 @@ from datetime import date
 from typing import Any
 from uuid import UUID
 
+import pytest
+
 from tests.app.money.agreed import Agreed, day, milestone
 from tests.app.reviews.making import refused
 from tests.support.calendars import calendar_of, events_at, events_of
@@ -74,6 +76,7 @@ def test_a_new_link_replaces_the_old_one_and_either_can_be_withdrawn(world: Worl
     assert world.stranger.post(f"/v1/projects/{world.project_id}/calendar").status_code == 404
 
 
+@pytest.mark.slow
 def test_it_closes_with_the_project_for_its_holder(world: World) -> None:
     due(world, {"name": "alarm", "due_on": day(9)})
     path = calendar_of(world, world.designer)

@@ -69,6 +69,7 @@ def test_nobody_hears_of_projects_that_they_do_not_see(web: str, world: World):
         assert str(world.studio_id) not in {data["studio_id"] for data in reported}, "of their own studio they hear"
 
 
+@pytest.mark.slow
 def test_before_the_nda_a_designer_hears_of_contracts_only(server: RunningServer, web: str, world: World):
     server.in_database(lambda session: setattr(session.get(Project, world.project_id), "nda_needed", True))
     with (
@@ -80,6 +81,7 @@ def test_before_the_nda_a_designer_hears_of_contracts_only(server: RunningServer
         assert "sound_lists" not in designer.rooms_of(world.project_id)
 
 
+@pytest.mark.slow
 def test_contracts_reach_parties_only(web: str, world: World):
     with (
         listening_for_changes(web, world.designer.cookies) as designer,
@@ -131,6 +133,7 @@ def test_signing_out_closes_the_stream(monkeypatch: pytest.MonkeyPatch, web: str
         until(lambda: designer.is_over)
 
 
+@pytest.mark.slow
 def test_what_was_missed_is_sent_again_and_what_is_too_old_is_said_to_be(web: str, world: World):
     with listening_for_changes(web, world.designer.cookies) as designer:
         last_id = designer.events[-1].id
@@ -161,6 +164,7 @@ def test_an_unchanged_connection_beats(monkeypatch: pytest.MonkeyPatch, web: str
         until(lambda: [event.name for event in designer.events].count("beat") > 2)
 
 
+@pytest.mark.slow
 def test_open_pages_hold_no_thread_and_no_connection(server: RunningServer, web: str, world: World):
     with ExitStack() as pages:
         pages.enter_context(listening_for_changes(web, world.designer.cookies))

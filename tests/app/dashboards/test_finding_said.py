@@ -139,6 +139,7 @@ def test_other_projects_are_searched_without_the_one_that_is_open(stage: Stage) 
     assert body_of(stage.world.reviewer.get("/v1/find", params=wanted))["hits"] == []
 
 
+@pytest.mark.slow
 def test_no_kind_fills_the_results_and_more_hits_cost_no_more_statements(stage: Stage, search: Search) -> None:
     change(stage, "laser", "Too long")
     label(stage, "too wild", stage.world.designer)

@@ -38,6 +38,7 @@ def test_cues_stand_with_state_and_share(agreed: Agreed) -> None:
     assert (palette["contract_title"], palette["currency"], palette["release"]) == ("Effects", "USD", "per_cue")
 
 
+@pytest.mark.slow
 def test_its_lines_and_the_invoices_that_hold_them(agreed: Agreed) -> None:
     invoice = agreed.invoice()
     agreed.pay(invoice, 12_000)
@@ -50,6 +51,7 @@ def test_its_lines_and_the_invoices_that_hold_them(agreed: Agreed) -> None:
     assert (alpha["lines"], alpha["invoices"]) == ([], [])
 
 
+@pytest.mark.slow
 def test_lateness_and_estimates_for_the_two_parties(agreed: Agreed) -> None:
     (cue, _) = sheet(agreed, "Palette")["cues"]
     log = {"cue_id": cue["cue"]["id"], "minutes": 90, "worked_on": TODAY.isoformat()}
@@ -65,6 +67,7 @@ def test_lateness_and_estimates_for_the_two_parties(agreed: Agreed) -> None:
     assert seen["milestone"]["owed_minor"] == 30_000
 
 
+@pytest.mark.slow
 def test_a_cut_cue_says_in_which_state(agreed: Agreed) -> None:
     (oath,) = sheet(agreed, "Alpha")["cues"]
     cut = agreed.world.producer.post(f"/v1/cues/{oath['cue']['id']}/cut", json={"reason": "No voices"})
@@ -74,6 +77,7 @@ def test_a_cut_cue_says_in_which_state(agreed: Agreed) -> None:
     assert alpha["milestone"]["left_minor"] == alpha["milestone"]["owed_minor"] == 37_500
 
 
+@pytest.mark.slow
 def test_out_of_sight_it_is_not_there(agreed: Agreed) -> None:
     address = f"/v1/milestones/{sheet(agreed, 'Palette')['milestone']['id']}"
     for outsider in (agreed.world.stranger, agreed.world.other_designer, agreed.world.reviewer):

@@ -44,6 +44,7 @@ def contracts(world: World) -> Contracts:
     return Contracts(world)
 
 
+@pytest.mark.slow
 def test_a_new_project_asks_for_cues_then_a_designer_then_an_approver(world: World) -> None:
     body = {"studio_id": str(world.studio_id), "name": "Deep Field", "cue_prefix": "DF"}
     project_id = world.producer.post("/v1/projects", json=body).json()["id"]
@@ -77,6 +78,7 @@ def test_a_follow_up_on_the_brief_is_answered_by_the_team(world: World) -> None:
     assert "answer_follow_ups" not in dict(steps(world))
 
 
+@pytest.mark.slow
 def test_a_posting_waits_for_bids_then_for_those_who_compare_them(world: World) -> None:
     body = {"studio_id": str(world.studio_id), "name": "Deep Field", "cue_prefix": "DF"}
     project_id = world.producer.post("/v1/projects", json=body).json()["id"]
@@ -114,6 +116,7 @@ def test_a_posting_waits_for_bids_then_for_those_who_compare_them(world: World) 
     assert asked(world.reviewer, project_id)["steps"] == []
 
 
+@pytest.mark.slow
 def test_an_nda_is_somebodys_next_step_until_it_is_signed(world: World, contracts: Contracts) -> None:
     add_cues(world, {"name": "airlock"})
     world.producer.patch(f"/v1/projects/{world.project_id}", json={"nda_needed": True})
@@ -143,6 +146,7 @@ def test_a_change_that_the_designer_wants_is_the_producers(world: World, contrac
     assert steps(world, "designer") == []
 
 
+@pytest.mark.slow
 def test_sounds_go_from_one_to_the_other(world: World) -> None:
     add_cues(world, {"name": "laser_fire"}, {"name": "airlock"}, {"name": "splash"})
     deliver(world, "laser_fire.wav", GOOD)
@@ -157,6 +161,7 @@ def test_sounds_go_from_one_to_the_other(world: World) -> None:
     assert "review" not in dict(steps(world, "reviewer"))
 
 
+@pytest.mark.slow
 def test_money_is_the_designers_then_the_producers_step(world: World) -> None:
     agreed = Agreed(world, terms={})
     cue = agreed.cue()
@@ -173,6 +178,7 @@ def test_money_is_the_designers_then_the_producers_step(world: World) -> None:
     assert "pay_invoice" not in dict(steps(world, "reviewer"))
 
 
+@pytest.mark.slow
 def test_a_deposit_is_announced_to_both_and_then_invoiced_and_paid(world: World, contracts: Contracts) -> None:
     [cue] = add_cues(world, {"name": "airlock"})
     draft = contracts.begin()
@@ -197,6 +203,7 @@ def test_a_deposit_is_announced_to_both_and_then_invoiced_and_paid(world: World,
     assert "payment" in dict(awaited(world, "designer"))
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_a_change_order_waits_for_each_party_until_it_has_signed(world: World) -> None:
     order = Order(world)
@@ -210,6 +217,7 @@ def test_a_change_order_waits_for_each_party_until_it_has_signed(world: World) -
     assert "sign_change_order" not in dict(steps(world))
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_what_changed_under_a_contract_is_a_step_of_both_until_it_is_settled(world: World) -> None:
     order = Order(world)

@@ -102,6 +102,7 @@ def test_both_sides_see_how_it_goes(world: World, stage: Stage) -> None:
     assert whole["first_pass"] == 0.5
 
 
+@pytest.mark.slow
 def test_what_was_undone_was_not_decided(world: World, stage: Stage) -> None:
     judge_three(stage)
     take = stage.take(stage.cue("undone"))

@@ -114,6 +114,7 @@ def in_euro(agreed: Agreed) -> Agreed:
     return second
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_the_figures_of_two_contracts_by_hand(agreed: Agreed) -> None:
     world = agreed.world
@@ -184,6 +185,7 @@ def test_budgets_are_set_by_producers_and_seen_by_no_designer(agreed: Agreed) ->
         assert set_budget(agreed, world.producer, **wrong).status_code == 422
 
 
+@pytest.mark.slow
 def test_estimates_against_logged_time_are_for_producers_and_their_designer(agreed: Agreed) -> None:
     cues = [agreed.cue(f"cue_{number}") for number in range(4)]
     planned = milestone("Alpha", amount_minor=40_000, due_on=day(10))

@@ -142,6 +142,7 @@ def all_progress(world: World, by: TestClient) -> dict[str, dict[str, Any]]:
         page = read(world, by, "sound-list/progress", limit=7, cursor=page["next"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [1, 2])
 def test_sums_say_what_looking_at_each_take_says(stage: Stage, seed: int):
     world = stage.world
@@ -167,6 +168,7 @@ def test_sums_say_what_looking_at_each_take_says(stage: Stage, seed: int):
             assert reported["open_question"] == ("Wet or dry?" if line.is_asked else None)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [3])
 def test_what_waits_for_others_is_the_newest_of_cues_that_still_need_it(stage: Stage, seed: int):
     world = stage.world

@@ -70,6 +70,7 @@ def rpp(world: World) -> str:
     return str(answer.text)
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_what_is_owed_is_a_region_and_what_came_back_has_its_changes(world: World) -> None:
     add_cues(world, {"name": "laser", "variations": 2}, {"name": "wind", "duration_s": 12.0}, {"name": "gone"})

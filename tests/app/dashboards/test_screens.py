@@ -7,6 +7,8 @@ from tests.support.deliver import add_cues, deliver
 from tests.support.server import World
 from tests.support.waves import noise, sine, wav_bytes
 
+pytestmark = pytest.mark.slow
+
 GOOD = wav_bytes(noise(dbfs=-20, seconds=0.2))
 LOUD = wav_bytes(sine(hz=997, dbfs=0.0, seconds=0.2))
 

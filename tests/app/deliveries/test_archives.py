@@ -53,6 +53,7 @@ def entries_of(archive: dict[str, Any]) -> dict[str, str | None]:
     return {entry["path"]: None if entry["taken"] else entry["reason"] for entry in archive["entries"]}
 
 
+@pytest.mark.slow
 def test_each_sound_becomes_a_take(world: World) -> None:
     add_cues(world, {"name": "Laser fire", "variations": 2}, {"name": "Shield hit"})
     archive = send(

@@ -71,6 +71,7 @@ def test_what_was_added_to_the_stem_is_the_judgement(world: World) -> None:
     assert "added to bounce 7.wav" in heard(beside)[0]
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("cue")
 def test_where_nothing_was_added_the_finding_goes_and_comes_back_with_the_stem_withdrawn(world: World) -> None:
     take = deliver(world, "warp_in.wav", WET)
@@ -87,6 +88,7 @@ def test_where_nothing_was_added_the_finding_goes_and_comes_back_with_the_stem_w
     assert world.designer.delete(f"/v1/takes/{take['id']}/dry-stem").status_code == 204  # as often as one likes
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("cue")
 def test_of_another_sound_the_judgement_without_it_stands(world: World) -> None:
     take = deliver(world, "warp_in.wav", WET)
@@ -97,6 +99,7 @@ def test_of_another_sound_the_judgement_without_it_stands(world: World) -> None:
     assert reverb == alone
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("cue")
 def test_one_that_cannot_be_read_is_refused_in_words(world: World) -> None:
     take = deliver(world, "warp_in.wav", WET)
@@ -110,6 +113,7 @@ def test_one_that_cannot_be_read_is_refused_in_words(world: World) -> None:
     assert heard(checked(world, take["id"])) == []
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("cue")
 def test_a_comparison_that_breaks_leaves_the_take_judged_and_is_tried_again(
     world: World, monkeypatch: pytest.MonkeyPatch
@@ -206,6 +210,7 @@ def test_who_may_not(world: World) -> None:
     assert world.designer.get(path).content == DRY
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("cue")
 def test_a_closed_delivery_takes_a_stem_beside_its_take_and_nothing_else(world: World) -> None:
     take = deliver(world, "warp_in.wav", WET)
@@ -236,6 +241,7 @@ def test_a_closed_delivery_takes_a_stem_beside_its_take_and_nothing_else(world: 
     assert world.designer.put(path, json={"upload_id": upload_id}).json()["id"] == first.json()["id"]  # back again
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("cue")
 def test_a_verdict_stands_on_what_it_went_by(world: World) -> None:
     take = deliver(world, "warp_in.wav", WET)
@@ -257,6 +263,7 @@ def test_a_verdict_stands_on_what_it_went_by(world: World) -> None:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("cue")
 def test_its_bytes_are_counted_once_it_is_withdrawn_too(world: World) -> None:
     take = deliver(world, "warp_in.wav", WET)
@@ -276,6 +283,7 @@ def test_beside_a_master_that_cannot_be_read_nothing_is_compared(world: World) -
     assert (check["verdict"], check["is_newest_stem"], check["judgements"]) == ("unreadable", True, {})
 
 
+@pytest.mark.slow
 def test_a_fix_that_puts_the_name_right_keeps_the_stem(world: World) -> None:
     [cue] = add_cues(world, {"name": "Airlock cycle"})
     late = wav_bytes(np.concatenate([np.zeros((2_400, 1)), hits(seconds=1.0)]))

@@ -74,6 +74,7 @@ def test_a_directory_of_five_million_entries_is_not_read(tmp_path: Path):
     assert "directory is larger than that of any delivery" in refusal_of(path)
 
 
+@pytest.mark.slow
 def test_entries_are_counted_whatever_the_end_says(tmp_path: Path):
     count = unzip.MAX_READ_BYTES // struct.calcsize(CENTRAL) - 10
     directory = central_head(b"", 0, 0) * count

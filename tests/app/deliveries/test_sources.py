@@ -219,6 +219,7 @@ def sheet_of(content: bytes) -> list[dict[str, Any]]:
     return [dict(zip(columns, row, strict=True)) for row in rows]
 
 
+@pytest.mark.slow
 def test_the_clearance_sheet_of_a_pack_says_what_a_lawyer_asks(world: World) -> None:
     accepted_list(world)
     listed = body_of(world.designer.get(f"/v1/projects/{world.project_id}/takes"))["items"]
@@ -245,6 +246,7 @@ def test_the_clearance_sheet_of_a_pack_says_what_a_lawyer_asks(world: World) -> 
     assert world.designer.get(f"{path}.xlsx").status_code == 403
 
 
+@pytest.mark.slow
 def test_a_sealed_pack_has_its_clearance_sheet(world: World) -> None:
     accepted_list(world)
     target = body_of(world.producer.get(f"/v1/projects/{world.project_id}/pack"))["target"]
@@ -256,6 +258,7 @@ def test_a_sealed_pack_has_its_clearance_sheet(world: World) -> None:
     assert [row["file"] for row in rows if row["file"] not in text] == []
 
 
+@pytest.mark.slow
 def test_the_same_file_in_another_project_of_the_studio_is_reported(world: World) -> None:
     accepted_list(world)
     listed = body_of(world.producer.get(f"/v1/projects/{world.project_id}/takes"))["items"]

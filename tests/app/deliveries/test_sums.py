@@ -134,6 +134,7 @@ def takes_of(session: Session, world: World) -> list[Take]:
     return list(session.scalars(select(Take).where(Take.project_id == world.project_id).order_by(Take.id)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [1, 2])
 def test_what_is_kept_is_what_there_is(world: World, seed: int):
     course = Course(world, seed)

@@ -57,6 +57,7 @@ def slot(take: dict[str, Any]) -> tuple[str | None, int, int | None, int | None]
     return (take["cue"] and take["cue"]["name"], take["variation"], take["number"], take["alternate"])
 
 
+@pytest.mark.slow
 def test_a_name_finds_its_cue_and_variation(world: World) -> None:
     add_cues(world, {"name": "Laser fire", "variations": 4}, {"name": "Shield hit"})
     delivery_id = open_delivery(world)
@@ -76,6 +77,7 @@ def test_a_name_finds_its_cue_and_variation(world: World) -> None:
     assert {take["state"] for take in takes} == {"received"}
 
 
+@pytest.mark.slow
 def test_a_file_dropped_on_a_cue_is_for_it(world: World) -> None:
     steps, laser = add_cues(world, {"name": "Deck walk", "variations": 3}, {"name": "Laser fire"})
     for seed, (name, cue, variation, expected) in enumerate(
@@ -122,6 +124,7 @@ def test_an_upload_is_one_take_however_often_it_is_posted(world: World) -> None:
     assert made[0].json()["id"] == made[1].json()["id"]
 
 
+@pytest.mark.slow
 def test_the_same_file_again_is_the_take_that_is_there(world: World) -> None:
     [laser, shield] = add_cues(world, {"name": "Laser fire"}, {"name": "Shield hit"})
     first, again = deliver(world, "laser_fire.wav", SOUND), deliver(world, "laser_fire.wav", SOUND)
@@ -141,6 +144,7 @@ def test_the_same_file_again_is_the_take_that_is_there(world: World) -> None:
     assert theirs["cue"]["id"] == laser["id"]
 
 
+@pytest.mark.slow
 def test_takes_that_arrive_together_get_numbers_of_their_own(world: World) -> None:
     add_cues(world, {"name": "Laser fire"})
     delivery_id = open_delivery(world)
@@ -177,6 +181,7 @@ def test_what_matches_nothing_waits_with_three_guesses(world: World) -> None:
     assert world.designer.get(f"/v1/projects/{world.project_id}/takes?unmatched=true").json()["items"] == []
 
 
+@pytest.mark.slow
 def test_a_take_can_be_rematched_until_it_has_a_verdict(world: World) -> None:
     laser, shield = add_cues(world, {"name": "Laser fire"}, {"name": "Shield hit"})
     deliver(world, "shield_hit.wav", another(1))
@@ -307,6 +312,7 @@ def test_masters_are_given_back_byte_for_byte(world: World) -> None:
     assert (part.status_code, part.content) == (206, SOUND[10:20])
 
 
+@pytest.mark.slow
 def test_who_sees_what(world: World) -> None:
     engage(world)
     take = deliver(world, "laser.wav", SOUND)
@@ -332,6 +338,7 @@ def test_who_sees_what(world: World) -> None:
         assert world.nobody.get(path).status_code == 401
 
 
+@pytest.mark.slow
 def test_who_may_do_what(world: World) -> None:
     engage(world)
     [cue] = add_cues(world, {"name": "Laser fire"})
@@ -381,6 +388,7 @@ def test_lists_come_in_pages(world: World) -> None:
     assert world.approver.get(path, params={"cursor": "rubbish"}).json()["code"] == "bad-cursor"
 
 
+@pytest.mark.slow
 def test_takes_are_found_by_state_and_cue(world: World) -> None:
     [laser] = add_cues(world, {"name": "Laser fire"})
     good = deliver(world, "laser_fire.wav", SOUND)

@@ -76,6 +76,7 @@ def test_a_file_in_doubt_waits_with_guesses(world: World) -> None:
     assert (steps["name"], steps["variation"], steps["variations"], steps["becomes"]) == ("Step grass", None, 4, None)
 
 
+@pytest.mark.slow
 def test_sure_matches_are_accepted_in_one_act_and_undone(world: World) -> None:
     delivery_id = open_delivery(world)
     names = ["PercBell2_FINAL.wav", "UI/click.wav", "step grass 04.wav", "nothing like it.wav"]
@@ -104,6 +105,7 @@ def test_sure_matches_are_accepted_in_one_act_and_undone(world: World) -> None:
     assert (again.status_code, again.json()["code"]) == (409, "already-undone")
 
 
+@pytest.mark.slow
 def test_a_prefix_that_a_delivery_shares_is_read(world: World) -> None:
     cues = ["laser_fire", "shield_hit", "door_open", "rain_loop", "engine_start"]
     delivery_id = open_delivery(world)
@@ -122,6 +124,7 @@ def test_only_the_named_are_accepted(world: World) -> None:
     assert see(world, first)["cue"] is None
 
 
+@pytest.mark.slow
 def test_a_folder_of_300_goes_away_in_one_act_and_comes_back(world: World) -> None:
     add_cues(world, *LIST)
     delivery_id = open_delivery(world)
@@ -148,6 +151,7 @@ def test_discarded_files_can_be_restored_and_sent_again(world: World) -> None:
     assert desk_unmatched(world) == 2
 
 
+@pytest.mark.slow
 def test_many_are_moved_at_once_and_undone(world: World) -> None:
     bell, _, steps, click, _ = add_cues(world, *LIST)
     first, second = deliver(world, "perc_bell.wav", another(1)), deliver(world, "stray.wav", another(2))
@@ -176,6 +180,7 @@ def test_for_a_cut_cue_a_file_keeps_its_name(world: World) -> None:
     assert [one["becomes"] for one in preview.json()] == ["stray.wav"]
 
 
+@pytest.mark.slow
 def test_nothing_is_moved_or_discarded_once_a_verdict_stands(world: World) -> None:
     bell, _, _, click, _ = add_cues(world, *LIST)
     decided, free = deliver(world, "perc_bell.wav", another(1)), deliver(world, "ui_click.wav", another(2))

@@ -67,6 +67,7 @@ def sent(world: World, s3: S3Server, location: str, numbers: list[int]) -> list[
     return here
 
 
+@pytest.mark.slow
 def test_a_store_that_takes_parts_says_so(direct: RunningServer, server: RunningServer):
     reported = direct.browser().options("/v1/uploads").headers["tus-extension"].split(",")
     assert "soundlist-parts" in reported
@@ -83,6 +84,7 @@ def test_a_store_without_multipart_uploads_says_so(server: RunningServer):
     assert world.designer.post(f"{location}/finish").json()["code"] in ("upload-unfinished", "parts-not-taken")
 
 
+@pytest.mark.slow
 def test_a_file_goes_to_the_bucket_and_becomes_a_take(world: World, s3: S3Server):
     delivery_id = open_delivery(world)
     names = metadata(delivery_id=delivery_id, file_name="ambience.wav")
@@ -181,6 +183,7 @@ def on_a_bad_line(s3: S3Server, tmp_path_factory: pytest.TempPathFactory) -> Ite
         runtime.close()
 
 
+@pytest.mark.slow
 def test_a_store_that_does_not_answer_is_reported_and_nothing_is_half_kept(
     on_a_bad_line: tuple[RunningServer, FaultyLine],
 ):
@@ -198,6 +201,7 @@ def test_a_store_that_does_not_answer_is_reported_and_nothing_is_half_kept(
     assert [blob.size_bytes for _, blob in server.runtime.store.blobs()] == [5]
 
 
+@pytest.mark.slow
 def test_a_put_that_the_store_does_not_take_leaves_nothing_behind(on_a_bad_line: tuple[RunningServer, FaultyLine]):
     server, line = on_a_bad_line
     world = World(server)

@@ -93,12 +93,14 @@ def test_masters_of_all_rates_and_depths():
     assert {sound.bit_depth for sound in SOUNDS.values()} == {16, 24}
 
 
+@pytest.mark.slow
 def test_the_same_bytes_each_time(files):
     again = demo_sounds()
     for key in ("ui_confirm", "laser_fire_03", "engine_idle_loop", "shield_hit", "alarm_red_alert", "suit_hit_take2"):
         assert again[key].wav_bytes() == files[key]
 
 
+@pytest.mark.slow
 def test_no_two_files_are_alike(files):
     assert len({hashlib.sha256(content).digest() for content in files.values()}) == len(SOUNDS)
 
@@ -121,6 +123,7 @@ def test_it_conforms(figures, key):
         assert found["tail_silence_ms"] <= 100
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", LOOPS)
 def test_loops_have_no_seam(figures, key):
     assert figures[key]["seam_step_db"] < 0
@@ -146,6 +149,7 @@ def test_the_airlock_starts_late_and_is_too_loud(figures):
     assert found["duration_s"] == pytest.approx(2.41, abs=0.005)
 
 
+@pytest.mark.slow
 def test_only_the_arrival_comes_with_reverb(files, tmp_path):
     found = {}
     for key, content in files.items():
@@ -169,6 +173,7 @@ def test_beside_its_stem_the_hall_is_what_was_added(files, tmp_path):
     assert found.figures["rt60_s"] == pytest.approx(1.8, rel=0.2)
 
 
+@pytest.mark.slow
 def test_only_the_swarm_and_the_oath_are_asked_about(files, tmp_path):
     found = {}
     for key, content in files.items():

@@ -114,6 +114,7 @@ def test_what_does_not_fit_is_refused_with_its_place(world: World, posting: dict
     assert world.other_designer.post(path, json={"revision": 7}).json()["code"] == "bid-changed"
 
 
+@pytest.mark.slow
 def test_a_closed_posting_takes_no_bids_and_keeps_drafts(world: World, posting: dict[str, Any]) -> None:
     join(world, posting, world.other_designer)
     save(world.other_designer, posting, WHOLE)
@@ -132,6 +133,7 @@ def test_extras_and_hours_are_summed_and_rounded_once(world: World, posting: dic
     assert (bid["hourly_rate_minor"], bid["is_below_floor"], bid["days_late"]) == (3_367, True, 21)
 
 
+@pytest.mark.slow
 def test_the_shortlist_comes_first_then_who_sent_first_whatever_the_price(
     world: World, posting: dict[str, Any]
 ) -> None:
@@ -205,6 +207,7 @@ def same(milestone: dict[str, Any]) -> dict[str, Any]:
     return {name: milestone[name] for name in ("name", "amount_minor", "due_on")} | {"cues": cues}
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_concepts_are_named_with_their_money(world: World) -> None:
     add_cues(world)
@@ -227,6 +230,7 @@ def test_concepts_are_named_with_their_money(world: World) -> None:
     assert plan["concepts"] == {"count": 4, "cues": 4, "amount_minor": 96_000 - deposit_minor}
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_an_award_opens_a_draft_with_the_bids_figures(world: World, posting: dict[str, Any]) -> None:
     voice = line("Oath", 20_000, 1, kind="voice", unit="flat")

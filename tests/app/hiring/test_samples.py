@@ -40,6 +40,7 @@ def own(by: TestClient, posting: dict[str, Any]) -> list[dict[str, Any]]:
     return samples
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_a_sample_is_checked_and_heard_by_both_once_the_bid_is_sent(world: World, posting: dict[str, Any]) -> None:
     designer = world.other_designer
@@ -88,6 +89,7 @@ def test_a_sample_is_removed_by_its_designer_alone(world: World, posting: dict[s
     assert world.other_designer.delete(path).status_code == 404
 
 
+@pytest.mark.slow
 def test_what_is_no_sample_is_refused(world: World, posting: dict[str, Any]) -> None:
     designer = world.other_designer
     join(world, posting, designer)
@@ -107,6 +109,7 @@ def test_what_is_no_sample_is_refused(world: World, posting: dict[str, Any]) -> 
     assert add(designer, posting).json()["code"] == "posting-closed"
 
 
+@pytest.mark.slow
 def test_a_refused_bids_samples_are_closed_after_thirty_days(world: World, posting: dict[str, Any]) -> None:
     send(world, posting, world.other_designer, WHOLE)
     send(world, posting, world.designer, WHOLE)

@@ -66,6 +66,7 @@ def test_requests_are_answered_while_many_wait_for_the_document(fresh: RunningSe
     assert builds == [1]
 
 
+@pytest.mark.slow
 def test_the_document_is_the_applications(fresh: RunningServer):
     answer = fresh.browser().get("/v1/openapi.json")
     assert answer.headers["content-type"] == "application/json"
@@ -83,6 +84,7 @@ def test_every_operation_says_what_refusals_look_like(server: RunningServer):
     assert not [name for name in document["components"]["schemas"] if "ValidationError" in name]
 
 
+@pytest.mark.slow
 def test_an_operation_lists_its_problem_codes():
     document = json.loads((FRONTEND / "openapi.json").read_text())
     sign_in = document["paths"]["/v1/sign-in"]["post"]["description"]
@@ -92,6 +94,7 @@ def test_an_operation_lists_its_problem_codes():
     assert document["paths"]["/v1/me"]["get"]["description"].count("Problem codes") == 0
 
 
+@pytest.mark.slow
 def test_a_generated_client_reads_what_is_wrong_with_a_request(server: RunningServer, tmp_path: Path):
     (tmp_path / "node_modules").symlink_to(PACKAGES)
     (tmp_path / "package.json").write_text('{"type": "module"}')

@@ -51,6 +51,7 @@ def world(own_postgres: Postgres, tmp_path_factory: pytest.TempPathFactory) -> I
     runtime.close()
 
 
+@pytest.mark.slow
 def test_a_connection_that_drops_in_the_middle_is_reported(
     world: World, own_postgres: Postgres, monkeypatch: pytest.MonkeyPatch
 ):
@@ -74,6 +75,7 @@ def test_a_connection_that_drops_in_the_middle_is_reported(
     assert world.producer.get("/v1/projects").status_code == 200
 
 
+@pytest.mark.slow
 def test_a_database_that_comes_back_is_used_again(world: World, own_postgres: Postgres):
     assert world.producer.get("/v1/projects").status_code == 200
     own_postgres.kill()
@@ -84,6 +86,7 @@ def test_a_database_that_comes_back_is_used_again(world: World, own_postgres: Po
     assert world.producer.get("/v1/projects").status_code == 200
 
 
+@pytest.mark.slow
 def test_a_line_that_was_ended_while_nobody_used_it_is_not_used(world: World, own_postgres: Postgres):
     assert world.producer.get("/v1/projects").status_code == 200
     with own_postgres.superuser() as connection:
@@ -91,6 +94,7 @@ def test_a_line_that_was_ended_while_nobody_used_it_is_not_used(world: World, ow
     assert world.producer.get("/v1/projects").status_code == 200
 
 
+@pytest.mark.slow
 def test_what_the_queue_keeps_of_its_own_lines_is_asked_only_where_something_came(own_postgres: Postgres):
     events = [(ensure_open, "checkout")]
     engine = sa.create_engine(Database(own_postgres.url("postgres")).engine.url, pool_size=1, pool_events=events)
@@ -145,6 +149,7 @@ def test_a_locked_sqlite_database_is_away_too(tmp_path):
     other.dispose()
 
 
+@pytest.mark.slow
 def test_a_crowd_is_answered_without_waiting_for_itself(world: World):
     # More than there are threads and connections, all for one row: each needs a thread again while it has a connection.
     def open_one(_number: int) -> int:
@@ -155,6 +160,7 @@ def test_a_crowd_is_answered_without_waiting_for_itself(world: World):
     assert statuses == [201] * CROWD, "requests waited until the pool of connections gave up"
 
 
+@pytest.mark.slow
 def test_a_request_that_waits_too_long_for_a_slot_is_refused(world: World, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(concurrency, "MAX_WAIT_S", 0.3)
     held = sa.text("SELECT 1 FROM projects_projects WHERE id = :id FOR UPDATE")
@@ -181,6 +187,7 @@ def requests_that_wait(own_postgres: Postgres) -> int:
         return int(connection.execute(waiting).fetchone()[0])
 
 
+@pytest.mark.slow
 def test_an_upload_gives_way_to_other_requests_but_not_for_long(
     world: World, own_postgres: Postgres, monkeypatch: pytest.MonkeyPatch
 ):

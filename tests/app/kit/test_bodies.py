@@ -252,6 +252,7 @@ def unknown(names: int) -> str:
     return "{" + ",".join(f'"{number}":0' for number in range(names)) + "}"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("body", "code"),
     [

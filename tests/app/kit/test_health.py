@@ -37,6 +37,7 @@ def asked(runtime: Runtime) -> tuple[int, dict[str, str]]:
     return answer.status_code, answer.json()
 
 
+@pytest.mark.slow
 def test_without_a_worker_the_server_is_not_ready(runtime: Runtime):
     status, parts = asked(runtime)
     assert status == 503
@@ -44,6 +45,7 @@ def test_without_a_worker_the_server_is_not_ready(runtime: Runtime):
     assert parts == {"status": "not ready", **dict.fromkeys(PARTS - {"worker"}, "ok")}
 
 
+@pytest.mark.slow
 def test_a_database_without_our_tables_wants_to_be_migrated(runtime: Runtime):
     migrate(runtime.database)
     with runtime.database.writing() as session:
@@ -53,6 +55,7 @@ def test_a_database_without_our_tables_wants_to_be_migrated(runtime: Runtime):
     assert "soundlist migrate" in parts["migrations"]
 
 
+@pytest.mark.slow
 def test_a_database_from_before_the_release_is_not_ready(runtime: Runtime):
     with runtime.database.writing() as session:
         session.execute(sa.text("update alembic_version set version_num = '0078'"))
@@ -62,12 +65,14 @@ def test_a_database_from_before_the_release_is_not_ready(runtime: Runtime):
     assert "name an empty database" in parts["migrations"]
 
 
+@pytest.mark.slow
 def test_a_database_that_a_newer_version_migrated_will_do(runtime: Runtime):
     with runtime.database.writing() as session:
         session.execute(sa.text("update alembic_version set version_num = 'of_a_later_version'"))
     assert asked(runtime)[1]["migrations"] == "ok"  # else a rolling upgrade would stop the servers still running
 
 
+@pytest.mark.slow
 def test_a_store_that_cannot_be_written_is_reported(runtime: Runtime):
     runtime.store.root.parent.mkdir(parents=True, exist_ok=True)
     runtime.store.root.write_text("a file where a folder is wanted")
@@ -76,6 +81,7 @@ def test_a_store_that_cannot_be_written_is_reported(runtime: Runtime):
     assert str(runtime.store.root) not in parts["store"]  # anyone may ask
 
 
+@pytest.mark.slow
 def test_a_missing_database_is_reported_with_what_depends_on_it(runtime: Runtime, tmp_path: Path):
     for file in tmp_path.glob("soundlist.sqlite*"):
         file.unlink()
@@ -88,6 +94,7 @@ def test_a_missing_database_is_reported_with_what_depends_on_it(runtime: Runtime
     assert str(tmp_path) not in str(parts)
 
 
+@pytest.mark.slow
 def test_many_who_ask_share_one_try(runtime: Runtime):
     tried = []
     readiness = Readiness(runtime, {"part": lambda _: tried.append("once")})
@@ -95,6 +102,7 @@ def test_many_who_ask_share_one_try(runtime: Runtime):
     assert tried == ["once"]
 
 
+@pytest.mark.slow
 def test_a_broken_probe_is_not_taken_for_readiness(runtime: Runtime):
     def probe(_runtime: Runtime) -> None:
         raise ZeroDivisionError

@@ -37,6 +37,7 @@ def browser_of(server: RunningServer) -> TestClient:
     return browser
 
 
+@pytest.mark.slow
 def test_a_session_lives_in_cookies_bound_to_the_host(behind_tls):
     browser = browser_of(behind_tls)
     answer = browser.post("/v1/sign-up", json=SIGN_UP)
@@ -55,6 +56,7 @@ def test_a_session_lives_in_cookies_bound_to_the_host(behind_tls):
     assert not [name for name in browser.cookies if name.endswith(("session", "csrf"))]
 
 
+@pytest.mark.slow
 def test_a_cookie_that_a_neighbour_could_have_set_signs_nobody_in(behind_tls):
     browser = browser_of(behind_tls)
     browser.post("/v1/sign-up", json=SIGN_UP | {"email": "other@studio.example"})

@@ -86,6 +86,7 @@ def test_what_is_free_between_blocks_in_use_returns():
     assert left_mib < 30
 
 
+@pytest.mark.slow
 def test_what_refers_to_itself_is_freed_while_nothing_else_happens(monkeypatch):
     class Refused:
         pass

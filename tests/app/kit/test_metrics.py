@@ -78,6 +78,7 @@ def test_requests_count_by_route_and_status_and_never_by_what_is_in_the_address(
     assert not any(secret in value for _, labels in after for _, value in labels)
 
 
+@pytest.mark.slow
 def test_an_invented_method_is_counted_with_the_others(scrape, world: World):
     world.nobody.request("BREW", "/v1/me")
     methods = {value for _, labels in scrape() for name, value in labels if name == "method"}
@@ -99,6 +100,7 @@ def enqueue(runtime: Runtime, *, fails: bool, studio_id=None) -> str:
     return key
 
 
+@pytest.mark.slow
 def test_jobs_count_by_outcome_and_the_parked_stay_in_sight(server: RunningServer, scrape, monkeypatch):
     monkeypatch.setattr(queue, "RETRY_DELAYS_S", (0.01,))
     runtime, before, studio_id = server.runtime, scrape(), uuid4()
@@ -126,6 +128,7 @@ def test_a_worker_that_lives_is_reported(scrape, server: RunningServer):
     assert figure(scrape(), "soundlist_worker_silent_seconds", worker=heartbeat.worker_id) < 20
 
 
+@pytest.mark.slow
 def test_connections_in_use_are_reported(scrape, server: RunningServer):
     def in_use() -> float:
         return figure(scrape(), "soundlist_database_connections", state="in use")

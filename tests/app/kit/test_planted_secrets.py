@@ -120,6 +120,7 @@ def holds(pid: int, secret: bytes) -> bool:
     return any(secret in piece for piece in memory_of(pid))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_no_planted_secret_is_reached(kind: str, planted: tuple[bytes, Path], tmp_path: Path) -> None:
     secret, data = planted

@@ -123,6 +123,7 @@ def test_a_job_that_failed_once_waits_without_holding_up_others(runtime: Runtime
     assert len(calls) == 5
 
 
+@pytest.mark.slow
 def test_a_few_files_do_not_wait_for_anothers_thousands(runtime: Runtime):
     crowd, few = new_id(), new_id()
     enqueue_many(
@@ -300,6 +301,7 @@ def test_done_jobs_are_forgotten_after_a_while(runtime: Runtime):
     assert "key of long ago" not in kept()
 
 
+@pytest.mark.slow
 def test_a_chore_is_one_job_however_many_workers_ask(runtime: Runtime, monkeypatch: pytest.MonkeyPatch):
     done: list[int] = []
     monkeypatch.setitem(queue._handlers, "server.sweep_uploads", lambda _runtime, _payload: done.append(1))

@@ -10,6 +10,8 @@ import pytest
 
 from app.kit import serving
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture
 def same_threshold() -> Iterator[None]:

@@ -27,6 +27,7 @@ def test_a_document_becomes_a_pdf():
     assert typeset(source, inputs) == pdf, "the same source is the same bytes"
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("small_child")
 @pytest.mark.parametrize(
     "source",

@@ -186,6 +186,7 @@ def test_a_part_that_came_twice_counts_as_it_came_last(incoming, send, store):
     assert store.read(STUDIO, SHA256) == CONTENT
 
 
+@pytest.mark.slow
 def test_once_it_is_whole_no_link_changes_it(s3, incoming, send, store):
     upload = begun(incoming)
     links = incoming.parts(upload, sha256s(ALL)).links
@@ -233,6 +234,7 @@ def test_killed_anywhere_it_is_finished_by_the_next_request(
     assert in_bucket(s3, bucket) == [SHA256]
 
 
+@pytest.mark.slow
 def test_a_second_who_finishes_waits_its_turn(incoming, send, store, monkeypatch):
     upload = send(begun(incoming))
     refused = []

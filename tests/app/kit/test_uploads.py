@@ -183,6 +183,7 @@ def test_a_sender_at_the_minimum_rate_is_waited_for(database: Database, store: F
     assert upload.sha256 == hashlib.sha256(CONTENT[:20_000]).hexdigest()
 
 
+@pytest.mark.slow
 def test_the_time_to_write_is_not_the_senders(
     database: Database, store: FolderStore, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -2,6 +2,7 @@
 
 from uuid import UUID
 
+import pytest
 import sqlalchemy as sa
 
 from app.deliveries.models import Take
@@ -10,6 +11,8 @@ from tests.app.money.test_adoption import agree, owed
 from tests.support.adoptions import adopted
 from tests.support.server import World
 from tests.support.waves import noise, wav_bytes
+
+pytestmark = pytest.mark.slow
 
 CLICK = wav_bytes(noise(dbfs=-24, seconds=0.2, rate=44_100), rate=44_100, bits=16)
 

@@ -14,6 +14,8 @@ from tests.app.money.agreed import day
 from tests.app.reviews.making import Stage
 from tests.support.server import World
 
+pytestmark = pytest.mark.slow
+
 APPROVED = {"state": TakeState.APPROVED}
 
 

@@ -67,6 +67,7 @@ def test_a_contract_that_ended_early_earns_nothing_more() -> None:
         assert (standing.state, standing.because) == (BonusState.MISSED, "the contract ended early")
 
 
+@pytest.mark.slow
 def test_the_last_acceptance_in_time_makes_one_line_due(world: World) -> None:
     agreed = agreed_with(world, "on_time")
     first, second = agreed.cue("one"), agreed.cue("two")
@@ -106,6 +107,7 @@ def test_a_date_that_passes_is_a_bonus_missed(world: World, monkeypatch: pytest.
     assert bonus_lines(agreed) == []
 
 
+@pytest.mark.slow
 def test_a_round_of_changes_misses_it_and_a_cut_cue_does_not_count(world: World) -> None:
     agreed = agreed_with(world, "no_rejected_take")
     first, second = agreed.cue("one"), agreed.cue("two")

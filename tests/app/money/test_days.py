@@ -28,6 +28,7 @@ def used(agreed: Agreed) -> tuple[int, int]:
     return contract["by_day"]["agreed_minor"], contract["by_day"]["cap_minor"]
 
 
+@pytest.mark.slow
 def test_up_to_the_cap(agreed: Agreed) -> None:
     world = agreed.world
     assert agreed.figures()["agreed_minor"] == 80_002

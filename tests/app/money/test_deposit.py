@@ -16,6 +16,7 @@ def test_the_record_of_signing_names_the_plan_and_what_is_due(contracts: Contrac
     assert entries[-1]["payload"]["amount_minor"] == 10_000
 
 
+@pytest.mark.slow
 def test_no_contract_is_agreed_without_its_deposit(contracts: Contracts, monkeypatch: pytest.MonkeyPatch) -> None:
     def fail(*_: object) -> None:
         raise RuntimeError("the deposit cannot be charged")

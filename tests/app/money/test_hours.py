@@ -107,6 +107,7 @@ def test_approved_hours_are_due_and_what_they_were_is_on_the_invoice(agreed: Agr
     assert faults(agreed) == []
 
 
+@pytest.mark.slow
 def test_refused_hours_are_corrected_and_sent_again(agreed: Agreed) -> None:
     world = agreed.world
     entry_id = ok(log(agreed, 240))["id"]
@@ -184,6 +185,7 @@ def test_a_contract_without_hours_takes_none(world: World) -> None:
     assert contract["by_hour"] is None
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_a_retainer_is_due_each_month_once_and_includes_hours(world: World) -> None:
     agreed = agreed_with(world, **HOURS, **RETAINER)
@@ -215,6 +217,7 @@ def test_a_retainer_alone_pays_no_hour_beyond_it(world: World) -> None:
     assert log(agreed, 120).status_code == 201
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_an_early_end_owes_hours_that_wait_and_months_that_began(world: World) -> None:
     agreed = agreed_with(world, **HOURS, **RETAINER)

@@ -50,6 +50,7 @@ def test_an_invoice_begins_with_the_purchase_order_that_was_agreed_on(world: Wor
     assert agreed.invoice()["po_number"] == "PO-77"
 
 
+@pytest.mark.slow
 def test_tax_of_each_rate_is_rounded_once(world: World) -> None:
     agreed = Agreed(world, terms={"tax_bp": 1_900}, currency="EUR")
     first, second = agreed.cue("radar_ping"), agreed.cue("vo_oath")
@@ -117,6 +118,7 @@ def test_what_lies_ahead_was_not_paid_yet(agreed: Agreed) -> None:
     assert refused(refund_ahead) == (422, "day-in-future")
 
 
+@pytest.mark.slow
 def test_what_was_paid_and_taken_back_is_credited_on_the_next_invoice(agreed: Agreed) -> None:
     first, second = agreed.cue("radar_ping"), agreed.cue("dock_clamp")
     agreed.agree(milestone("Alpha", first, second, amount_minor=36_000))
@@ -132,6 +134,7 @@ def test_what_was_paid_and_taken_back_is_credited_on_the_next_invoice(agreed: Ag
     assert (credited["number"], credited["total_minor"], credited["state"]) == (2, 0, "paid")
 
 
+@pytest.mark.slow
 def test_numbers_count_without_gaps_for_each_designer_of_a_studio(agreed: Agreed) -> None:
     cues = [agreed.cue(f"cue_{number}") for number in range(3)]
     agreed.agree(milestone("Alpha", *cues, amount_minor=30_000))

@@ -82,6 +82,7 @@ def test_it_is_shown_charged_once_and_invoiced_without_tax(world: World) -> None
     assert record["faults"] == []
 
 
+@pytest.mark.slow
 def test_interest_bears_no_interest(world: World) -> None:
     agreed, invoice = late(world)
     charge(world.designer, invoice)

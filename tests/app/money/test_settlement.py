@@ -77,6 +77,7 @@ def test_picking_another_take_owes_nothing_more(agreed: Agreed) -> None:
     assert agreed.owed()[1:] == [("accepted", 18_000)]
 
 
+@pytest.mark.slow
 def test_an_undone_verdict_takes_its_share_back_by_a_reversing_line(agreed: Agreed) -> None:
     cue, *_ = two_milestones(agreed)
     take = agreed.take(cue)
@@ -170,6 +171,7 @@ def three_rounds(agreed: Agreed, cue_id: UUID) -> str:
     return str(proposed["id"])
 
 
+@pytest.mark.slow
 def test_a_round_too_many_is_priced_and_due_once_agreed(agreed: Agreed) -> None:
     missile = two_milestones(agreed)[3]
     extra = three_rounds(agreed, missile)
@@ -182,6 +184,7 @@ def test_a_round_too_many_is_priced_and_due_once_agreed(agreed: Agreed) -> None:
     assert refused(agreed.world.designer.post(f"/v1/extra-rounds/{extra}/drop")) == (409, "round-already-settled")
 
 
+@pytest.mark.slow
 def test_a_round_whose_price_has_become_nothing_is_agreed_without_a_charge(agreed: Agreed) -> None:
     missile = two_milestones(agreed)[3]
     extra = three_rounds(agreed, missile)
@@ -191,6 +194,7 @@ def test_a_round_whose_price_has_become_nothing_is_agreed_without_a_charge(agree
     assert agreed.owed()[1:] == []
 
 
+@pytest.mark.slow
 def test_the_designer_may_let_a_round_go_and_not_agree_for_the_studio(agreed: Agreed) -> None:
     extra = three_rounds(agreed, two_milestones(agreed)[3])
     assert refused(agreed.world.designer.post(f"/v1/extra-rounds/{extra}/agree")) == (403, "other-party-needed")

@@ -20,6 +20,7 @@ def invoiced(world: World) -> tuple[Agreed, dict[str, Any]]:
     return agreed, agreed.invoice()
 
 
+@pytest.mark.slow
 def test_no_sight_is_no_contract_and_no_invoice(invoiced: tuple[Agreed, dict[str, Any]]) -> None:
     agreed, invoice = invoiced
     world, contract = agreed.world, f"/v1/contracts/{agreed.contract_id}"
@@ -49,6 +50,7 @@ def test_sight_is_not_yet_a_right(invoiced: tuple[Agreed, dict[str, Any]]) -> No
     assert refused(mine) == (403, "other-party-needed")
 
 
+@pytest.mark.slow
 def test_who_only_reviews_sees_the_project_and_none_of_its_money(invoiced: tuple[Agreed, dict[str, Any]]) -> None:
     agreed, _ = invoiced
     world, project = agreed.world, f"/v1/projects/{agreed.world.project_id}"

@@ -188,6 +188,7 @@ def deliver_pair(world: World, dbfs: float) -> list[str]:
     return names
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("dbfs", "subject", "words"),
     [(0.0, "returned by the check", "0.00 dBFS"), (-6.0, "to review", "is ready for your review")],
@@ -204,6 +205,7 @@ def test_what_checks_said_is_notified_once_and_together(world: World, dbfs: floa
     assert str(mail["text"]).count(words) == 2
 
 
+@pytest.mark.slow
 def test_a_delivery_schedules_few_notifications(world: World, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(conformance, "NOTIFY_EVERY_S", 3600.0)
     deliver_pair(world, -6.0)
@@ -233,6 +235,7 @@ def test_a_process_schedules_a_notification_until_that_is_committed(world: World
     assert len(asked) == 2
 
 
+@pytest.mark.slow
 def test_what_was_committed_too_late_to_be_notified_is_notified_by_the_chore(
     world: World, monkeypatch: pytest.MonkeyPatch
 ):

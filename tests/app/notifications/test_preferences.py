@@ -124,6 +124,7 @@ def test_what_can_not_be_is_refused_in_words(world: World, wanted: dict[str, obj
     assert words in answer.json()["detail"]
 
 
+@pytest.mark.slow
 def test_news_of_a_day_is_one_mail_the_next_morning(world: World, mails: MailServer, monkeypatch: pytest.MonkeyPatch):
     save(world, cadences={"talk": "daily"})
     address = answer_a_question(world, "a_tool")
@@ -147,6 +148,7 @@ def test_what_is_turned_off_is_not_mailed_and_contracts_are(world: World, mails:
     assert cadences is Cadence.AT_ONCE
 
 
+@pytest.mark.slow
 def test_the_link_of_a_mail_turns_its_news_off_without_signing_in(world: World, mails: MailServer):
     address = answer_a_question(world, "a_tool")
     (text,) = answers(mails, address)

@@ -124,6 +124,7 @@ def test_a_digest_has_the_pictures_too(world, stage, sent):
     assert address in digest.lines[0].split("\n")
 
 
+@pytest.mark.slow
 def test_a_mail_has_few_pictures_however_many_changes_were_sent(world, stage, sent):
     takes = [stage.take(stage.cue(f"hit_{number}")) for number in range(spots.MAX_PICTURES + 2)]
     draw_takes(world, *takes)

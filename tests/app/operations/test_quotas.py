@@ -114,6 +114,7 @@ def test_the_producer_sees_use_and_limit(world: World) -> None:
     assert (world.reviewer.get(url).status_code, world.stranger.get(url).status_code) == (403, 404)
 
 
+@pytest.mark.slow
 def test_the_operator_sees_who_is_near(world: World) -> None:
     add_cues(world, {"name": "Door"}, {"name": "Gate"})
     limit(world, QuotaKind.CUES, 2)

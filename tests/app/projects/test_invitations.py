@@ -157,6 +157,7 @@ def test_a_second_invitation_replaces_the_first(server: RunningServer, world: Wo
     assert is_good(server, second)
 
 
+@pytest.mark.slow
 def test_a_withdrawn_or_old_link_shows_and_engages_nothing(server: RunningServer, world: World) -> None:
     email = address()
     invite(world, email)

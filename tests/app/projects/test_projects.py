@@ -102,6 +102,7 @@ def test_those_without_sight_learn_nothing(world: World) -> None:
     assert world.nobody.get(project_path(world)).status_code == 401
 
 
+@pytest.mark.slow
 def test_the_list_is_paged_and_leaves_out_archived_projects(server: RunningServer, world: World) -> None:
     with server.runtime.database.writing() as session:
         actor = actor_for_person(session, world.producer_id)

@@ -80,6 +80,7 @@ def paused(world: World) -> Iterator[None]:
         queue._handlers[batches.RENDER_NEXT] = original
 
 
+@pytest.mark.slow
 def test_a_new_target_is_made_of_everything_and_the_sizes_are_compared(world: World) -> None:
     takes = accepted(world, "laser", "siren")
     before = renders(world)
@@ -100,6 +101,7 @@ def test_a_new_target_is_made_of_everything_and_the_sizes_are_compared(world: Wo
         assert made == {"game": "made", "handheld": "made", "trailer": "made"}
 
 
+@pytest.mark.slow
 def test_a_changed_target_says_what_it_replaces(world: World) -> None:
     accepted(world, "laser")
     spec = world.producer.get(f"/v1/projects/{world.project_id}/spec").json()
@@ -114,6 +116,7 @@ def test_a_changed_target_says_what_it_replaces(world: World) -> None:
     assert handheld["after_bytes"] - handheld["before_bytes"] == MONO_16
 
 
+@pytest.mark.slow
 def test_what_cannot_be_made_is_said_and_nothing_else_waits_for_it(world: World) -> None:
     (lost, _) = accepted(world, "laser", "siren")
     find = sa.select(Take.master_sha256).where(Take.id == UUID(lost))
@@ -130,6 +133,7 @@ def test_what_cannot_be_made_is_said_and_nothing_else_waits_for_it(world: World)
     assert {one["cue"] for one in newest["trouble"]} == {"SW-001", "SW-002"}
 
 
+@pytest.mark.slow
 def test_a_batch_can_be_cancelled_and_begun_again(world: World) -> None:
     accepted(world, "laser", "siren")
     with paused(world):
@@ -148,6 +152,7 @@ def test_a_batch_can_be_cancelled_and_begun_again(world: World) -> None:
     assert (first["state"], first["made"]) == ("cancelled", 0)
 
 
+@pytest.mark.slow
 def test_a_newer_batch_takes_the_place_of_one_that_runs(world: World) -> None:
     accepted(world, "laser")
     with paused(world):
@@ -169,6 +174,7 @@ def test_nothing_to_make_and_no_such_target(world: World) -> None:
     assert listed(world) == []  # a spec that changes before anything came opens no batch
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("who", "status"), [("reviewer", 403), ("designer", 403), ("stranger", 404), ("nobody", 401)])
 def test_who_may_not_begin_or_cancel(world: World, who: str, status: int) -> None:
     accepted(world, "laser")
@@ -220,6 +226,7 @@ def five_thousand_takes(world: World) -> None:
     world.server.in_database(fill)
 
 
+@pytest.mark.slow
 def test_five_thousand_takes_are_planned_in_one_go(world: World) -> None:
     five_thousand_takes(world)
     with paused(world):
@@ -236,6 +243,7 @@ def test_five_thousand_takes_are_planned_in_one_go(world: World) -> None:
     assert world.server.in_database(lambda session: session.scalar(items)) == 0
 
 
+@pytest.mark.slow
 def test_a_take_that_waits_for_review_is_complete_once_its_files_are_made(world: World) -> None:
     add_cue(world, "laser")
     take_id = UUID(deliver_sound(world, "laser.wav", sine(hz=500, dbfs=-12, rate=96_000, seconds=0.2)))

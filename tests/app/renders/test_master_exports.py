@@ -26,6 +26,7 @@ def made(world: World, client: TestClient, take_id: str) -> dict[str, Any]:
     return export
 
 
+@pytest.mark.slow
 def test_a_master_is_handed_out_with_what_is_on_record(world: World, tmp_path: Any) -> None:
     add_cue(world, "laser", description="fires once", loop=True)
     content = wav_bytes(TONE, rate=48_000, bits=24, after=[chunk(b"xYz1", b"kept")])
@@ -58,6 +59,7 @@ def test_a_master_is_handed_out_with_what_is_on_record(world: World, tmp_path: A
     assert world.reviewer.get(f"/v1/takes/{take['id']}/master").content == content
 
 
+@pytest.mark.slow
 def test_the_same_knowledge_gives_the_same_copy_and_other_knowledge_another(world: World) -> None:
     cue = add_cue(world, "laser")
     take_id = deliver_sound(world, "laser.wav", TONE, rate=48_000)

@@ -43,6 +43,7 @@ def test_thumb_peaks_and_spectrum_show_the_sound(world: World) -> None:
     assert int.from_bytes(spectrum.content[20:24]) == 128
 
 
+@pytest.mark.slow
 def test_the_preview_plays_in_parts(world: World) -> None:
     add_cue(world, "beep")
     take_id = deliver_sound(world, "beep.wav", sine(hz=1_000, dbfs=-6, rate=96_000, seconds=0.5))
@@ -57,6 +58,7 @@ def test_the_preview_plays_in_parts(world: World) -> None:
     assert part.content == whole.content[100:200]
 
 
+@pytest.mark.slow
 def test_a_light_preview_is_as_long_as_the_sound_and_a_small_sound_is_sent_as_it_is(world: World) -> None:
     add_cue(world, "beep")
     add_cue(world, "tick")

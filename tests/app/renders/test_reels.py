@@ -53,6 +53,7 @@ def made(world: World, client: TestClient, cue_id: str, **how: Any) -> dict[str,
     return reel
 
 
+@pytest.mark.slow
 def test_takes_follow_one_another_in_a_file_that_says_what_it_is(world: World) -> None:
     cue_id, takes = two_takes(world)
     reel = made(world, world.reviewer, cue_id, gap_ms=250)
@@ -67,6 +68,7 @@ def test_takes_follow_one_another_in_a_file_that_says_what_it_is(world: World) -
         assert (sound.getframerate(), sound.getnframes()) == (48_000, round(1.73 * 48_000))
 
 
+@pytest.mark.slow
 def test_the_same_takes_give_the_same_reel_and_another_take_another(world: World) -> None:
     cue_id, _ = two_takes(world)
     first = made(world, world.reviewer, cue_id)
@@ -79,6 +81,7 @@ def test_the_same_takes_give_the_same_reel_and_another_take_another(world: World
     assert world.reviewer.get(first["file_url"]).status_code == 200  # nothing is replaced
 
 
+@pytest.mark.slow
 def test_a_designer_hears_their_own_takes_only(world: World) -> None:
     cue_id, takes = two_takes(world)
 
@@ -111,6 +114,7 @@ def test_a_designer_hears_their_own_takes_only(world: World) -> None:
     assert world.nobody.get(everything["file_url"]).status_code == 401
 
 
+@pytest.mark.slow
 def test_a_set_is_heard_variation_by_variation(world: World) -> None:
     cue = add_cue(world, "hum", variations=2)
     files = [("hum_02.wav", 500), ("hum_01.wav", 400)]
@@ -122,6 +126,7 @@ def test_a_set_is_heard_variation_by_variation(world: World) -> None:
     assert [one["start_s"] for one in reel["takes"]] == pytest.approx([0.84, 0.84 + 0.2 + 1.08])
 
 
+@pytest.mark.slow
 def test_the_newest_take_may_come_first(world: World) -> None:
     cue_id, takes = two_takes(world)
     reel = made(world, world.reviewer, cue_id, order="newest", slates="none")
@@ -145,6 +150,7 @@ def test_a_cue_without_playable_takes_is_refused_with_a_reason(world: World, mon
     assert world.reviewer.get(f"/v1/reels/{new_id()}").json()["code"] == "reel-not-found"
 
 
+@pytest.mark.slow
 def test_a_reel_that_failed_is_made_when_it_is_asked_for_again(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     cue_id, _ = two_takes(world)
 
@@ -161,6 +167,7 @@ def test_a_reel_that_failed_is_made_when_it_is_asked_for_again(world: World, mon
     assert made(world, world.reviewer, cue_id)["id"] == asked["id"]
 
 
+@pytest.mark.slow
 def test_speech_makes_the_slates_where_it_is_installed(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     said: list[str] = []
 
@@ -178,6 +185,7 @@ def test_speech_makes_the_slates_where_it_is_installed(world: World, monkeypatch
     assert beeped["takes"][0]["start_s"] == 0.42
 
 
+@pytest.mark.slow
 def test_a_reel_never_ships(world: World) -> None:
     cue_id, takes = two_takes(world)
     assert world.approver.post(f"/v1/takes/{takes[1]}/verdict", json={"kind": "approve"}).status_code == 200

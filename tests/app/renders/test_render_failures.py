@@ -22,6 +22,7 @@ class Interrupted(Exception):
     """Simulates a worker that dies."""
 
 
+@pytest.mark.slow
 def test_a_job_that_dies_after_the_verdict_draws_when_it_comes_again(
     world: World, monkeypatch: pytest.MonkeyPatch
 ) -> None:

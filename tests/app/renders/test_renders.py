@@ -97,6 +97,7 @@ def add_spec(world: World, toml_end: str) -> None:
     world.server.wait_for_jobs()
 
 
+@pytest.mark.slow
 def test_a_new_spec_adds_renders_and_keeps_the_old_ones(world: World) -> None:
     add_cue(world, "beep")
     take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
@@ -117,6 +118,7 @@ def test_a_new_spec_adds_renders_and_keeps_the_old_ones(world: World) -> None:
     assert world.designer.get(f"/v1/renders/{before['handheld']}/file").status_code == 200
 
 
+@pytest.mark.slow
 def test_an_approved_take_is_renewed_too(world: World) -> None:
     add_cue(world, "beep")
     take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
@@ -125,6 +127,7 @@ def test_an_approved_take_is_renewed_too(world: World) -> None:
     assert {one["target"]: one["state"] for one in sounds(world, take_id)["renders"]}["trailer"] == "made"
 
 
+@pytest.mark.slow
 def test_jobs_that_run_twice_change_nothing(world: World) -> None:
     add_cue(world, "beep")
     take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
@@ -230,6 +233,7 @@ def test_a_spec_that_moved_on_meanwhile_leaves_the_set_open(world: World) -> Non
     assert server.in_database(lambda session: session.get(RenderSet, take_id).edition) == 0  # says nothing of the newer
 
 
+@pytest.mark.slow
 def test_one_child_does_all_of_a_take(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     add_cue(world, "beep")
     fork, forked = audio_checks.Sandbox._fork, []
@@ -245,6 +249,7 @@ def test_one_child_does_all_of_a_take(world: World, monkeypatch: pytest.MonkeyPa
     assert [module for module in forked if module != "audio_checks.audit.same_sound"] == ["audio_checks.run.runner"]
 
 
+@pytest.mark.slow
 def test_a_game_file_that_plays_as_the_preview_is_made_and_drawn_once(world: World, tmp_path: Path) -> None:
     add_cue(world, "beep")
     take_id = UUID(deliver_sound(world, "beep.wav", sine(hz=997, dbfs=-6, rate=44_100, seconds=0.2), rate=44_100))
@@ -268,6 +273,7 @@ def test_a_game_file_that_plays_as_the_preview_is_made_and_drawn_once(world: Wor
     }
 
 
+@pytest.mark.slow
 def test_who_may_see_and_hear(world: World) -> None:
     add_cue(world, "beep")
     take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))

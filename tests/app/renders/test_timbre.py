@@ -14,6 +14,8 @@ from tests.app.renders.making import add_cue, deliver_sound
 from tests.support.server import World
 from tests.support.waves import noise, silence, sine, write_wav
 
+pytestmark = pytest.mark.slow
+
 HEARD = {"timbre": [1.0, 2.0], "bands_db": [0.0, -3.0]}
 
 

@@ -63,6 +63,7 @@ def takes(world: World) -> dict[str, dict[str, Any]]:
     return found
 
 
+@pytest.mark.slow
 def test_on_the_first_day_nothing_has_an_error(world: World, tree: tuple[Path, dict[str, Any]]) -> None:
     _, adoption = tree
     assert (adoption["cues"], adoption["takes"], adoption["skipped"]) == (6, 7, [])
@@ -71,6 +72,7 @@ def test_on_the_first_day_nothing_has_an_error(world: World, tree: tuple[Path, d
     assert [one for one in progress["odd"] if one["verdict"] != "conforming"] == []
 
 
+@pytest.mark.slow
 def test_each_is_heard_in_the_browser_and_its_master_is_what_was_sent(
     world: World, tree: tuple[Path, dict[str, Any]]
 ) -> None:
@@ -85,6 +87,7 @@ def test_each_is_heard_in_the_browser_and_its_master_is_what_was_sent(
         assert sent.content == content
 
 
+@pytest.mark.slow
 def test_a_target_that_keeps_coded_files_ships_the_very_bytes_and_the_audit_finds_them_the_same(
     world: World, tree: tuple[Path, dict[str, Any]], tmp_path: Path
 ) -> None:
@@ -113,6 +116,7 @@ def test_a_target_that_keeps_coded_files_ships_the_very_bytes_and_the_audit_find
     assert [one["status"] for one in json.loads(ran.stdout)["files"]] == ["same"] * 7
 
 
+@pytest.mark.slow
 def test_a_target_of_the_same_codec_takes_the_file_and_others_say_why_not(
     world: World, tree: tuple[Path, dict[str, Any]]
 ) -> None:
@@ -133,6 +137,7 @@ def test_a_target_of_the_same_codec_takes_the_file_and_others_say_why_not(
     assert "is not a master" in refused.text
 
 
+@pytest.mark.slow
 def test_a_coded_file_that_is_delivered_is_returned_though_the_same_one_was_adopted(
     world: World, tree: tuple[Path, dict[str, Any]]
 ) -> None:

@@ -53,6 +53,7 @@ def review(world: World, cue_id: str) -> dict[str, Any]:
     return dict(answer.json())
 
 
+@pytest.mark.slow
 def test_a_folder_becomes_cues_with_approved_takes_and_their_checks(world: World) -> None:
     answer = adopted(world, FILES)
     assert (answer["cues"], answer["takes"], answer["adopted_by"]["name"]) == (3, 5, "Producer")
@@ -90,6 +91,7 @@ def test_a_file_that_breaks_the_spec_is_adopted_with_its_verdict_beside_it(world
     assert (check["state"], check["verdict"]) == ("approved", "rejected")
 
 
+@pytest.mark.slow
 def test_a_build_of_the_adopted_folder_is_the_same(world: World, tmp_path: Path) -> None:
     adopted(world, FILES)
     build = tmp_path / "build"
@@ -160,6 +162,7 @@ def test_the_same_bytes_are_sent_once_and_count_for_every_file(world: World) -> 
     assert {one["file_name"] for one in cues_of(world)} == {"click", "ui_click"}
 
 
+@pytest.mark.slow
 def test_undo_takes_away_what_was_made_and_keeps_the_masters(world: World) -> None:
     add_cues(world, {"name": "Laser"})
     adoption = adopted(world, FILES)
@@ -178,6 +181,7 @@ def test_undo_takes_away_what_was_made_and_keeps_the_masters(world: World) -> No
     assert adopted(world, FILES)["takes"] == 5  # the same folder again
 
 
+@pytest.mark.slow
 def test_undo_withdraws_each_verdict_and_keeps_it_on_record(world: World) -> None:
     adoption = adopted(world, FILES)
     given = {one.id: (one.cue_id, one.take_id, one.note, one.created_at) for one in rows(world, Verdict)}
@@ -211,6 +215,7 @@ def test_undo_is_refused_once_something_was_built_on_it(world: World, built: str
     assert len([one for one in rows(world, Take) if one.state == "approved"]) == 5
 
 
+@pytest.mark.slow
 def test_one_adopted_sound_is_not_undone_as_a_click_is(world: World) -> None:
     adopted(world, FILES)
     take = rows(world, Take)[0]

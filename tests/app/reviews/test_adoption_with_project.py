@@ -90,6 +90,7 @@ def test_the_plan_says_what_the_project_says(world: World) -> None:
     ]
 
 
+@pytest.mark.slow
 def test_cues_have_loop_and_events_and_takes_say_their_level(world: World) -> None:
     adopted(world)
     cues = {
@@ -120,6 +121,7 @@ def test_the_level_in_the_game_is_the_approved_one(world: World, tmp_path: Path)
     assert old.plays is None
 
 
+@pytest.mark.slow
 def test_undo_takes_the_levels_along(world: World) -> None:
     adoption_id = adopted(world)
     assert undo(world, adoption_id).status_code == 200

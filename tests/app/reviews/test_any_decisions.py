@@ -20,6 +20,8 @@ from app.reviews.rules import VerdictKind
 from tests.app.reviews.making import Stage, add_cue, add_take
 from tests.support.server import World
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture
 def stage(world: World) -> Stage:

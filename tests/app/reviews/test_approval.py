@@ -84,6 +84,7 @@ def local(day: Any, *, days: int = 0) -> datetime:
     return datetime.combine(day + timedelta(days=days), time(), ZONE).astimezone(ZoneInfo("UTC"))
 
 
+@pytest.mark.slow
 def test_a_category_has_its_own_approver_and_the_others_keep_the_projects(stage: Stage) -> None:
     world = stage.world
     project = name_for(world, "UI", world.reviewer_id)
@@ -198,6 +199,7 @@ def test_producers_name_and_the_team_reads(stage: Stage) -> None:
     assert refused(world.stranger.get(path(world, "/deputies"))) == (404, "project-not-found")
 
 
+@pytest.mark.slow
 def test_the_queue_can_be_ones_own(stage: Stage) -> None:
     world = stage.world
     name_for(world, "ui", world.reviewer_id)

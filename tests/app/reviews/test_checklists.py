@@ -99,6 +99,7 @@ def test_unchecked_items_block_approval_in_words_until_they_are_checked(stage: S
     stage.approve(take_id)
 
 
+@pytest.mark.slow
 def test_the_queue_says_beforehand_which_versions_cannot_be_approved_yet(stage: Stage) -> None:
     shield, laser = stage.cue(category="weapon"), stage.cue(name="laser", category="ui")
     first, later, other = stage.take(shield), stage.take(shield), stage.take(laser)

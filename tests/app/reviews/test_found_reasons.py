@@ -24,6 +24,7 @@ def versions(stage: Stage, kind: str, reason: str, by: Any = None, **wanted: Any
     return body_of((by or stage.world.reviewer).get(path, params={"kind": kind, "reason": reason, **wanted}))
 
 
+@pytest.mark.slow
 def test_reasons_of_picks_and_of_sent_changes_are_counted_apart(stage: Stage) -> None:
     for reason in ("Fits the scene", "Cleanest", "Fits the scene"):
         stage.approve(stage.take(stage.cue()), reasons=[reason])

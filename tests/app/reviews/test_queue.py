@@ -142,6 +142,7 @@ def test_pages_follow_each_other_without_gap_or_repeat(stage: Stage, monkeypatch
         assert refused(answer) == (422, "bad-cursor")
 
 
+@pytest.mark.slow
 def test_the_queue_costs_the_same_however_long_it_is(stage: Stage) -> None:
     server = stage.world.server
     server.wait_for_jobs()

@@ -26,6 +26,7 @@ def names(stage: Stage, **wanted: Any) -> list[str]:
     return [item["cue"]["name"] for item in items]
 
 
+@pytest.mark.slow
 def test_facts_of_the_cue_leave_cues_in_order_and_combine(stage: Stage) -> None:
     facts: dict[str, dict[str, Any]] = {
         "laser": {"category": "weapon", "need": Need.SHOULD, "due_on": date(2999, 1, 2)},

@@ -26,6 +26,7 @@ def requests_seen_by(stage: Stage, who: str, state: str = "sent") -> list[str]:
     return [one["text"] for one in body_of(answer)["items"]]
 
 
+@pytest.mark.slow
 def test_one_sending_counts_once_for_a_set(stage: Stage) -> None:
     """Eight notes on a set are one round, and so is a single note on a single cue."""
     steps, clank = stage.cue("steps", variations=8), stage.cue("clank")
@@ -280,6 +281,7 @@ def test_a_cue_is_cut_with_its_reason(stage: Stage) -> None:
     assert refused(world.approver.post(f"/v1/cues/{cue}/accept-set", json={})) == (409, "cue-is-cut")
 
 
+@pytest.mark.slow
 def test_from_the_first_version_to_the_pack(world: World) -> None:
     """The main job over HTTP with real files: a change is asked for, the next version is approved."""
     cue = add_cue(world, "suit_hit")

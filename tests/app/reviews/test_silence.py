@@ -120,6 +120,7 @@ def test_todays_deputy_of_the_categorys_approver_is_reminded_too(moved: MovedClo
     assert moved.entries() == ["planned", "reminded", "reminded"]
 
 
+@pytest.mark.slow
 def test_when_the_days_are_over_the_cue_is_accepted_as_by_an_approval(moved: MovedClock) -> None:
     agreed, world = moved.agreed, moved.agreed.world
     cue = agreed.cue()
@@ -262,6 +263,7 @@ def by_calendar(world: World, monkeypatch: pytest.MonkeyPatch) -> MovedClock:
     return MovedClock(Agreed(world, terms=BY_CALENDAR), monkeypatch)
 
 
+@pytest.mark.slow
 def test_a_question_of_the_designer_pauses_it_until_it_is_answered(by_calendar: MovedClock) -> None:
     agreed, world = by_calendar.agreed, by_calendar.agreed.world
     cue = agreed.cue()
@@ -309,6 +311,7 @@ def test_a_text_that_names_no_calendar_is_paused_by_nothing(moved: MovedClock) -
     assert agreed.states(take) == ["approved"]
 
 
+@pytest.mark.slow
 def test_an_open_change_order_pauses_every_cue_of_its_contract(by_calendar: MovedClock) -> None:
     agreed, world = by_calendar.agreed, by_calendar.agreed.world
     cue = agreed.cue()

@@ -94,6 +94,7 @@ def waiting(world: World) -> Waiting:
     return Waiting(world)
 
 
+@pytest.mark.slow
 def test_a_recheck_by_a_reviewer_moves_nothing(waiting: Waiting) -> None:
     assert waiting.last_day() == "2026-12-04"
     for person in (waiting.world.reviewer, waiting.world.designer, waiting.world.producer):
@@ -103,6 +104,7 @@ def test_a_recheck_by_a_reviewer_moves_nothing(waiting: Waiting) -> None:
         assert waiting.last_day() == "2026-12-04"
 
 
+@pytest.mark.slow
 def test_a_spec_that_returns_it_stops_the_clock_and_the_record_says_who_saved_it(waiting: Waiting) -> None:
     waiting.save_spec(("sample_rates_hz = [44100, 48000, 96000]", "sample_rates_hz = [96000]"))
     assert waiting.agreed.states(waiting.take_id) == ["returned"]
@@ -117,6 +119,7 @@ def test_a_spec_that_returns_it_stops_the_clock_and_the_record_says_who_saved_it
     assert reported == [("returned", "Producer", "producer", 2), ("conforms_again", "Producer", "producer", 3)]
 
 
+@pytest.mark.slow
 def test_who_moves_a_file_to_another_cue_and_back_is_named(waiting: Waiting) -> None:
     for cue_id in (waiting.other_cue_id, waiting.cue_id):
         url = f"/v1/takes/{waiting.take_id}/match"
@@ -130,6 +133,7 @@ def test_who_moves_a_file_to_another_cue_and_back_is_named(waiting: Waiting) -> 
     }
 
 
+@pytest.mark.slow
 def test_the_same_bytes_again_do_not_restart_it(waiting: Waiting) -> None:
     sound = wav_bytes(sine(hz=997, dbfs=-3.0, seconds=0.5))
     [elsewhere] = add_cues(waiting.world, {"name": "Something else"})

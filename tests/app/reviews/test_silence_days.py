@@ -114,6 +114,7 @@ def test_days_and_hours_that_the_clocks_are_turned_are_days_like_others() -> Non
         assert (wait.is_over(ends - timedelta(seconds=1)), wait.is_over(ends)) == (False, True)
 
 
+@pytest.mark.slow
 @given(
     began=st.lists(st.tuples(st.integers(0, 600), st.integers(0, 200)), max_size=6),
     holidays=st.sets(st.integers(0, 60), max_size=10),

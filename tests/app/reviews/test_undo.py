@@ -20,6 +20,7 @@ def later(seconds: float, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(clock, "now", lambda: now + timedelta(seconds=seconds))
 
 
+@pytest.mark.slow
 def test_undo_brings_everything_back(stage: Stage) -> None:
     cue = stage.cue()
     former = stage.take(cue)
@@ -66,6 +67,7 @@ def test_undo_drops_a_fresh_draft(stage: Stage) -> None:
     assert refused(stage.undo(take)) == (409, "nothing-to-undo")
 
 
+@pytest.mark.slow
 def test_undo_stops_where_something_later_stands(stage: Stage) -> None:
     cue = stage.cue()
     a, b = stage.take(cue), stage.take(cue)

@@ -33,6 +33,7 @@ def take_id(stage: Stage):
     return drawn_take(stage, stage.cue("suit_hit", category="impacts"), noise(dbfs=-20.0, seconds=0.5))
 
 
+@pytest.mark.slow
 def test_a_bed_of_the_project_plays_under_every_sound_and_a_category_has_its_own(
     world: World, stage: Stage, take_id: str
 ):
@@ -62,6 +63,7 @@ def test_a_second_bed_in_a_role_takes_the_place_of_the_first(world: World, stage
     assert (other["take_id"], other["level_db"], other["is_on"]) == (str(second), -3.0, False)
 
 
+@pytest.mark.slow
 def test_a_part_of_a_reference_is_a_bed_once_it_was_opened(world: World, take_id: str):
     music = wav_bytes(sine(hz=440, dbfs=-12.0, seconds=4.0, rate=96_000), rate=96_000)
     reference = added(world, "battle_2.wav", music, caption="Battle 2", start_s=1, end_s=3)

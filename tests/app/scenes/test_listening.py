@@ -101,6 +101,7 @@ def test_a_turned_polarity_is_taken_away_too(tmp_path: Path):
     assert found["residue_db"] < -60
 
 
+@pytest.mark.slow
 def test_what_was_added_is_all_that_is_left(tmp_path: Path):
     sound, added = swelling(noise(dbfs=-20.0, seconds=1.0)), sine(hz=1_000, dbfs=-40.0)
     found = compared(tmp_path, sound + added, sound)

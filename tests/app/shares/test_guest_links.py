@@ -36,6 +36,7 @@ def frames_of(content: bytes) -> np.ndarray:
         return np.frombuffer(file.readframes(file.getnframes()), "<i2")
 
 
+@pytest.mark.slow
 def test_a_guest_hears_the_preview_and_the_producer_sees_who_heard_what_how_often(world: World) -> None:
     cue_id, take_id = sound(world)
     link, secret = made(world, cue_ids=[cue_id])
@@ -59,6 +60,7 @@ def test_a_guest_hears_the_preview_and_the_producer_sees_who_heard_what_how_ofte
     assert (ada["guest_name"], ada["played"][0]["cue_name"], ada["played"][0]["plays"]) == ("Ada Lovelace", "laser", 2)
 
 
+@pytest.mark.slow
 def test_what_plays_itself_is_copied_for_guests_without_its_metadata(world: World) -> None:
     cue_id, take_id = sound(world, bits=16)
 
@@ -76,6 +78,7 @@ def test_what_plays_itself_is_copied_for_guests_without_its_metadata(world: Worl
     assert len(heard) == 44 + 2 * len(frames_of(master))  # the header and the frames: nothing else
 
 
+@pytest.mark.slow
 def test_beeps_are_mixed_in_for_the_link_that_wants_them_alone(world: World) -> None:
     cue_id, _ = sound(world)
     (_, plain), (link, beeped) = made(world, cue_ids=[cue_id]), made(world, cue_ids=[cue_id], has_beeps=True)
@@ -87,6 +90,7 @@ def test_beeps_are_mixed_in_for_the_link_that_wants_them_alone(world: World) -> 
     assert true_peak_dbtp(with_beeps[:, np.newaxis] / 32_768, 48_000) <= -1.0
 
 
+@pytest.mark.slow
 def test_a_link_opens_as_often_as_it_may_and_a_visit_goes_on(world: World) -> None:
     cue_id, _ = sound(world)
     _, secret = made(world, cue_ids=[cue_id], max_openings=1)
@@ -100,6 +104,7 @@ def test_a_link_opens_as_often_as_it_may_and_a_visit_goes_on(world: World) -> No
     opened(world, secret)
 
 
+@pytest.mark.slow
 def test_unknown_expired_full_and_revoked_links_are_answered_alike(world: World) -> None:
     cue_id, _ = sound(world)
     link, secret = made(world, cue_ids=[cue_id])
@@ -127,6 +132,7 @@ def test_unknown_expired_full_and_revoked_links_are_answered_alike(world: World)
     assert {(answer.status_code, answer.json()["detail"]) for answer in answers} == {(404, GONE)}
 
 
+@pytest.mark.slow
 def test_the_password_opens_it_and_guesses_are_limited_by_network(world: World) -> None:
     cue_id, _ = sound(world)
     link, secret = made(world, cue_ids=[cue_id], password="four unrelated words")
@@ -147,6 +153,7 @@ def test_the_password_opens_it_and_guesses_are_limited_by_network(world: World) 
     assert world.server.in_database(stored).startswith("$argon2id$")
 
 
+@pytest.mark.slow
 def test_the_address_is_shown_again_to_its_maker_alone(world: World) -> None:
     cue_id, _ = sound(world)
     link, secret = made(world, cue_ids=[cue_id])
@@ -161,6 +168,7 @@ def test_the_address_is_shown_again_to_its_maker_alone(world: World) -> None:
     assert not world.server.in_database(in_the_database)
 
 
+@pytest.mark.slow
 def test_comments_arrive_on_the_version_as_from_a_guest_and_the_designer_reads_them(world: World) -> None:
     cue_id, take_id = sound(world)
     _, secret = made(world, cue_ids=[cue_id], may_comment=True)
@@ -191,6 +199,7 @@ def test_a_link_for_listening_takes_no_comments(world: World) -> None:
     assert world.designer.get(f"/v1/takes/{take_id}/comments").json() == []
 
 
+@pytest.mark.slow
 def test_a_guest_reaches_the_sounds_of_their_link_and_no_other(world: World) -> None:
     shared, _ = sound(world)
     other, other_take = sound(world, "door")
@@ -207,6 +216,7 @@ def test_a_guest_reaches_the_sounds_of_their_link_and_no_other(world: World) -> 
         assert world.nobody.get(path, headers={"Authorization": f"Bearer {visit}"}).status_code == 401
 
 
+@pytest.mark.slow
 def test_nothing_is_sent_before_its_playing_is_on_record(world: World) -> None:
     cue_id, _ = sound(world)
     _, secret = made(world, cue_ids=[cue_id])
@@ -225,6 +235,7 @@ def test_nothing_is_sent_before_its_playing_is_on_record(world: World) -> None:
         assert (answer.status_code, answer.content) == (status, part), asked
 
 
+@pytest.mark.slow
 def test_the_list_stays_as_it_was_when_the_link_was_made(world: World) -> None:
     cue_id, _ = sound(world)
     _, secret = made(world, cue_ids=[cue_id])
@@ -236,6 +247,7 @@ def test_the_list_stays_as_it_was_when_the_link_was_made(world: World) -> None:
     assert play(world, visit).content == before
 
 
+@pytest.mark.slow
 def test_palette_and_approved_sounds_are_those_that_were_approved(world: World) -> None:
     waiting, _ = sound(world, "waiting", palette=True)
     _, picked = sound(world, "picked", palette=True)
@@ -250,6 +262,7 @@ def test_palette_and_approved_sounds_are_those_that_were_approved(world: World) 
     assert [one["name"] for one in opened(world, secret)[1]["sounds"]] == ["waiting"]
 
 
+@pytest.mark.slow
 def test_who_acts_for_the_team_makes_links_and_no_one_else(world: World) -> None:
     cue_id, _ = sound(world)
     assert make(world, world.approver, cue_ids=[cue_id]).status_code == 201

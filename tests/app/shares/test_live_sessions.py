@@ -14,6 +14,8 @@ from tests.app.shares.making import sound
 from tests.app.shares.test_playlists import playlist
 from tests.support.server import World
 
+pytestmark = pytest.mark.slow
+
 
 class Live:
     """The session of a playlist of two sounds."""

@@ -3,6 +3,7 @@
 from typing import Any
 from uuid import UUID
 
+import pytest
 from fastapi.testclient import TestClient
 
 from app.deliveries.models import Take
@@ -27,6 +28,7 @@ def order(found: dict[str, Any]) -> list[str]:
     return [one["take_id"] for one in found["takes"]]
 
 
+@pytest.mark.slow
 def test_a_playlist_of_cues_has_the_version_that_is_heard_of_each_in_list_order(world: World) -> None:
     laser, first = sound(world)
     door, second = sound(world, "door")
@@ -52,6 +54,7 @@ def test_the_answer_says_who_may_approve(world: World) -> None:
     assert list(may.values()) == [True, False, False]
 
 
+@pytest.mark.slow
 def test_an_order_is_replaced_whole_and_two_editors_notice_each_other(world: World) -> None:
     takes = [sound(world, name)[1] for name in ("laser", "door", "steps")]
     found = playlist(world, *takes)
@@ -68,6 +71,7 @@ def test_an_order_is_replaced_whole_and_two_editors_notice_each_other(world: Wor
     assert order(world.producer.get(url).json()) == takes[::-1]
 
 
+@pytest.mark.slow
 def test_each_person_goes_on_where_they_stopped(world: World) -> None:
     takes = [sound(world, name)[1] for name in ("laser", "door")]
     url = f"/v1/playlists/{playlist(world, *takes)['id']}"
@@ -81,6 +85,7 @@ def test_each_person_goes_on_where_they_stopped(world: World) -> None:
     assert refused.json()["code"] == "playlist-invalid"
 
 
+@pytest.mark.slow
 def test_only_who_acts_for_the_team_changes_one_and_no_stranger_sees_it(world: World) -> None:
     _, take_id = sound(world)
     url = f"/v1/playlists/{playlist(world, take_id)['id']}"
@@ -115,6 +120,7 @@ def hear(world: World, choice: str) -> None:
     assert answer.status_code == 200, answer.text
 
 
+@pytest.mark.slow
 def test_a_designer_hears_of_a_playlist_with_a_sound_of_theirs_what_they_may_hear(world: World) -> None:
     (_, laser), (_, door) = sound(world), sound(world, "door")
     steps = of_another(world, "steps")
@@ -135,6 +141,7 @@ def test_a_designer_hears_of_a_playlist_with_a_sound_of_theirs_what_they_may_hea
     assert world.reviewer.get(url).json()["may_join"] is True
 
 
+@pytest.mark.slow
 def test_the_team_sees_labels_and_a_designer_those_of_their_own(world: World) -> None:
     _, laser = sound(world)
     steps = of_another(world, "steps")
@@ -159,6 +166,7 @@ def test_guests_see_no_labels(world: World) -> None:
     assert "longer" not in str(opened(world, secret)[1])
 
 
+@pytest.mark.slow
 def test_a_designer_without_a_sound_in_a_playlist_does_not_see_it(world: World) -> None:
     _, laser = sound(world)
     of_another(world, "steps")
@@ -171,6 +179,7 @@ def test_a_designer_without_a_sound_in_a_playlist_does_not_see_it(world: World) 
     assert world.other_designer.get(f"/v1/projects/{world.project_id}/playlists").json() == []
 
 
+@pytest.mark.slow
 def test_a_designer_only_hears_and_goes_on_where_they_stopped(world: World) -> None:
     _, laser = sound(world)
     steps = of_another(world, "steps")
@@ -193,6 +202,7 @@ def test_a_designer_only_hears_and_goes_on_where_they_stopped(world: World) -> N
     assert order(world.producer.get(url).json()) == [laser, steps]
 
 
+@pytest.mark.slow
 def test_each_of_the_team_sees_what_they_have_not_heard_and_designers_nothing(world: World) -> None:
     takes = [sound(world, name)[1] for name in ("laser", "door")]
     url = f"/v1/playlists/{playlist(world, *takes)['id']}"
@@ -213,6 +223,7 @@ def test_versions_of_another_project_are_refused(world: World) -> None:
     assert add(world).json()["code"] == "nothing-to-share"
 
 
+@pytest.mark.slow
 def test_a_playlist_is_shared_with_guests_in_its_order(world: World) -> None:
     takes = [sound(world, name)[1] for name in ("laser", "door")]
     found = playlist(world, *takes[::-1])

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+import pytest
 from fastapi.testclient import TestClient
 
 from app.shares.rules import MAX_VIEWS
@@ -47,6 +48,7 @@ def test_only_its_owner_deletes_it(world: World) -> None:
     assert views(world, world.producer) == []
 
 
+@pytest.mark.slow
 def test_strangers_and_too_many(world: World) -> None:
     assert save(world, world.stranger).status_code == 404
     for number in range(MAX_VIEWS):

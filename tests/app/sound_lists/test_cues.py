@@ -233,6 +233,7 @@ def test_changed_and_changed_back_is_no_difference(world: World) -> None:
     assert world.producer.get(compare, params={"from": 3, "to": 1}).status_code == 404
 
 
+@pytest.mark.slow
 def test_revisions_are_paged_newest_first(world: World) -> None:
     for number in range(52):
         add(world, {"name": f"Cue {number}"})

@@ -167,6 +167,7 @@ def test_a_million_empty_rows_are_passed_over(parsers: Parsers):
     assert parsers.call(parse_text, text, False, refusal=SheetUnreadable)[2] == [(500_002, ["Door", "hall"])]
 
 
+@pytest.mark.slow
 def test_10_000_cues_come_in_from_a_workbook(world: World):
     rows: list[list[object]] = [["Name", "File name", "Category", "Description", "Duration"]]
     rows += [[f"Cue {place}", f"cue_{place}.wav", "ui", "a click of the menu", 0.25] for place in range(MAX_ROWS)]
@@ -203,6 +204,7 @@ def test_no_file_name_takes_guessing_long(letters: str):
 GOOD = [b"Name,Use\nDoor,hall\n", workbook([["Name", "Use"], ["Door", "hall"]]), LINES.encode("utf-16")]
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(st.sampled_from(GOOD), st.randoms(use_true_random=False), st.integers(1, 12))
 def test_mutants_are_read_or_refused(parsers: Parsers, good: bytes, chance: random.Random, count: int):
@@ -224,6 +226,7 @@ def test_mutants_are_read_or_refused(parsers: Parsers, good: bytes, chance: rand
         assert len(parsers.call(parse_bytes, bytes(mutant), refusal=SheetUnreadable)) == 4
 
 
+@pytest.mark.slow
 def test_mutants_over_http_never_answer_500(world: World):
     chance = random.Random(20)
     pieces = [

@@ -3,6 +3,7 @@
 import io
 from typing import Any
 
+import pytest
 import xlsxwriter
 
 from tests.app.sound_lists.lists import add
@@ -154,6 +155,7 @@ def test_names_that_the_spec_refuses_are_said_and_renamed(world: World) -> None:
     assert [cue["stems"] for cue in cues(world)] == [["ui_button_click"], ["door"], ["bell"]]
 
 
+@pytest.mark.slow
 def test_or_the_pattern_admits_them(world: World) -> None:
     send(world, "Name,File name\nButton click,UI_Button_Click\nDoor,door\n")
     [offer] = refused_names(world)["patterns"]

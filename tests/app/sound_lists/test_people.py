@@ -95,6 +95,7 @@ def test_a_revision_names_them_in_words(world: World) -> None:
     assert compared["changed"][0]["changes"] == [{"field": "implementer_id", "before": None, "after": "Composer"}]
 
 
+@pytest.mark.slow
 def test_an_accepted_cue_waits_for_its_implementer_until_it_is_in_the_build(world: World) -> None:
     (door,) = add(world, {"name": "Door", "implementer_id": str(world.reviewer_id)})
     assert "implement" not in step_kinds(world, "reviewer")

@@ -67,6 +67,7 @@ def test_the_placeholder_files_say_it_and_are_packed(world: World, cue_id: str) 
     assert np.argmax(np.abs(np.fft.rfft(sound[:19_200]))) / 0.4 == pytest.approx(500, abs=3)
 
 
+@pytest.mark.slow
 def test_it_is_replaced_and_removed_and_the_files_follow(world: World, cue_id: str) -> None:
     first = say(world, cue_id).json()
     second = say(world, cue_id, wav_bytes(sine(hz=900, seconds=0.3), rate=44_100, bits=24), world.approver).json()

@@ -6,6 +6,7 @@ import zipfile
 from datetime import date
 from typing import Any, get_args
 
+import pytest
 import python_calamine
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
@@ -78,6 +79,7 @@ def sheet_of(content: bytes) -> list[list[Any]]:
     return python_calamine.CalamineWorkbook.from_filelike(io.BytesIO(content)).get_sheet_by_index(0).to_python()
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.lists(rows(), min_size=1, max_size=12))
 def test_a_list_comes_back_without_a_difference(world: World, typed: list[dict[str, Any]]) -> None:

@@ -48,6 +48,7 @@ def test_what_is_no_script(world: World, form: str, data: bytes) -> None:
     assert refused(world, format=form, content_base64=encoded(data))
 
 
+@pytest.mark.slow
 def test_a_million_empty_rows_are_nothing(world: World) -> None:
     cell = b'<row r="%d"><c r="A%d" t="inlineStr"><is><t>%s</t></is></c></row>'
     head = b'<worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><sheetData>'
@@ -59,6 +60,7 @@ def test_a_million_empty_rows_are_nothing(world: World) -> None:
     assert imported(world, csv)["added"] == 1
 
 
+@pytest.mark.slow
 def test_a_bomb_is_not_unpacked(world: World) -> None:
     plain = workbook([["Line ID", "Character", "Text"]])
     assert "unpack" in refused(world, format="xlsx", content_base64=encoded(with_sheet(plain, b" " * 110_000_000)))

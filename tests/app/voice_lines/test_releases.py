@@ -99,6 +99,7 @@ def test_only_a_finished_upload_of_ones_own_becomes_a_release(world: World) -> N
     assert add(world, upload_id=empty).json()["code"] == "voice-line-invalid"
 
 
+@pytest.mark.slow
 def test_approved_lines_without_a_release_are_named(world: World) -> None:
     imported(world)
     recorded(world, "en_captain_010.wav", approve=True)

@@ -21,6 +21,7 @@ def change_text(world: World, key: str, text: str, language: str = "en", **more:
     assert answer.status_code == 204, answer.text
 
 
+@pytest.mark.slow
 def test_a_changed_text_makes_its_takes_stale_until_another_comes(world: World) -> None:
     imported(world)
     recorded(world, "en_captain_010.wav", approve=True)
@@ -37,6 +38,7 @@ def test_a_changed_text_makes_its_takes_stale_until_another_comes(world: World) 
     assert lines(world)["captain_010"]["state"] == "in_review"
 
 
+@pytest.mark.slow
 def test_a_text_that_changes_back_has_its_takes_again(world: World) -> None:
     imported(world)
     recorded(world, "en_captain_020.wav", approve=True)
@@ -46,6 +48,7 @@ def test_a_text_that_changes_back_has_its_takes_again(world: World) -> None:
     assert lines(world)["captain_020"]["state"] == "approved"
 
 
+@pytest.mark.slow
 def test_takes_can_be_said_to_fit(world: World) -> None:
     imported(world)
     recorded(world, "en_captain_020.wav", approve=True)
@@ -75,6 +78,7 @@ def test_two_people_who_change_a_text_notice_each_other(world: World) -> None:
     assert (blank.status_code, blank.json()["code"]) == (422, "voice-line-invalid")
 
 
+@pytest.mark.slow
 def test_the_pick_up_list_names_its_reasons(world: World) -> None:
     imported(world)
     assert set(pick_ups(world).values()) == {"no take yet"}
@@ -125,6 +129,7 @@ def test_the_pick_up_list_as_sheets(world: World) -> None:
         assert b'orientation="landscape"' in book.read("xl/worksheets/sheet1.xml")
 
 
+@pytest.mark.slow
 def test_a_length_is_held_against_the_originals_approved_take(world: World) -> None:
     imported(world)
     recorded(world, "de_captain_010.wav", 1.2)
@@ -143,6 +148,7 @@ def test_a_length_is_held_against_the_originals_approved_take(world: World) -> N
     assert world.producer.put(url, json=body | {"length_tolerance_percent": 0}).status_code == 422
 
 
+@pytest.mark.slow
 def test_lines_are_filtered_by_state_character_and_words(world: World) -> None:
     imported(world)
     recorded(world, "en_captain_010.wav", approve=True)
@@ -163,6 +169,7 @@ def test_scene_and_direction_can_be_changed(world: World) -> None:
     assert (changed["direction"], changed["scene"]) == ("to the crew", "Bridge")
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_each_designer_sees_the_takes_of_their_own(world: World) -> None:
     imported(world)

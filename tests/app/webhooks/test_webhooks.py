@@ -147,6 +147,7 @@ def test_an_event_is_one_call_however_often_its_job_runs(world: World, target: R
     assert len(target.received) == len(calls(world, webhook)) == 1
 
 
+@pytest.mark.slow
 def test_what_fails_is_tried_again_with_pauses_then_given_up(world: World, target: Receiver):
     webhook = add(world, target.url)
     target.status, target.answer = 500, b"out of order " * 200
@@ -177,6 +178,7 @@ def attempts_at(call_id: str) -> Select[WebhookAttempt]:
     return select(WebhookAttempt).where(WebhookAttempt.call_id == UUID(call_id))
 
 
+@pytest.mark.slow
 def test_each_attempt_at_a_message_is_in_its_log(world: World, target: Receiver, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(sending, "pause_after", lambda _tries: timedelta(hours=1))  # no attempt but those made here
     webhook = add(world, target.url)

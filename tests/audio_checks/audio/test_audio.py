@@ -234,6 +234,7 @@ def test_closing(tmp_path):
     assert file.measurements.sample_peak_dbfs == peak
 
 
+@pytest.mark.slow
 def test_mutants_are_measured_or_refused(tmp_path):
     rng = np.random.default_rng(7)
     path, measured = tmp_path / "mutant.wav", 0
@@ -258,6 +259,7 @@ def test_the_import_is_light():
     assert done.stdout.strip() == "set()"
 
 
+@pytest.mark.slow
 def test_a_long_file_takes_no_more_memory_than_a_short_one(tmp_path):
     # 2 GiB are measured by `make bench`; what does not grow from 2 minutes to 6 minutes does not grow.
     script = """

@@ -218,6 +218,7 @@ def errno_of(number, pid):
 
 
 class TestUsingUp:
+    @pytest.mark.slow
     @pytest.mark.parametrize(
         "code",
         [
@@ -234,6 +235,7 @@ class TestUsingUp:
             child.call(exec, f"out = {str(out)!r}\n{code}")
         assert len(list(out.iterdir())) < 200_000
 
+    @pytest.mark.slow
     def test_an_endless_loop_ends(self):
         box = Sandbox(timeout_s=0.7)
         box.call(len, ())

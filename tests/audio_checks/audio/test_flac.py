@@ -224,6 +224,7 @@ def test_wav_loads_nothing_of_it(tmp_path, monkeypatch):
     assert check_file(write(tmp_path / "a.wav", wav_bytes(noise(seconds=0.1))), ACCEPTS).verdict == "conforming"
 
 
+@pytest.mark.slow
 def test_thousands_of_headers_are_read_or_refused():
     rng = np.random.default_rng(20261121)
     whole = flacs.flac_bytes(

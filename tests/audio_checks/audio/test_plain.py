@@ -38,6 +38,7 @@ def lie(said, blobs=b""):
     return LENGTH.pack(len(text)) + text + blobs
 
 
+@pytest.mark.slow
 @given(VALUES)
 def test_plain_values_come_back_as_they_were(value):
     found = decode(encode(value))
@@ -138,6 +139,7 @@ def test_reading_an_answer_calls_nothing_of_its_classes(monkeypatch):
     assert decode(encode(FINDING)) == FINDING
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("one", [b'["list"],', b"{},", b'"",'])
 def test_64_mib_of_small_values_are_refused_before_they_are_made(one):
     content = lie(b"[" + one * ((64 << 20) // len(one)) + b"0]")
@@ -148,6 +150,7 @@ def test_64_mib_of_small_values_are_refused_before_they_are_made(one):
     assert grown_kib < 300 << 10  # the answer itself twice; as values it takes 1 to 4 GiB
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("text", [b'"' + b'\\\\"' * (4 << 20), b'"\\\\' * (4 << 20), b'"' * (8 << 20)])
 def test_texts_that_never_end_are_read_once(text):
     # Where each quote looks for its end, this takes days.

@@ -266,6 +266,7 @@ def test_descriptors_of_the_caller_do_not_leak(own_sandbox):
         own_sandbox.call(os.fstat, 4)
 
 
+@pytest.mark.slow
 def test_a_dead_server_is_replaced(own_sandbox):
     os.kill(own_sandbox.call(os.getppid), signal.SIGKILL)
     with contextlib.suppress(SandboxCrashed):  # the call that finds it dead
@@ -307,6 +308,7 @@ def test_the_server_ends_with_its_caller():
     assert not server.exists() or " Z " in (server / "stat").read_text()
 
 
+@pytest.mark.slow
 def test_without_fork_each_call_has_its_own_interpreter(monkeypatch, tmp_path):
     monkeypatch.setattr(calls, "CAN_FORK", False)
     path = write_wav(tmp_path / "beep.wav", sine(hz=997, seconds=0.1))
@@ -330,5 +332,6 @@ def test_one_server_makes_the_children_of_all_calls(sandbox):
     assert os.getpid() not in servers
 
 
+@pytest.mark.slow
 def test_a_child_collects_nothing_of_what_it_shares(sandbox):
     assert sandbox.call(gc.get_freeze_count) > 10_000

@@ -56,6 +56,7 @@ def test_a_large_result_is_refused():
         box.close()
 
 
+@pytest.mark.slow
 def test_files_and_descriptors_are_limited(tmp_path):
     box = Sandbox(timeout_s=20, file_bytes=10_000)
     try:
@@ -80,6 +81,7 @@ def faults_of_blocks(count):
     return resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="other allocators are not set up")
 def test_memory_that_was_let_go_of_is_used_again(sandbox):
     assert sandbox.call(faults_of_blocks, 20) < 2 * (8 << 20) / resource.getpagesize()

@@ -181,6 +181,7 @@ def test_what_cannot_be_known_is_unknown_and_said_in_words(folders, audit):
     assert "Ogg" in entries["torn.ogg"]["message"]
 
 
+@pytest.mark.slow
 def test_many_processes_say_the_same(folders, sound, audit):
     approved, build = folders
     for number, family in enumerate(("bell", "voice", "rain")):

@@ -103,6 +103,7 @@ def test_another_envelope_on_the_same_tone_is_another_sound():
     assert not likeness(waves(tone), waves(chopped)).is_same_sound
 
 
+@pytest.mark.slow
 def test_the_search_puts_the_right_one_first():
     names = [(family, seed) for family in FAMILIES for seed in range(3)]
     sounds = [sound(*name, seconds=0.7) for name in names]

@@ -8,6 +8,8 @@ import pytest
 from tests.support.added_check import copy_with_check, run
 from tests.support.waves import sine, write_wav
 
+pytestmark = pytest.mark.slow
+
 SPEC = 'format = 1\n[limits]\ncrest_db = 2.0\n[checks]\nlong-crest = "error"\n'
 
 

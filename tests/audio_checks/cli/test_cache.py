@@ -291,6 +291,7 @@ class TestCommand:
         assert default_folder().parts[-3:] == ("Library", "Caches", "audio-checks")
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("settled")
 def test_a_thousand_unchanged_files_are_reported_again_without_a_look_inside(folder, run, monkeypatch):
     """Benchmarks say how many a second: `python -m benchmarks.unchanged`."""

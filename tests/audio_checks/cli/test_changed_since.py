@@ -199,6 +199,7 @@ def test_a_setting_cannot_hide_a_submodule(with_submodule, judged):
     assert judged("main", ".")[0] == ["./assets/lib/bad.wav"]
 
 
+@pytest.mark.slow
 def test_a_submodule_of_a_submodule(with_submodule, judged, tmp_path):
     inner = tmp_path / "inner"
     inner.mkdir()
@@ -216,6 +217,7 @@ def test_a_submodule_of_a_submodule(with_submodule, judged, tmp_path):
     assert judged("feature", ".")[0] == ["./assets/lib/inner/deep.wav"]
 
 
+@pytest.mark.slow
 def test_a_clone_without_the_earlier_commit_of_the_submodule(with_submodule, judged, tmp_path, monkeypatch):
     write_wav(tmp_path / "library" / "later.wav", OTHER)
     commit(tmp_path / "library", "later")  # so that the newest commit of its branch is another one
@@ -228,6 +230,7 @@ def test_a_clone_without_the_earlier_commit_of_the_submodule(with_submodule, jud
     assert "was not fetched, so every file of the submodule is judged" in err
 
 
+@pytest.mark.slow
 def test_a_shallow_clone_with_both_ends(with_submodule, judged, tmp_path, monkeypatch):
     clone = cloned(with_submodule, tmp_path / "clone", "--depth=1")
     git("-C", clone, "fetch", "-q", "--depth=1", "origin", "main")

@@ -73,6 +73,7 @@ class TestReports:
             main(["check", *SPEC, *extra, "."])
             assert ("1/2" in terminal.getvalue()) is shown
 
+    @pytest.mark.slow
     def test_processes_change_nothing(self, folder, run):
         for number in range(4):
             write_wav(folder / f"laser_{number}.wav", LOUD if number % 2 else GOOD)

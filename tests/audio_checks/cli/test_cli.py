@@ -316,6 +316,7 @@ class TestPlain:
         assert {"text", "json", "jsonl"} <= set(reporters.formats())
 
 
+@pytest.mark.slow
 def test_a_cold_start_costs_a_few_imports_of_numpy(folder):
     """Half a second of a processor is the promise, as benchmarks measure; here against the same machine."""
     write_wav(folder / "laser.wav", LOUD)

@@ -102,6 +102,7 @@ def test_every_command_is_tried():
     assert {command[0] for command in COMMANDS.values()} == set(cli.COMMANDS)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", COMMANDS.values(), ids=COMMANDS)
 def test_no_command_runs_what_lies_in_the_tree(tree, marker, command):
     done = run_in(tree, [str(BIN / "audio-checks"), *command])
@@ -111,6 +112,7 @@ def test_no_command_runs_what_lies_in_the_tree(tree, marker, command):
     assert "usage:" not in done.stderr, done.stderr
 
 
+@pytest.mark.slow
 def test_nor_does_the_module_in_isolated_mode(tree, marker):
     done = run_in(tree, [sys.executable, "-I", "-m", "audio_checks.cli", "check", "-j", "2", "good.wav", "other.wav"])
     assert not marker.exists(), marker.read_text()
@@ -122,6 +124,7 @@ def test_git_starts_nothing_of_a_repository_inside_the_tree(tree, marker):
     assert not marker.exists(), marker.read_text()
 
 
+@pytest.mark.slow
 def test_the_sandbox_of_a_server_runs_nothing_of_it(tree, marker, tmp_path):
     script = tmp_path / "elsewhere" / "caller.py"
     script.parent.mkdir()

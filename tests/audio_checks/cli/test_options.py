@@ -43,11 +43,13 @@ class TestOptions:
     def test_every_command_that_they_concern_knows_them(self, flag, commands):
         assert {command for command in COMMANDS if flag in flags_of(command)} == commands
 
+    @pytest.mark.slow
     def test_measure_in_several_processes(self, sounds, run):
         alone = run("measure", "--format", "json", "-j", "1", *sounds)
         assert alone[0] == 0
         assert run("measure", "--format", "json", "-j", "2", *sounds) == alone
 
+    @pytest.mark.slow
     def test_measure_says_what_cannot_be_read_in_order(self, sounds, folder, run):
         for name in ("in0/laser.wav", "in2/laser.wav"):
             (folder / name).write_bytes(b"RIFF")
@@ -56,6 +58,7 @@ class TestOptions:
         assert alone[2].index("in0/laser.wav") < alone[2].index("in2/laser.wav")
         assert run("measure", "-j", "2", *sounds) == alone
 
+    @pytest.mark.slow
     def test_render_in_several_processes(self, sounds, folder, run):
         code, alone, _ = run("render", *SPEC, "--out", "one", "--format", "json", "-j", "1", *sounds)
         assert code == 1  # three folders with one name
@@ -66,6 +69,7 @@ class TestOptions:
         assert out == alone.replace("one/", "two/").replace('"one', '"two')
         assert {path.relative_to(folder / "two"): path.read_bytes() for path in (folder / "two").rglob("*.wav")} == made
 
+    @pytest.mark.slow
     def test_fix_in_several_processes(self, sounds, folder, run):
         (folder / "all").mkdir()
         for name in sounds:

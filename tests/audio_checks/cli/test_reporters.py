@@ -119,6 +119,7 @@ class TestSarif:
         files = (entry("a.wav", OVER, LATE), entry("b.wav", LATE))
         assert judged_as("sarif", report(*files), Style()) == judged_as("sarif", report(*files), Style())
 
+    @pytest.mark.slow
     def test_the_limits_of_github(self):
         many = [entry(f"a/{n}.wav", LATE, OVER, pcm=f"{n:064x}") for n in range(12_600)]
         text = judged_as("sarif", report(*many), Style())

@@ -118,6 +118,7 @@ def test_colour_is_for_terminals_unless_asked_otherwise(monkeypatch, variables, 
     assert terminal.in_colour(Terminal() if tty else io.StringIO()) is coloured
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", ["text", "junit", "github"])
 def test_a_pipe_is_utf_8_whatever_the_machine_speaks(folder, form):
     write_wav(folder / "Tür_Größe.wav", LOUD)

@@ -32,6 +32,7 @@ def test_steps_without_noise_are_the_nearest_and_stay_whole_numbers_however_loud
     assert steps.tolist() == [[64, -64, 1, -2, 2**62, -(2**62)]]
 
 
+@pytest.mark.slow
 @given(st.lists(st.booleans(), min_size=6, max_size=60), st.integers(0, 3), st.integers(1, 5))
 def test_zeros_in_long_runs_are_silent(sounding: list[bool], margin: int, run: int) -> None:
     zero = [not sounds for sounds in sounding]

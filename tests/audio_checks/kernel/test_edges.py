@@ -17,6 +17,7 @@ def records(samples: Samples, loudest: float, *, backward: bool) -> list[tuple[f
     return list(zip(levels[:count].tolist(), places[:count].tolist(), strict=True))
 
 
+@pytest.mark.slow
 @given(signals(), st.booleans(), st.sampled_from([0.0, 1e-6, 0.01, 0.016, 1.0]))
 def test_the_first_frame_to_reach_a_level_is_among_them(samples: Samples, backward: bool, loudest: float):
     sizes = np.minimum(np.abs(samples).max(axis=1, initial=0), CEILING)

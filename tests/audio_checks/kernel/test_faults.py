@@ -107,6 +107,7 @@ def test_a_crest_after_many_rows_without_one(row: int, sign: float):
     assert known.tolist() == ([0.9, 0.2] if sign > 0 else [0.2, 0.9])
 
 
+@pytest.mark.slow
 @given(signals(most_channels=1), st.integers(0, 5), st.floats(0, 2), st.floats(0, 2))
 def test_extremes_of_rows_that_may_hold_them(samples: Samples, row: int, high: float, deep: float):
     signal, known = np.ascontiguousarray(samples[:, 0]), np.array([high, deep])
@@ -246,6 +247,7 @@ def bursts(heights: NDArray[np.float64], squares: NDArray[np.float64], edges: ND
     return np.stack((places[:found], powers[:found]), axis=1).tolist()
 
 
+@pytest.mark.slow
 @given(st.integers(0, 2**32 - 1))
 def test_bursts(seed: int):
     rng = np.random.default_rng(seed)

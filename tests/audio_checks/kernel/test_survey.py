@@ -61,6 +61,7 @@ def sixteen_bits(draw: st.DrawFn) -> Whole:
     return samples
 
 
+@pytest.mark.slow
 @given(
     sixteen_bits(),
     st.integers(1, 140),
@@ -92,6 +93,7 @@ def test_whole_numbers_give_the_same_bits_as_doubles(samples: Whole, size: int, 
         assert hops.tobytes() == compared.tobytes()
 
 
+@pytest.mark.slow
 @given(signals(most_frames=5_000, most_channels=3), sixteen_bits(), st.integers(4, 60))
 def test_the_sums_of_cells_alone_have_the_same_bits(samples: Samples, sixteen: Whole, size: int):
     sounds = ((samples * 2**24).astype("<i4"), 32), (samples.astype("<f8"), 64), (sixteen.astype("<i2"), 16)

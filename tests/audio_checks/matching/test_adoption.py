@@ -29,6 +29,7 @@ def cues(plan: AdoptionPlan) -> dict[str, tuple[str, tuple[str, ...]]]:
     return {cue.file_name: (cue.category, cue.paths) for cue in plan.cues}
 
 
+@pytest.mark.slow
 @given(PATHS, st.randoms())
 def test_every_file_is_in_one_cue_or_skipped_and_a_list_can_hold_the_cues(
     paths: list[str], shuffled: random.Random

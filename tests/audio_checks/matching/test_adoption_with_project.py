@@ -2,6 +2,7 @@
 
 from typing import Any
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -73,6 +74,7 @@ def test_what_nothing_plays_is_named_and_adopted() -> None:
 PLACES = st.sampled_from(["", "event:/a", "\\X\\b", "a.wav", "con", "..", "steps_01", "///", "\x07:* ?"])
 
 
+@pytest.mark.slow
 @given(
     st.lists(st.tuples(st.sampled_from("abc"), st.integers(0, 3), PLACES), max_size=12),
     st.sampled_from(["wwise", "godot"]),

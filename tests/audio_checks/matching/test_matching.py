@@ -174,6 +174,7 @@ def test_no_sure_match_of_real_lists_is_wrong(list_name: str) -> None:
     assert right >= 0.8 * on_list
 
 
+@pytest.mark.slow
 def test_reading_10_000_cues_grows_with_their_number_and_a_name_does_not() -> None:
     dice = random.Random(1)
     words = [word for name in messy.names_of("hypersomnia") for word in name.split("_") if len(word) > 2]

@@ -1,6 +1,7 @@
 """All of it together: names, order, damage, bounds."""
 
 import numpy as np
+import pytest
 
 from audio_checks.metadata import SHOWN_CHARACTERS, SHOWN_FIELDS, CuePoint, Instrument, read_metadata
 from tests.support import chunks
@@ -60,6 +61,7 @@ def test_what_a_report_shows_is_bounded():
     assert max(map(len, shown.values())) == SHOWN_CHARACTERS
 
 
+@pytest.mark.slow
 def test_thousands_of_mutants_are_read_or_named_as_damaged():
     rng = np.random.default_rng(20261121)
     outcomes = {"whole": 0, "damaged": 0}

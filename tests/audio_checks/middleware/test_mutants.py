@@ -9,6 +9,7 @@ from benchmarks.audits.projects import KINDS
 from tests.audio_checks.project_fuzz import Projects
 
 
+@pytest.mark.slow
 def test_a_damaged_project_is_read_or_refused_in_words(tmp_path):
     projects = Projects(tmp_path)
     refused = sum(projects.survives(number) for number in range(600))

@@ -25,6 +25,7 @@ def tree(tmp_path):
     return folder
 
 
+@pytest.mark.slow
 def test_no_error_on_the_first_day_and_the_odd_ones_are_named(tree, tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert main(["new-spec", "--from", str(tree)]) == 0
@@ -40,6 +41,7 @@ def test_no_error_on_the_first_day_and_the_odd_ones_are_named(tree, tmp_path, ca
     assert "62 files: 62 conforming" in out
 
 
+@pytest.mark.slow
 def test_what_is_new_and_differs_is_warned_of_or_refused(tree):
     made = spec_from([str(one) for one in sorted(tree.iterdir())], name="x")
     assert made.unreadable == ()
@@ -47,6 +49,7 @@ def test_what_is_new_and_differs_is_warned_of_or_refused(tree):
     assert 'sample-rate = "warning"' in made.text
 
 
+@pytest.mark.slow
 def test_what_cannot_be_read_is_reported(tree, capsys):
     (tree / "broken.ogg").write_bytes(b"OggS nothing")
     assert main(["new-spec", "--from", str(tree)]) == 0

@@ -17,12 +17,14 @@ def rehearsed() -> Iterator[Sandbox]:
     sandbox.close()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("rate", "bits", "channels"), [(48_000, 24, 2), (44_100, 16, 1)])
 def test_a_child_loads_nothing(rehearsed: Sandbox, tmp_path: Path, rate: int, bits: int, channels: int) -> None:
     path = str(write_wav(tmp_path / "a.wav", sine(hz=440, dbfs=0, rate=rate, channels=channels), rate=rate, bits=bits))
     assert modules_loaded(rehearsed, "audio_checks", "check_file", path, all_figures=True) == []
 
 
+@pytest.mark.slow
 def test_without_a_rehearsal_it_loads_much(tmp_path: Path) -> None:
     path = str(write_wav(tmp_path / "a.wav", sine(hz=440, dbfs=0)))
     sandbox = Sandbox()

@@ -190,6 +190,7 @@ class TestCrashes:
         entry = check_file(laser, SPEC)
         assert (entry.verdict, entry.findings[0].code) == ("unjudged", "audio-checks:crashed")
 
+    @pytest.mark.slow
     def test_a_process_that_dies_takes_one_file_with_it(self, monkeypatch, tmp_path):
         paths = [write_wav(tmp_path / f"laser_{number}.wav", sine(hz=997, seconds=0.1)) for number in range(5)]
         monkeypatch.setattr(runner, "_judge_all", judge_all_or_die)
@@ -205,6 +206,7 @@ def judge_all_or_die(tasks):
 
 
 class TestManyFiles:
+    @pytest.mark.slow
     def test_processes_say_the_same_as_one(self, tmp_path, hot, laser):
         (tmp_path / "broken.wav").write_bytes(b"RIFF")
         paths = [hot, laser, tmp_path / "broken.wav", hot]

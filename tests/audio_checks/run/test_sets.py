@@ -115,6 +115,7 @@ def test_how_far_each_file_is_from_its_set():
     assert offset_from_set_lu(files[:1]) == [None]
 
 
+@pytest.mark.slow
 def test_processes_say_the_same_as_one(tmp_path):
     paths = [write_wav(tmp_path / f"{name}.wav", noise(seconds=0.1)) for name in "abcd"]
     assert check_files(paths, SPEC, jobs=2) == check_files(paths, SPEC)

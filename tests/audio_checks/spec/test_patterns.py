@@ -25,6 +25,7 @@ PATTERNS = st.recursive(
 )
 
 
+@pytest.mark.slow
 @settings(max_examples=400, deadline=None)
 @given(PATTERNS, st.lists(st.text("abAB_1é \n", max_size=7), min_size=1, max_size=12))
 def test_a_pattern_means_what_python_means_by_it(pattern: str, texts: list[str]):

@@ -84,6 +84,7 @@ def test_a_file_larger_than_any_is_refused_before_it_is_read_whole(tmp_path):
         read_text(path)
 
 
+@pytest.mark.slow
 def test_a_hostile_tree_does_not_stop_the_command_line(tmp_path):
     write_wav(tmp_path / "door.wav", silence(seconds=0.1))
     (tmp_path / "audio-checks.toml").write_text(HOSTILE["a key of dots"][0])

@@ -181,6 +181,7 @@ def sparse(path, head, size):
     return path
 
 
+@pytest.mark.slow
 def test_two_gigabytes_take_little_memory_and_time(tmp_path):
     size = 2 << 30
     header = riff(chunk(b"fmt ", fmt(channels=2)), b"data" + struct.pack("<I", size - 44), size=size - 8)
@@ -220,6 +221,7 @@ def test_a_header_of_many_channels_takes_little_memory():
     assert sum(sizes) == 1_024 * 4_096 * 8
 
 
+@pytest.mark.slow
 def test_thousands_of_mutants_are_read_or_refused():
     rng = np.random.default_rng(20261121)
     outcomes, unclear = {"read": 0}, 0
