@@ -25,7 +25,7 @@ export function MailedLink({ projectId, ofId, recipient }: MailedLinkProps) {
   if (mail.state === 'failed') {
     return (
       <State kind="not_sent" reason={mail.failure ?? undefined}>
-        Email failed, tried again
+        Email failed, is tried again
       </State>
     )
   }

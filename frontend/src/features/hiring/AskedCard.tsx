@@ -39,7 +39,7 @@ export function AskedCard({ lines, postingId }: AskedCardProps) {
         ))}
       </Rows>
       {concepts > 0 && (
-        <p className="small tone-warn">
+        <p className={`small tone-warn ${classes.concepts}`}>
           {`${concepts} of ${plural(cues, 'cue')} ${concepts === 1 ? 'is a concept' : 'are concepts'} still: what is asked for may change.`}
         </p>
       )}

@@ -391,7 +391,7 @@ function PeopleCard({ posting }: { posting: Posting }) {
       <CardHead id="people" title="Who is asked" count={posting.candidates.length} />
       <Rows>
         {posting.candidates.map(({ id, email: address, person, joined_at: joined, is_invited: isInvited }) => (
-          <Row key={id}>
+          <Row key={id} className={classes.person}>
             <span className="grow cut-text">{person ? `${person.name} (${address})` : address}</span>
             <span className="mid">
               {[

@@ -406,7 +406,7 @@ test('each person who is asked has the state of their email beside them, and the
   await rows.findByText('Emailed just now')
   const row = (name: string) => rows.getByText(`${name}@tones.example`).closest('li')
   expect(row('ada')).toHaveTextContent('Not emailed: no mail server')
-  expect(row('cy')).toHaveTextContent('Email failed, tried again')
+  expect(row('cy')).toHaveTextContent('Email failed, is tried again')
   expect(row('di')).toHaveTextContent('Email waiting')
   expect(row('eve')).not.toHaveTextContent('Email')
   await user.click(rows.getByRole('button', { name: 'Copy link for ada@tones.example' }))

@@ -167,7 +167,7 @@ describe('people', () => {
     expect(await screen.findByText('Must have at least 1 character.')).toBeVisible()
   })
 
-  test('a liaison is made; the approver stays one, and it is said why', async () => {
+  test('an address is invited as the approver', async () => {
     const { asked } = serve({
       ...inProject(),
       'POST /v1/projects/p1/approver-invitations': { email: 'ana@shieldwing.test', is_named: false },
@@ -175,7 +175,7 @@ describe('people', () => {
     openApp('/projects/p1/people')
     const form = within(await screen.findByRole('form', { name: 'Invite an approver' }))
     await userEvent.type(form.getByLabelText('Approver’s email'), 'ana@shieldwing.test{Enter}')
-    expect(await screen.findByText('Invitation sent to ana@shieldwing.test.')).toBeVisible()
+    expect(await screen.findByText('ana@shieldwing.test is invited.')).toBeVisible()
     expect(wrote(asked, 'POST /v1/projects/p1/approver-invitations')).toHaveLength(1)
   })
 
