@@ -198,7 +198,7 @@ describe('a producer', () => {
     const lines = [{ kind: 'text', change: 'changed', runs }]
     serve(contractAnswers({ 'GET /v1/contracts/c1/comparison': { from_version: 1, to_version: 2, lines } }))
     openApp(`${PAGE}/compare`)
-    expect(await screen.findByText('1 paragraph of Effects for Alpha differ between version 1 and 2.')).toBeVisible()
+    expect(await screen.findByText('1 paragraph of Effects for Alpha differs between version 1 and 2.')).toBeVisible()
     expect(screen.getByText('2', { selector: 'del' })).toBeVisible()
     expect(screen.getByText('1', { selector: 'ins' })).toBeVisible()
   })
