@@ -50,7 +50,7 @@ class Decision:
         self.approved: list[Take] = []
         self.gave_way: list[UUID] = []
 
-    def approve(self, take: Take) -> None:
+    def approve(self, take: Take, *, without_listening: bool = False) -> None:
         """Pick a take; what else waits or was picked for its variation gives way."""
         if take.cue_id is None:
             raise AssertionError("only matched takes are judged")
@@ -59,7 +59,9 @@ class Decision:
                 self._record(other, VerdictKind.SET_ASIDE, SUPERSEDED, keeps_draft=True)
                 self.gave_way.append(other.id)
         self._session.flush()  # the former pick gives way first: there is never more than one
-        verdict = self._record(take, VerdictKind.APPROVE, self._note, reasons=self._reasons)
+        verdict = self._record(
+            take, VerdictKind.APPROVE, self._note, reasons=self._reasons, without_listening=without_listening
+        )
         self._session.flush()
         record_reasons(self._session, ReasonKind.PICK, [(verdict, take, None)])
         record_sources(self._session, take)
@@ -83,7 +85,14 @@ class Decision:
         return accepted
 
     def _record(
-        self, take: Take, kind: VerdictKind, note: str, *, reasons: Sequence[str] = (), keeps_draft: bool = False
+        self,
+        take: Take,
+        kind: VerdictKind,
+        note: str,
+        *,
+        reasons: Sequence[str] = (),
+        keeps_draft: bool = False,
+        without_listening: bool = False,
     ) -> Verdict:
         verdict = new_verdict(
             self._session,
@@ -94,6 +103,7 @@ class Decision:
             self.action_id,
             on_behalf_of=self._on_behalf_of,
             deemed_by_contract_id=self._silence_contract_id,
+            without_listening=without_listening,
         )
         verdict.reasons = list(reasons)
         change_state(self._session, take, STATE_AFTER[kind], reasons=reasons)
@@ -116,12 +126,20 @@ def new_verdict(
     *,
     on_behalf_of: UUID | None = None,
     deemed_by_contract_id: UUID | None = None,
+    without_listening: bool = False,
 ) -> Verdict:
     """Return a verdict to record before the take moves; the record of its contract has it at once."""
     verdict_id = new_id()
     if take.cue_id is not None:
-        facts = {"verdict": kind.value, "variation": take.variation, "version": take.number or 0, "note": note}
-        facts["verdict_id"] = str(verdict_id)
+        facts: dict[str, str | int | bool] = {
+            "verdict": kind.value,
+            "variation": take.variation,
+            "version": take.number or 0,
+            "note": note,
+            "verdict_id": str(verdict_id),
+        }
+        if without_listening:
+            facts["without_listening"] = True
         if deemed_by_contract_id is not None:
             facts["clause"] = SILENCE
         by = person_id if deemed_by_contract_id is None else None
@@ -140,4 +158,5 @@ def new_verdict(
         given_by=person_id,
         on_behalf_of=on_behalf_of,
         deemed_by_contract_id=deemed_by_contract_id,
+        without_listening=without_listening,
     )

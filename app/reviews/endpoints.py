@@ -156,6 +156,7 @@ def give_verdict(
         end_s=body.end_s,
         seen_state=body.seen_state,
         mentions=body.mentions,
+        heard=body.heard,
     )
 
 
@@ -188,7 +189,15 @@ def accept_set(
     cue_id: UUID, body: SetAccept, session: DbSession, actor: Actor = allows(Audience.APPROVER)
 ) -> SetAccepted:
     """Approve one take of every variation at once, or none where a variation lacks one."""
-    return service.accept_set(session, actor, cue_id, note=body.note, reasons=body.reasons, take_ids=body.take_ids)
+    return service.accept_set(
+        session,
+        actor,
+        cue_id,
+        note=body.note,
+        reasons=body.reasons,
+        take_ids=body.take_ids,
+        heard_take_ids=body.heard_take_ids,
+    )
 
 
 @router.get(

@@ -45,6 +45,7 @@ class Verdict(Base):
     deemed_by_contract_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
     # The adoption that approved it, with no review before; None: it was reviewed.
     adoption_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_adoptions.id"), index=True)
+    without_listening: Mapped[bool] = mapped_column(default=False)  # approved by a person who had not heard it
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     author: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[given_by])
     represented: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[on_behalf_of])

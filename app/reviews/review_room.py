@@ -326,5 +326,6 @@ def _verdicts_read(verdicts: Iterable[Verdict]) -> Iterable[VerdictRead]:
             created_at=one.created_at,
             by_deemed_acceptance=one.deemed_by_contract_id is not None,
             by_adoption=one.adoption_id is not None,
+            without_listening=one.without_listening,
             withdrawn=one.id in withdrawn,
         )

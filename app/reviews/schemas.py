@@ -163,9 +163,15 @@ class VerdictGive(Schema):
     seen_state: TakeState = Field(
         TakeState.CONFORMING,
         description="Where the page showed the take; another state now is answered 409 and changes nothing. "
-        "Say `set_aside` to pick a take later, `approved` to reverse an approval.",
+        "Say `set_aside` to pick a take later, `approved` to reverse an approval. What the caller decided is no "
+        "other state: whoever repeats or continues their own decision is not refused.",
     )
     mentions: Mentioned = Field(default=[])
+    heard: bool = Field(
+        False,
+        description="Whether the caller has just heard this version. An approval by someone who has not heard it, "
+        "neither now nor by `heard-takes` before, is recorded as `without_listening`.",
+    )
 
 
 class VerdictGiven(Schema):
@@ -207,6 +213,9 @@ class SetAccept(Schema):
     note: Note = ""
     reasons: Reasons = Field(default=[])
     take_ids: list[UUID] = Field(default=[], max_length=99)
+    heard_take_ids: list[UUID] = Field(
+        default=[], max_length=99, description="Which of them the caller has just heard; see `heard` of a verdict."
+    )
 
 
 class SetAccepted(Schema):
@@ -339,6 +348,7 @@ class HistoryEntry(Schema):
     on_behalf_of: PersonBrief | None = Field(None, description="The approver whose deputy decided.")
     by_deemed_acceptance: bool = Field(False, description="Whether a clause on silence approved it; then nobody did.")
     by_adoption: bool = Field(False, description="Whether it was approved by adopting a folder, without a review.")
+    without_listening: bool = Field(False, description="Whether who approved it had not heard it.")
     text: str
     reasons: list[str] = Field([], description="Why it was approved; a change has them in its text.")
     start_s: float | None = None
@@ -358,6 +368,7 @@ class VerdictRead(Schema):
     created_at: datetime
     by_deemed_acceptance: bool = Field(description="Whether a clause on silence decided it; then nobody did.")
     by_adoption: bool = Field(description="Whether it was approved by adopting a folder, without a review.")
+    without_listening: bool = Field(description="Whether who approved it had not heard it.")
     withdrawn: bool
 
 

@@ -28,6 +28,7 @@ from app.reviews.errors import (
     SetIncomplete,
     VerdictSince,
 )
+from app.reviews.heard_takes import heard_now_or_before
 from app.reviews.mentions import mentions_in
 from app.reviews.models import ChangeRequest, Verdict
 from app.reviews.reason_rules import ensure_distinct
@@ -70,12 +71,20 @@ def give_verdict(
     end_s: float | None = None,
     seen_state: TakeState = TakeState.CONFORMING,
     mentions: Sequence[UUID] = (),
+    heard: bool = False,
 ) -> VerdictGiven:
-    """Record the approver's verdict on a take; a requested change stays a draft until it is sent with others."""
+    """Record the approver's verdict on a take; a requested change stays a draft until it is sent with others.
+
+    Whoever repeats their own decision is answered as the first time, and nothing changes.
+    """
     take, access = take_for(session, actor, take_id)
     for_whom = _ensure_may_approve(session, access, take)
     cue = _cue_to_judge(session, take)
-    ensure_seen(take.state, seen_state)
+    standing = _own_decision(session, actor, take)
+    if standing is not None and (standing.kind, standing.note, standing.reasons) == (kind, note, list(reasons)):
+        return _given_before(session, take, cue, standing)
+    if standing is None:
+        ensure_seen(take.state, seen_state)
     ensure_distinct(reasons, "reasons")
     if kind is VerdictKind.REQUEST_CHANGE:
         named = mentions_in(session, take, note, mentions)
@@ -93,7 +102,8 @@ def give_verdict(
     decision = Decision(session, actor.person, note, reasons=reasons, on_behalf_of=for_whom)
     if kind is VerdictKind.APPROVE:
         ensure_nothing_open(session, cue, [take])
-        decision.approve(take)
+        heard_takes = heard_now_or_before(session, actor.person, [take.id], [take.id] if heard else [])
+        decision.approve(take, without_listening=take.id not in heard_takes)
     else:
         decision.set_aside(take)
     accepted = decision.finish(cue)
@@ -107,6 +117,36 @@ def give_verdict(
         cue_accepted=accepted,
         undo_until=clock.now() + UNDO_WITHIN,
     )
+
+
+def _own_decision(session: Session, actor: Actor, take: Take) -> Verdict | None:
+    """Return the caller's verdict that put a take where it stands; None where another's did, or none."""
+    last = next(reversed(queries.effective_verdicts(session, [take.id])), None)
+    is_own = last is not None and last.given_by == actor.person and STATE_AFTER.get(last.kind) is take.state
+    return last if is_own else None
+
+
+def _given_before(session: Session, take: Take, cue: Cue, standing: Verdict) -> VerdictGiven:
+    """Return what was answered when a decision was made that its maker repeats."""
+    approved = queries.approved_variations(session, [cue.id]).get(cue.id, [])
+    return VerdictGiven(
+        take_id=take.id,
+        state=take.state,
+        set_aside=_gave_way(session, standing),
+        draft=None,
+        cue_id=cue.id,
+        cue_accepted=not missing_variations(cue.variations, approved),
+        undo_until=standing.created_at + UNDO_WITHIN,
+    )
+
+
+def _gave_way(session: Session, approval: Verdict) -> list[UUID]:
+    decided = queries.action_verdicts(session, approval.action_id)
+    return [
+        verdict.take_id
+        for verdict in decided
+        if verdict.kind is VerdictKind.SET_ASIDE and verdict.take_id != approval.take_id
+    ]
 
 
 def _ensure_may_approve(session: Session, access: ProjectAccess, take: Take) -> UUID | None:
@@ -271,8 +311,12 @@ def accept_set(
     note: str = "",
     reasons: Sequence[str] = (),
     take_ids: Sequence[UUID] = (),
+    heard_take_ids: Sequence[UUID] = (),
 ) -> SetAccepted:
-    """Approve one take of every variation of a cue at once: those named, else the newest that waits."""
+    """Approve one take of every variation of a cue at once: those named, else the newest that waits.
+
+    Where the caller approved them all before, the answer says so, and nothing changes.
+    """
     access, cue = visible_cue(session, actor, cue_id)
     for_whom = ensure_may_approve(session, access, cue.category)
     ensure_distinct(reasons, "reasons")
@@ -283,11 +327,21 @@ def accept_set(
     picks = _picks(session, cue, take_ids)
     new = [take for take in picks if take.state is not TakeState.APPROVED]
     if not new:
-        raise AlreadyAccepted(f"{cue.name} is accepted, and no newer version waits")
+        last = queries.effective_verdicts(session, [take.id for take in picks])[-1:]
+        if not last or last[0].given_by != actor.person:
+            raise AlreadyAccepted(f"{cue.name} is accepted, and no newer version waits")
+        return SetAccepted(
+            cue_id=cue.id,
+            cue_accepted=True,
+            approved=[_standing_of(take) for take in picks],
+            set_aside=_gave_way(session, last[0]),
+            undo_until=last[0].created_at + UNDO_WITHIN,
+        )
     ensure_nothing_open(session, cue, new)
     decision = Decision(session, actor.person, note, reasons=reasons, on_behalf_of=for_whom)
+    heard_takes = heard_now_or_before(session, actor.person, [take.id for take in new], heard_take_ids)
     for take in new:
-        decision.approve(take)
+        decision.approve(take, without_listening=take.id not in heard_takes)
     accepted = decision.finish(cue)
     return SetAccepted(
         cue_id=cue.id,

@@ -58,6 +58,7 @@ def _said(session: Session, take: Take) -> Iterable[HistoryEntry]:
                 on_behalf_of=PersonBrief.model_validate(verdict.represented) if verdict.represented else None,
                 by_deemed_acceptance=verdict.deemed_by_contract_id is not None,
                 by_adoption=verdict.adoption_id is not None,
+                without_listening=verdict.without_listening,
                 text=verdict.note,
                 reasons=verdict.reasons,
             )

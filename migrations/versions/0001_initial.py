@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_76465c67"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_67676e47"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -2909,6 +2909,7 @@ def upgrade() -> None:
         sa.Column("on_behalf_of", sa.Uuid()),
         sa.Column("deemed_by_contract_id", sa.Uuid()),
         sa.Column("adoption_id", sa.Uuid()),
+        sa.Column("without_listening", sa.Boolean(), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.CheckConstraint("given_by is not null or deemed_by_contract_id is not null", name=op.f("ck_reviews_verdicts_given_or_deemed")),
         sa.ForeignKeyConstraint(["adoption_id"], ["deliveries_adoptions.id"], name=op.f("fk_reviews_verdicts_adoption_id")),

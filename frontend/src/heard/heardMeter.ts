@@ -1,9 +1,11 @@
 import type { Player } from '@/audio'
 
-/** A sound counts as heard once so much of it was played, or half of one that is shorter than twice that. */
-const ENOUGH_MS = 3_000
+/** A sound counts as heard once all of it was played, or so much of a longer one. */
+export const ENOUGH_S = 30
+/** A sound that is over was all played, although its clock and that of the page may differ by so much. */
+const CLOCKS_APART_MS = 20
 
-const enoughMs = (durationS: number): number => Math.min(ENOUGH_MS, durationS * 500)
+const enoughMs = (durationS: number): number => Math.min(ENOUGH_S, durationS) * 1_000
 
 /** Call back once for each take that was played for long enough; the answer stops it. */
 export function meterHeard(
@@ -22,7 +24,7 @@ export function meterHeard(
     const { id, sinceMs } = sounding
     const played = (playedMs.get(id) ?? 0) + now() - sinceMs
     playedMs.set(id, played)
-    if (played < sounding.enoughMs || heard.has(id)) return
+    if (played + CLOCKS_APART_MS < sounding.enoughMs || heard.has(id)) return
     heard.add(id)
     onHeard(id)
   }

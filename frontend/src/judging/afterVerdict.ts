@@ -1,6 +1,6 @@
 import type { InfiniteData } from '@tanstack/react-query'
 
-import type { QueueItem, QueuePage, ReviewTake } from './api'
+import type { CueReview, QueueItem, QueuePage, ReviewTake } from './api'
 
 /** The takes of a cue that a verdict was given on; `picked` where the other alternates of their variation are out. */
 interface Decided {
@@ -48,6 +48,39 @@ export function withVerdictBack(
 
 const inPages = (pages: readonly QueuePage[], change: (items: QueueItem[]) => QueueItem[]): QueuePage[] =>
   pages.map((page) => ({ ...page, items: change(page.items) }))
+
+/** A cue's review once takes were approved: what else waits or was approved of their variations is set aside. */
+export function withPicks(review: CueReview, pickedIds: readonly string[]): CueReview {
+  const variations = variationsOf(review, pickedIds)
+  const stateOf = (take: ReviewTake): ReviewTake['state'] => {
+    if (pickedIds.includes(take.id)) return 'approved'
+    const gaveWay = variations.has(take.variation) && (take.state === 'conforming' || take.state === 'approved')
+    return gaveWay ? 'set_aside' : take.state
+  }
+  return {
+    ...review,
+    takes: review.takes.map((take) => ({ ...take, state: stateOf(take) })),
+    approved_variations: [...new Set([...review.approved_variations, ...variations])].sort((a, b) => a - b),
+  }
+}
+
+/** A cue's review once the approval of takes was undone or refused: their variations stand as before. */
+export function withoutPicks(now: CueReview, before: CueReview, pickedIds: readonly string[]): CueReview {
+  const variations = variationsOf(now, pickedIds)
+  const states = new Map(before.takes.map(({ id, state }) => [id, state]))
+  return {
+    ...now,
+    takes: now.takes.map((take) =>
+      variations.has(take.variation) ? { ...take, state: states.get(take.id) ?? take.state } : take,
+    ),
+    approved_variations: now.approved_variations.filter(
+      (variation) => !variations.has(variation) || before.approved_variations.includes(variation),
+    ),
+  }
+}
+
+const variationsOf = ({ takes }: CueReview, takeIds: readonly string[]): ReadonlySet<number> =>
+  new Set(takes.filter(({ id }) => takeIds.includes(id)).map(({ variation }) => variation))
 
 /** The queue once a change of a take was noted as a draft. */
 export const withDraft = (

@@ -7,9 +7,10 @@ import { type Me, meQuery } from '@/api/me'
 import { queryKeys } from '@/api/queryKeys'
 import { dismissToast, showToast } from '@/app/toast'
 
-import { withDraft, withoutVerdict, withVerdictBack } from './afterVerdict'
+import { withDraft, withoutPicks, withoutVerdict, withPicks, withVerdictBack } from './afterVerdict'
 import {
   countQuery,
+  type CueReview,
   type QueueCount,
   type QueueItem,
   type QueuePage,
@@ -51,7 +52,16 @@ const giveVerdict = (
     api.POST('/v1/takes/{take_id}/verdict', {
       params: { path: { take_id: take.id } },
       headers: { 'Idempotency-Key': key },
-      body: { kind, note, reasons: [...reasons], start_s: startS, end_s: endS, seen_state: take.state, mentions },
+      body: {
+        kind,
+        note,
+        reasons: [...reasons],
+        start_s: startS,
+        end_s: endS,
+        seen_state: take.state,
+        mentions,
+        heard: take.is_heard,
+      },
       fetch: laterWrites.fetch(what, onKept),
     }),
   )
@@ -114,6 +124,8 @@ const cuesOf = (pages: readonly QueuePage[] = []): number => pages.reduce((sum, 
 interface Decision {
   cue: ReviewCue
   takes: readonly ReviewTake[]
+  /** Which of them were approved. */
+  picked: readonly ReviewTake[]
   /** What was done, for the toast: "shield_hit A approved." */
   done: string
   /** What was asked, for a refusal: "shield_hit A is not approved." */
@@ -156,6 +168,13 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
     if (before && pages) client.setQueryData(queueKey, { ...before, pages })
     const left = cuesOf(before?.pages) - cuesOf(pages)
     if (countBefore?.is_all) client.setQueryData(countKey, { ...countBefore, cues: countBefore.cues - left })
+    const reviewKey = queryKeys.cueReview(decided.cue.id)
+    const reviewBefore = client.getQueryData<CueReview>(reviewKey)
+    const pickedIds = decided.picked.map(({ id }) => id)
+    if (reviewBefore) {
+      await client.cancelQueries({ queryKey: reviewKey })
+      client.setQueryData<CueReview>(reviewKey, (review) => review && withPicks(review, pickedIds))
+    }
     let isKept = false
     const sent = send(() => (isKept = true))
 
@@ -164,6 +183,9 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
       const now = client.getQueryData<InfiniteData<QueuePage>>(queueKey)
       const again = now && withVerdictBack(now.pages, before?.pages ?? [], what)
       if (now && again) client.setQueryData(queueKey, { ...now, pages: again })
+      if (reviewBefore) {
+        client.setQueryData<CueReview>(reviewKey, (review) => review && withoutPicks(review, reviewBefore, pickedIds))
+      }
       const back = cuesOf(again) - cuesOf(now?.pages)
       client.setQueryData<QueueCount>(countKey, (count) => count && { ...count, cues: count.cues + back })
       onBack?.(decided.cue.id)
@@ -188,6 +210,9 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
     showToast(decided.done, undo)
     await end(sent, (error) => {
       underWay(client).decisions.delete(withoutIt)
+      if (reviewBefore) {
+        client.setQueryData<CueReview>(reviewKey, (review) => review && withoutPicks(review, reviewBefore, pickedIds))
+      }
       dismissToast()
       if (underWay(client).count === 1) {
         client.setQueryData(queueKey, before)
@@ -213,6 +238,7 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
       {
         cue,
         takes,
+        picked: takes,
         done: `${what}${because(reasons)}.`,
         refused: `${cue.name} ${name} is not approved.`,
       },
@@ -233,6 +259,7 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
       {
         cue,
         takes: waiting,
+        picked,
         done: `The set of ${cue.variations} for ${cue.name} accepted${because(reasons)}.`,
         refused: `The set for ${cue.name} is not accepted.`,
       },
@@ -241,7 +268,12 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
           api.POST('/v1/cues/{cue_id}/accept-set', {
             params: { path: { cue_id: cue.id } },
             headers: { 'Idempotency-Key': key },
-            body: { note: '', reasons: [...reasons], take_ids: picked.map(({ id }) => id) },
+            body: {
+              note: '',
+              reasons: [...reasons],
+              take_ids: picked.map(({ id }) => id),
+              heard_take_ids: picked.filter(({ is_heard: isHeard }) => isHeard).map(({ id }) => id),
+            },
             fetch: laterWrites.fetch(`the set for ${cue.name} accepted`, onKept),
           }),
         ),

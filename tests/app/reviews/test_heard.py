@@ -83,6 +83,40 @@ def test_a_batch_has_some_and_not_too_many(stage: Stage, number: int) -> None:
     assert hear(world.reviewer, world.project_id, *(new_id() for _ in range(number))).status_code == 422
 
 
+def without_listening(stage: Stage, cue: UUID) -> dict[str, bool]:
+    """Return of each approved take whether it was approved unheard; review and history say the same."""
+    review = stage.review(cue)
+    of_takes = {one["take_id"]: one["without_listening"] for one in review["verdicts"] if one["kind"] == "approve"}
+    for take_id, unheard_ in of_takes.items():
+        history = stage.world.designer.get(f"/v1/takes/{take_id}/history").json()
+        assert [one["without_listening"] for one in history if one["kind"] == "approve"] == [unheard_]
+    return of_takes
+
+
+def test_an_approval_says_whether_it_was_given_without_listening(stage: Stage) -> None:
+    world = stage.world
+    before, now, never, of_another = (stage.cue(name) for name in ("before", "now", "never", "of_another"))
+    takes = {cue: stage.take(cue) for cue in (before, now, never, of_another)}
+    hear(world.approver, world.project_id, takes[before])
+    hear(world.reviewer, world.project_id, takes[of_another])
+    for cue, take in takes.items():
+        stage.approve(take, **({"heard": True} if cue == now else {}))
+    found = {cue: without_listening(stage, cue)[str(take)] for cue, take in takes.items()}
+    assert found == {before: False, now: False, never: True, of_another: True}
+    assert unheard_of_list(stage, world.approver)["now"] == [], "what was heard with the verdict counts as heard"
+
+
+def test_of_a_set_each_file_says_it(stage: Stage) -> None:
+    world, pair = stage.world, stage.cue("pair", variations=3)
+    first, second, third = (stage.take(pair, variation) for variation in (1, 2, 3))
+    hear(world.approver, world.project_id, first)
+    foreign = stage.take(stage.cue("other"))
+    body = {"heard_take_ids": [str(second), str(foreign)]}
+    body_of(world.approver.post(f"/v1/cues/{pair}/accept-set", json=body))
+    assert without_listening(stage, pair) == {str(first): False, str(second): False, str(third): True}
+    assert unheard(world.approver, world.project_id) == ["other"]
+
+
 def unheard_of_list(stage: Stage, client: Any) -> dict[str, list[str]]:
     """Return the takes that the sound list marks as not heard, by the name of their cue."""
     project = f"/v1/projects/{stage.world.project_id}"

@@ -84,17 +84,22 @@ def test_only_the_approver_decides(stage: Stage) -> None:
     assert stage.states(take) == ["conforming"]
 
 
-def test_a_producer_decides_by_becoming_the_approver(stage: Stage) -> None:
+def approver_becomes(stage: Stage, person_id: UUID) -> None:
     world = stage.world
-    take = stage.take(stage.cue())
     change = ApproverChange(
         studio_id=world.studio_id,
         project_id=world.project_id,
-        person_id=world.producer_id,
+        person_id=person_id,
         reason="the audio director is away",
         changed_by=world.producer_id,
     )
     world.server.in_database(lambda session: session.add(change))
+
+
+def test_a_producer_decides_by_becoming_the_approver(stage: Stage) -> None:
+    world = stage.world
+    take = stage.take(stage.cue())
+    approver_becomes(stage, world.producer_id)
     body = {"kind": "approve"}
     assert refused(world.approver.post(f"/v1/takes/{take}/verdict", json=body)) == (403, "approver-needed")
     assert world.producer.post(f"/v1/takes/{take}/verdict", json=body).status_code == 200
@@ -130,19 +135,57 @@ def test_what_no_state_allows_is_refused(stage: Stage, state: TakeState, kind: s
     assert stage.states(take) == [state.value]
 
 
+def verdicts_on(stage: Stage, cue: UUID) -> int:
+    counted = select(func.count()).where(Verdict.cue_id == cue)
+    return stage.world.server.in_database(lambda session: session.scalar(counted)) or 0
+
+
 def test_two_tabs_at_once_approve_once(stage: Stage) -> None:
-    """The same take twice, then its alternate from a page that shows both waiting."""
+    """The same take four times, from pages that show it waiting."""
+    cue = stage.cue()
+    take, other = stage.take(cue), stage.take(cue)
+    with ThreadPoolExecutor(4) as tabs:
+        answers = list(tabs.map(lambda _: body_of(stage.verdict(take, "approve")), range(4)))
+    assert {(answer["state"], *answer["set_aside"]) for answer in answers} == {("approved", str(other))}
+    assert verdicts_on(stage, cue) == 2
+    assert stage.states(take, other) == ["approved", "set_aside"]
+
+
+def test_ones_own_decision_is_no_conflict_and_that_of_another_is(stage: Stage) -> None:
     cue = stage.cue()
     a, b = stage.take(cue), stage.take(cue)
-    with ThreadPoolExecutor(4) as tabs:
-        answers = list(tabs.map(lambda take: stage.verdict(take, "approve").status_code, [a, a, b, b]))
-    assert sorted(answers) == [200, 409, 409, 409]
-    assert sorted(stage.states(a, b)) == ["approved", "set_aside"]
+    stage.approve(a)
+    assert stage.approve(b)["set_aside"] == [str(a)], "the page showed B waiting: its own pick of A had set it aside"
+    assert stage.draft(b, "longer")["reverses"] is True
+    assert stage.states(a, b) == ["set_aside", "approved"]
+    approver_becomes(stage, stage.world.producer_id)
+    for take in (a, b):
+        answer = stage.world.producer.post(f"/v1/takes/{take}/verdict", json={"kind": "approve"})
+        assert refused(answer) == (409, "stale-view")
 
-    def verdicts(session: Session) -> int:
-        return session.scalar(select(func.count()).where(Verdict.cue_id == cue)) or 0
 
-    assert stage.world.server.in_database(verdicts) == 2
+def test_a_decision_that_was_taken_back_can_be_made_again(stage: Stage) -> None:
+    take = stage.take(stage.cue())
+    for _ in range(2):
+        stage.approve(take)
+        body_of(stage.undo(take))
+    assert stage.states(take) == ["conforming"]
+
+
+def test_a_set_is_judged_in_parts_and_as_a_whole_in_any_order(stage: Stage) -> None:
+    """As a browser sends it that has not read what its first verdict did."""
+    cue = stage.cue(variations=3)
+    takes = [stage.take(cue, variation) for variation in (1, 2, 3)]
+    path, body = f"/v1/cues/{cue}/accept-set", {"take_ids": [str(take) for take in takes]}
+    stage.approve(takes[0])
+    accepted = body_of(stage.world.approver.post(path, json=body))
+    stage.approve(takes[0])
+    stage.approve(takes[2])
+    again = body_of(stage.world.approver.post(path, json=body))
+    assert {**again, "undo_until": ""} == {**accepted, "undo_until": ""}
+    assert verdicts_on(stage, cue) == 3
+    approver_becomes(stage, stage.world.producer_id)
+    assert refused(stage.world.producer.post(path, json=body)) == (409, "already-accepted")
 
 
 def test_the_database_itself_allows_one_approved_take(stage: Stage) -> None:
@@ -219,8 +262,6 @@ def test_a_set_is_accepted_at_once_and_taken_back_at_once(stage: Stage) -> None:
     assert answer["cue_accepted"] is True
     assert [take["id"] for take in answer["approved"]] == [str(take) for take in takes]
     assert answer["set_aside"] == [str(older)]
-    again = stage.world.approver.post(f"/v1/cues/{cue}/accept-set", json={})
-    assert refused(again) == (409, "already-accepted")
     body_of(stage.undo(takes[2]))
     assert stage.states(older, *takes) == ["conforming"] * 4
 

@@ -1,4 +1,4 @@
-import { useEffect, useState } from 'react'
+import { useEffect, useMemo, useState } from 'react'
 import { flushSync } from 'react-dom'
 
 import { showToast } from '@/app/toast'
@@ -6,10 +6,12 @@ import { type Player, type PlayerState, spotOf } from '@/audio'
 import type { CueReview, ReviewTake } from '@/judging/api'
 import { blockedWords, whyBlocked } from '@/judging/blocked'
 import { isWholeSet, pickedOfSet } from '@/judging/choice'
+import { FirstListen } from '@/judging/FirstListen'
 import { soundOf, sourceOf, targetsOf } from '@/judging/hearing'
 import { useLabelling } from '@/judging/labels'
 import { matchedWords } from '@/judging/levels'
 import { useReasons } from '@/judging/reasons'
+import { playWhole, useFirstListen, withHeard } from '@/judging/useFirstListen'
 import { type Placing, useHearing } from '@/judging/useHearing'
 import type { Judge } from '@/judging/useJudge'
 import { takeName } from '@/judging/words'
@@ -51,6 +53,8 @@ interface CueRoomProps {
   seesScene: boolean
   player: Player
   playing: PlayerState
+  /** The takes that were heard on this page. */
+  heardHere: ReadonlySet<string>
   conditions: Conditions
   target: string
   onTarget: (target: string) => void
@@ -65,7 +69,11 @@ interface CueRoomProps {
 
 /** One cue on the stage, and at its side what was said and found. */
 export function CueRoom(props: CueRoomProps) {
-  const { review, projectId, player, playing, target, onTarget, judge, onJudged } = props
+  const { heardHere, projectId, player, playing, target, onTarget, judge, onJudged } = props
+  const review = useMemo(
+    () => ({ ...props.review, takes: withHeard(props.review.takes, heardHere) }),
+    [props.review, heardHere],
+  )
   const { cue } = review
   const takes = useTakesHeard(review, props.startTakeId)
   const { waiting, heard, hand, isSet, chosen, before, current, flip, choose, stepTake, picked, pick, blind, nameOf } =
@@ -106,7 +114,7 @@ export function CueRoom(props: CueRoomProps) {
   const meant = picked.size > 0 ? heard.filter(({ id }) => picked.has(id)) : hand ? [hand] : []
   const realName = (take: ReviewTake) => takeName(take, cue, waiting)
   const why = whyBlocked(review.checklist.blocked)
-  const free = meant.filter(({ id }) => !why.has(id))
+  const free = meant.filter(({ id, state }) => !why.has(id) && state !== 'approved')
   const toApprove = free.length > 0 ? free : meant
   const meantName = toApprove.length > 1 ? `${toApprove.length} variations` : toApprove.map(realName).join('')
   const whole = isWholeSet(cue, waiting, review.approved_variations)
@@ -115,6 +123,17 @@ export function CueRoom(props: CueRoomProps) {
     const variations = new Set(takes.map(({ variation }) => variation))
     return waiting.every((take) => variations.has(take.variation) || take.draft_change !== null)
   }
+  const toPick = whole ? pickedOfSet(waiting, chosen) : free
+  const listen = useFirstListen({
+    player,
+    playing,
+    takes: toPick,
+    play: (take) => {
+      const toPlay = take.id === hand?.id ? source : sourceOf(take, target, gains)
+      choose(take)
+      if (toPlay) playWhole(player, toPlay)
+    },
+  })
   const approve = (because: readonly string[] = []) => {
     if (free.length === 0) return
     player.pause()
@@ -132,14 +151,13 @@ export function CueRoom(props: CueRoomProps) {
   const acceptSet = (because: readonly string[] = []) => {
     player.pause()
     setAsking(null)
-    void judge.acceptSet(cue, waiting, pickedOfSet(waiting, chosen), because)
+    void judge.acceptSet(cue, waiting, toPick, because)
     onJudged()
   }
-  const ofSet = whole ? pickedOfSet(waiting, chosen) : meant
   const blocked = {
-    says: review.may_approve ? blockedWords(ofSet, why, blind ? nameOf : realName) : '',
+    says: review.may_approve ? blockedWords(whole ? toPick : meant, why, blind ? nameOf : realName) : '',
     free: free.length,
-    isSet: whole && ofSet.some(({ id }) => why.has(id)),
+    isSet: whole && toPick.some(({ id }) => why.has(id)),
   }
   const openChange = () => {
     player.pause()
@@ -367,8 +385,18 @@ export function CueRoom(props: CueRoomProps) {
             onLabel={blind === null ? labelAs : null}
             isPlaying={playing.status === 'playing'}
             onPlay={source === null ? null : () => void player.toggle()}
-            onApprove={approve}
-            onAcceptSet={acceptSet}
+            notHeard={
+              <FirstListen
+                listen={listen}
+                count={toPick.length}
+                target={target}
+                nameOf={blind ? nameOf : realName}
+                silent={source === null && hand ? whySilent(hand, target) : null}
+                onApproveUnheard={() => (whole ? acceptSet() : approve())}
+              />
+            }
+            onApprove={(because) => listen.approveHeard(free, () => approve(because))}
+            onAcceptSet={(because) => listen.approveHeard(toPick, () => acceptSet(because))}
             onChange={openChange}
             onCloseChange={() => setChanging(null)}
             onChanged={changed}

@@ -42,7 +42,7 @@ export function ReviewPage(): ReactNode {
   // Sums are a matter of producers and of the cue's own designer; who decides and neither is, needs none to decide.
   const seesMoney = project?.is_producer === true || project?.part === 'designer'
   const { data: money } = useQuery({ ...cueMoneyQuery(cueId), enabled: seesMoney })
-  const [player, playing] = useTakePlayer(projectId, { held: true, light: true })
+  const [player, playing, heardHere] = useTakePlayer(projectId, { held: true, light: true })
   const conditions = useCondition(player)
   const [queueOpen, setQueueOpen] = useState(false)
   const [isFiltering, setFiltering] = useState(false)
@@ -137,6 +137,7 @@ export function ReviewPage(): ReactNode {
           seesScene={project !== undefined && project.part !== 'designer'}
           player={player}
           playing={playing}
+          heardHere={heardHere}
           conditions={conditions}
           target={target}
           onTarget={setTarget}

@@ -31,6 +31,8 @@ interface VerdictProps {
   blocked: { says: string; free: number; isSet: boolean }
   /** The checklist of the version, above the buttons. */
   checklist: ReactNode
+  /** What an approval waits for, as long as a version was not heard. */
+  notHeard: ReactNode
   /** A whole set waits and can be accepted at once. */
   whole: boolean
   waiting: readonly ReviewTake[]
@@ -156,7 +158,12 @@ export function Verdict(props: VerdictProps) {
   return (
     <VerdictBar
       who={whoDecides(review, props.money)}
-      follows={[blocked.says, follows(props), due(props)].filter(Boolean).join(' ')}
+      follows={
+        <>
+          {mayPick && !isBlocked && props.notHeard}{' '}
+          {[blocked.says, follows(props), due(props)].filter(Boolean).join(' ')}
+        </>
+      }
       above={above}
       narrow={
         <Button

@@ -19,6 +19,7 @@ describe('a set', () => {
         note: '',
         reasons: [],
         take_ids: ['w1', 'w2'],
+        heard_take_ids: ['w1', 'w2'],
       }),
     )
     expect(await screen.findByRole('heading', { name: 'shield_hit', level: 1 })).toBeVisible()

@@ -1,6 +1,6 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams } from '@tanstack/react-router'
-import { type ReactNode, useEffect, useEffectEvent, useState } from 'react'
+import { type ReactNode, useEffect, useEffectEvent, useRef, useState } from 'react'
 
 import { ApiProblem } from '@/api'
 import { meQuery } from '@/api/me'
@@ -49,13 +49,19 @@ function Room({ playlist }: { playlist: Playlist }) {
   const { id, project_id: projectId, takes, position, may_share: mayChange, may_join: mayJoin } = playlist
   const navigate = useNavigate()
   const { data: me } = useQuery(meQuery)
-  const [player, playing] = useTakePlayer(projectId)
+  const [player, playing, heardHere] = useTakePlayer(projectId)
   const change = useChangePlaylist(id)
   const remove = useRemovePlaylist(projectId, id)
   const [dragged, setDragged] = useState<string | null>(null)
   const start = { takeId: position?.take_id, atS: position?.at_s ?? 0 }
-  const playthrough = usePlaythrough(player, takes, start, ({ take_id: takeId }) =>
-    hand.lead(takeId, player.isPlaying(), player.positionS()),
+  /** The one that is heard before it is approved: the next one waits until then. */
+  const staysOn = useRef<string | null>(null)
+  const playthrough = usePlaythrough(
+    player,
+    takes,
+    start,
+    ({ take_id: takeId }) => hand.lead(takeId, player.isPlaying(), player.positionS()),
+    () => staysOn.current === currentId,
   )
   const { current, step } = playthrough
   const hand = useLive(id, mayJoin, player, playthrough)
@@ -64,9 +70,10 @@ function Room({ playlist }: { playlist: Playlist }) {
   const isPlaying = playing.status === 'playing'
   const order = takes.map(({ take_id }) => take_id)
 
-  const open = async (takeId: string) => {
+  const open = async (takeId: string, how?: { plays: boolean }) => {
     if (follows) return
-    await playthrough.open(takeId)
+    staysOn.current = null
+    await playthrough.open(takeId, how)
     hand.lead(takeId, player.isPlaying(), player.positionS())
   }
   const toggle = async () => {
@@ -79,9 +86,9 @@ function Room({ playlist }: { playlist: Playlist }) {
     player.seek(s)
     hand.lead(current.take_id, player.isPlaying(), s)
   }
-  const goBy = (by: 1 | -1) => {
+  const goBy = (by: 1 | -1, how?: { plays: boolean }) => {
     const take = step(by)
-    if (take) void open(take.take_id)
+    if (take) void open(take.take_id, how)
   }
   const unheard = takes.filter(({ is_heard: isHeard }) => isHeard === false)
   const toUnheard = () => {
@@ -217,8 +224,12 @@ function Room({ playlist }: { playlist: Playlist }) {
             playlistId={id}
             take={current}
             player={player}
+            playing={playing}
+            heardHere={heardHere}
+            onPlayFromStart={follows ? null : () => void open(current.take_id, { plays: true })}
+            onListen={() => (staysOn.current = current.take_id)}
             mayReview={mayJoin}
-            onJudged={() => goBy(1)}
+            onJudged={() => goBy(1, staysOn.current === null ? undefined : { plays: true })}
           />
         </section>
       )}

@@ -1,16 +1,19 @@
 import { useQuery, useQueryClient } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
-import { useState } from 'react'
+import { useMemo, useState } from 'react'
 import { flushSync } from 'react-dom'
 
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import { HotkeyButton } from '@/app/keys'
-import type { Player } from '@/audio'
+import type { Player, PlayerState } from '@/audio'
 import { reviewQuery } from '@/judging/api'
 import { blockedWords, whyBlocked } from '@/judging/blocked'
 import { ChangeForm } from '@/judging/ChangeForm'
+import { FirstListen } from '@/judging/FirstListen'
+import { MASTER } from '@/judging/hearing'
 import { ReasonRow } from '@/judging/ReasonRow'
 import { useReasons } from '@/judging/reasons'
+import { useFirstListen, withHeard } from '@/judging/useFirstListen'
 import { useJudge } from '@/judging/useJudge'
 import { takeName } from '@/judging/words'
 import { ProblemNote } from '@/ui/ProblemNote'
@@ -24,6 +27,13 @@ interface VerdictOfTakeProps {
   playlistId: string
   take: PlaylistTake
   player: Player
+  playing: PlayerState
+  /** The takes that were heard on this page. */
+  heardHere: ReadonlySet<string>
+  /** Play the version from its start, for all of a session; null where another person plays. */
+  onPlayFromStart: (() => void) | null
+  /** It is heard before it is approved: another must not follow at its end. */
+  onListen: () => void
   /** Whether the current person may open Review: the team does. */
   mayReview: boolean
   onJudged: () => void
@@ -39,25 +49,50 @@ const STATES: Record<PlaylistTake['state'], StateKind> = {
   set_aside: 'set_aside',
 }
 
+function silentWords(take: PlaylistTake, mayPlay: boolean): string | null {
+  if (take.preview_url === null) return 'The preview is not ready yet.'
+  return mayPlay ? null : 'It is heard once the session plays it.'
+}
+
 /** The verdict on the sound that plays, by the keys of the review room, for who may give it. */
-export function VerdictOfTake({ projectId, playlistId, take, player, mayReview, onJudged }: VerdictOfTakeProps) {
+export function VerdictOfTake({
+  projectId,
+  playlistId,
+  take,
+  player,
+  playing,
+  heardHere,
+  onPlayFromStart,
+  onListen,
+  mayReview,
+  onJudged,
+}: VerdictOfTakeProps) {
   const client = useQueryClient()
   const { data: review } = useQuery({ ...reviewQuery(take.cue_id), enabled: take.may_approve })
   const judge = useJudge(projectId)
   const [picking, setPicking] = useState(false)
   const reasons = useReasons(projectId)
   const [changing, setChanging] = useState<{ positionS: number } | null>(null)
-  const judged = review?.takes.find(({ id }) => id === take.take_id)
+  const judged = useMemo(
+    () => withHeard(review?.takes ?? [], heardHere).find(({ id }) => id === take.take_id),
+    [review, heardHere, take.take_id],
+  )
   const mayApprove = take.may_approve && judged !== undefined
   const canApprove = judged?.state === 'conforming' || judged?.state === 'set_aside'
   const canChange = judged?.state === 'conforming' || judged?.state === 'approved'
   const name = review && judged ? takeName(judged, review.cue, review.takes) : ''
   const blocked =
     mayApprove && canApprove && review ? blockedWords([judged], whyBlocked(review.checklist.blocked), () => name) : ''
-  const approve = (because: readonly string[] = []) => {
+  const toApprove = judged && mayApprove && canApprove && blocked === '' ? [judged] : []
+  const listen = useFirstListen({ player, playing, takes: toApprove, play: () => onPlayFromStart?.() })
+  const approveNow = (because: readonly string[] = []) => {
     if (!judged || !review) return
     setPicking(false)
     void judge.approve(review.cue, [judged], name, because).then(done)
+  }
+  const approve = (because: readonly string[] = []) => {
+    listen.approveHeard(toApprove, () => approveNow(because))
+    if (listen.unheard.length > 0) onListen()
   }
   const done = () => {
     void invalidate(client, queryKeys.playlist(playlistId))
@@ -101,6 +136,18 @@ export function VerdictOfTake({ projectId, playlistId, take, player, mayReview, 
         />
       )}
       {blocked && <p className="small">{blocked}</p>}
+      {toApprove.length > 0 && (
+        <p className="small mid">
+          <FirstListen
+            listen={listen}
+            count={1}
+            target={MASTER}
+            nameOf={() => name}
+            silent={silentWords(take, onPlayFromStart !== null)}
+            onApproveUnheard={() => approveNow()}
+          />
+        </p>
+      )}
       <div className={classes.acts}>
         <State kind={STATES[judged?.state ?? take.state]} />
         {mayApprove && canChange && (

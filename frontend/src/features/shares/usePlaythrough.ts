@@ -20,12 +20,16 @@ const sourceOf = ({ take_id, preview_url }: PlaylistTake) => ({
   url: preview_url ?? '',
 })
 
-/** Plays takes one after another. `onBegin` hears of each that begins because the one before it came to its end. */
+/**
+ * Plays takes one after another, but for one at whose end `stays` says so. `onBegin` hears of each that begins because
+ * the one before it came to its end.
+ */
 export function usePlaythrough(
   player: Player,
   takes: readonly PlaylistTake[],
   start: { takeId: string | undefined; atS: number },
   onBegin: (take: PlaylistTake) => void,
+  stays: () => boolean,
 ): Playthrough {
   const [currentId, setCurrentId] = useState(start.takeId ?? takes[0]?.take_id)
   const at = Math.max(
@@ -56,7 +60,7 @@ export function usePlaythrough(
 
   const ended = useEffectEvent(() => {
     const next = takes[at + 1]
-    if (next) void open(next.take_id, { plays: true }).then(() => onBegin(next))
+    if (next && !stays()) void open(next.take_id, { plays: true }).then(() => onBegin(next))
   })
   useEffect(() => {
     let sounded = false

@@ -9,8 +9,10 @@ import { type QueueItem, type ReviewTake } from '@/judging/api'
 import { blockedWords, whyBlocked } from '@/judging/blocked'
 import { ChangeForm } from '@/judging/ChangeForm'
 import { isWholeSet, pickedOfSet } from '@/judging/choice'
+import { FirstListen } from '@/judging/FirstListen'
 import { type Gains, MASTER, matchGains, soundOf, sourceOf } from '@/judging/hearing'
 import { loweredWords } from '@/judging/levels'
+import { playWhole, useFirstListen, withHeard } from '@/judging/useFirstListen'
 import { useHearing } from '@/judging/useHearing'
 import { ReasonRow } from '@/judging/ReasonRow'
 import { useReasons } from '@/judging/reasons'
@@ -31,12 +33,14 @@ interface FirstCardProps {
   mayApprove: boolean
   player: Player
   playing: PlayerState
+  /** The takes that were heard on this page. */
+  heardHere: ReadonlySet<string>
   judge: Judge
 }
 
 /** The cue that has waited longest: heard and decided where it stands. */
 export function FirstCard(props: FirstCardProps) {
-  const takes = heardTakes(props.item)
+  const takes = withHeard(heardTakes(props.item), props.heardHere)
   const [handId, setHandId] = useState(takes[0]?.id)
   const hand = takes.find(({ id }) => id === handId) ?? takes[0]
   return hand && <Heard {...props} takes={takes} hand={hand} onChoose={setHandId} />
@@ -69,12 +73,23 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
   const next = takes[(takes.indexOf(hand) + 1) % takes.length]
   const isPlaying = playing.status === 'playing'
 
-  const approve = (because: readonly string[] = []) => {
+  const listen = useFirstListen({
+    player,
+    playing,
+    takes: meant,
+    play: (take) => {
+      const toPlay = sourceOf(take, MASTER, gains)
+      onChoose(take.id)
+      if (toPlay) playWhole(player, toPlay)
+    },
+  })
+  const approveNow = (because: readonly string[] = []) => {
     player.pause()
     setPicking(false)
     if (whole) void judge.acceptSet(cue, takes, meant, because)
     else void judge.approve(cue, [hand], name, because)
   }
+  const approve = (because: readonly string[] = []) => listen.approveHeard(meant, () => approveNow(because))
   const openReview = () =>
     void navigate({ to: '/projects/$projectId/review/$cueId', params: { projectId, cueId: cue.id } })
   const asGame = () => void player.playAsGame(takes.flatMap((take) => sourceOf(take, MASTER, gains) ?? []))
@@ -230,6 +245,18 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
           {mayApprove ? levelsWords(takes, gains) : 'The approver decides. You can comment.'}
         </span>
       </div>
+      {mayApprove && blocked === '' && (
+        <p className="small mid">
+          <FirstListen
+            listen={listen}
+            count={meant.length}
+            target={MASTER}
+            nameOf={(take) => takeName(take, cue, takes)}
+            silent={source === null ? 'The preview is not ready yet.' : null}
+            onApproveUnheard={() => approveNow()}
+          />
+        </p>
+      )}
       {judge.refusal && (
         <ProblemNote detail={`${judge.refusal.what} ${judge.refusal.problem.detail}`} fix={judge.refusal.problem.fix} />
       )}

@@ -42,7 +42,7 @@ export function TodayPage(): ReactNode {
   const today = useQuery(todayQuery(projectId))
   const next = useQuery(nextStepsQuery(projectId))
   const drafts = useDraftCount(projectId)
-  const [player, playing] = useTakePlayer(projectId, { held: true })
+  const [player, playing, heardHere] = useTakePlayer(projectId, { held: true })
   const judge = useJudge(projectId)
   const page = useRef<HTMLDivElement>(null)
   const client = useQueryClient()
@@ -139,6 +139,7 @@ export function TodayPage(): ReactNode {
                 mayApprove={mayApprove}
                 player={player}
                 playing={playing}
+                heardHere={heardHere}
                 judge={judge}
               />
             )}

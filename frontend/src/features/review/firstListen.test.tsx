@@ -1,0 +1,158 @@
+import { screen, waitFor, within } from '@testing-library/react'
+import userEvent from '@testing-library/user-event'
+import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest'
+
+import { HandContext } from '@/test/audioContext'
+import { anItem, aReview, aTake, PROJECT } from '@/test/review'
+import { opened, posts, queueIs, server, serveReview, serveReviewPage, walk } from '@/test/reviewPage'
+import { answer } from '@/test/server'
+
+beforeAll(() => Promise.all([import('./ReviewPage'), import('./ReviewStart')]))
+serveReviewPage()
+
+/** The context of the page, which ends its sounds when the test says so. */
+let context: HandContext
+beforeEach(() => {
+  vi.stubGlobal(
+    'AudioContext',
+    class extends HandContext {
+      constructor() {
+        super()
+        // eslint-disable-next-line @typescript-eslint/no-this-alias -- the page makes it
+        context = this
+      }
+    },
+  )
+  server.on(`POST /v1/projects/${PROJECT}/heard-takes`, answer(null, 204))
+  for (const id of ['a', 'w1', 'w2']) server.on(`GET /v1/sounds/${id}/preview`, { durationS: 0.1 })
+})
+
+const verdict = () => screen.getByRole('region', { name: 'Verdict' })
+const decisions = () => posts().filter(({ path }) => /verdict$|accept-set$/.test(path))
+const unheard = (id: string, take: Parameters<typeof aTake>[1] = {}) =>
+  aTake(id, { is_heard: false, duration_s: 0.1, facts: { duration_s: 0.1 }, ...take })
+const one = (take: Parameters<typeof aTake>[1] = {}, cue: Parameters<typeof anItem>[0] = {}) =>
+  anItem({ id: 'shield', name: 'shield_hit', ...cue }, [unheard('a', take)])
+const openOne = async (item = one()) => {
+  server.on('POST /v1/takes/a/verdict', {})
+  queueIs(item)
+  serveReview(aReview(item))
+  await opened()
+}
+const sounds = async (count: number) => {
+  await waitFor(() => expect(context.started).toHaveLength(count))
+  expect(context.started.at(-1)).toMatchObject({ fromS: 0 })
+}
+
+describe('an approval of what was not heard', () => {
+  test('plays it first, decides nothing, and is given when it is asked for again once it has played', async () => {
+    await openOne()
+    expect(verdict()).toHaveTextContent('You have not heard version 1 yet. A plays it first.')
+    await userEvent.keyboard('a')
+    await sounds(1)
+    expect(verdict()).toHaveTextContent(
+      'version 1 is playing for the first time. Not approved yet: press A again once it has played.',
+    )
+    await userEvent.keyboard('a')
+    expect(context.started).toHaveLength(1) // it goes on, and does not begin again
+    expect(await within(verdict()).findByText(/^Heard\./)).toBeVisible()
+    expect(decisions()).toEqual([])
+    await userEvent.keyboard('a')
+    await waitFor(() => expect(decisions()).toHaveLength(1))
+    expect(decisions()[0]?.body).toMatchObject({ kind: 'approve', heard: true })
+  })
+
+  test('is not given by a reason either', async () => {
+    await openOne()
+    await userEvent.keyboard('p1')
+    await sounds(1)
+    expect(decisions()).toEqual([])
+    await within(verdict()).findByText(/^Heard\./)
+    await userEvent.keyboard('1')
+    await waitFor(() => expect(decisions()[0]?.body).toMatchObject({ reasons: ['Fits the scene'], heard: true }))
+  })
+
+  test('stops at Escape, and the next time it plays from its start', async () => {
+    server.on('GET /v1/sounds/a/preview', { durationS: 20 })
+    await openOne(one({ duration_s: 20 }))
+    await userEvent.keyboard('a')
+    await sounds(1)
+    await userEvent.keyboard('{Escape}')
+    expect(await within(verdict()).findByText(/You have not heard version 1 yet/)).toBeVisible()
+    await userEvent.keyboard('a')
+    await sounds(2)
+    expect(decisions()).toEqual([])
+  })
+
+  test('is given without listening by the button of that name, which the server is told', async () => {
+    await openOne()
+    await userEvent.click(within(verdict()).getByRole('button', { name: 'Approve without listening' }))
+    await waitFor(() => expect(decisions()[0]?.body).toMatchObject({ kind: 'approve', heard: false }))
+    expect(context?.started ?? []).toEqual([])
+  })
+
+  test('asks for half a minute of a longer sound', async () => {
+    server.on('GET /v1/sounds/a/preview', { durationS: 90 })
+    await openOne(one({ duration_s: 90 }))
+    await userEvent.keyboard('a')
+    expect(await within(verdict()).findByText(/again once 30 s of it have played/)).toBeVisible()
+  })
+
+  test('of a sound that has no preview yet is not given by a key', async () => {
+    await openOne(one({ preview_url: null }))
+    expect(verdict()).toHaveTextContent('You have not heard version 1 yet. The preview is not ready yet.')
+    await userEvent.keyboard('a')
+    expect(decisions()).toEqual([])
+  })
+
+  test('asks nothing of those who only advise', async () => {
+    const item = one()
+    queueIs(item)
+    serveReview(aReview(item, { may_approve: false }))
+    await opened()
+    expect(within(verdict()).queryByText(/not heard/)).toBeNull()
+  })
+})
+
+test('of a set each file is played to its end before the next, and the set is approved once all were', async () => {
+  const set = { ...walk, takes: [unheard('w1', { variation: 1 }), unheard('w2', { variation: 2 })] }
+  server.on('POST /v1/cues/walk/accept-set', {})
+  queueIs(set)
+  serveReview(aReview(set))
+  await opened('/walk')
+  expect(verdict()).toHaveTextContent('You have not heard the 2 files yet. A plays them first.')
+  await userEvent.keyboard('a')
+  await sounds(1)
+  expect(verdict()).toHaveTextContent('_01 is playing for the first time.')
+  await waitFor(() => expect(verdict()).not.toHaveTextContent('is playing for the first time'))
+  expect(context.started).toHaveLength(1)
+  context.started[0]?.end()
+  await sounds(2)
+  expect(verdict()).toHaveTextContent('_02 is playing for the first time.')
+  expect(await within(verdict()).findByText(/^Heard\./)).toHaveTextContent('Heard. A approves them.')
+  expect(decisions()).toEqual([])
+  await userEvent.keyboard('a')
+  await waitFor(() => expect(decisions()[0]?.body).toMatchObject({ heard_take_ids: ['w1', 'w2'] }))
+})
+
+describe('a set that is judged quickly', () => {
+  test('sends each variation once, and no second time what the first press decided', async () => {
+    let letGo = () => undefined as void
+    const held = new Promise<object>((resolve) => {
+      letGo = () => resolve({})
+    })
+    server
+      .on('POST /v1/takes/w1/verdict', () => held)
+      .on('POST /v1/takes/w2/verdict', {})
+      .on('POST /v1/cues/walk/accept-set', {})
+    await opened('/walk')
+    await userEvent.keyboard('{Shift>}a{/Shift}')
+    expect(await screen.findByText('_01 approved', { exact: false })).toBeVisible()
+    expect(within(screen.getByRole('list', { name: 'Variations' })).getAllByRole('button')).toHaveLength(1)
+    await userEvent.keyboard('a')
+    await waitFor(() => expect(decisions()).toHaveLength(2))
+    expect(decisions().map(({ path }) => path)).toEqual(['/v1/takes/w1/verdict', '/v1/cues/walk/accept-set'])
+    expect(decisions()[1]?.body).toMatchObject({ take_ids: ['w2'] })
+    letGo()
+  })
+})
