@@ -283,7 +283,8 @@ class _Maker:
     def _accept(self, names: Iterable[str]) -> None:
         for name, takes in self._queue().items():
             if name in names:
-                accept = {"note": "", "take_ids": [take["id"] for take in takes]}
+                take_ids = [take["id"] for take in takes]
+                accept = {"note": "", "take_ids": take_ids, "heard_take_ids": take_ids}
                 self._approver.ask("POST", f"/cues/{self._cues[name]}/accept-set", json=accept)
 
     def _request_changes(self, *changes: tuple[str, str, float]) -> None:

@@ -1,6 +1,7 @@
 import { expect, type Locator, type Page } from '@playwright/test'
 
 import { test } from './fixtures'
+import { listenAndApprove } from './listening'
 
 const first = (page: Page) => page.getByRole('heading', { level: 2, name: 'Pick one of three for shield_hit' })
 
@@ -23,7 +24,7 @@ async function watchPlayhead(slider: Locator): Promise<() => Promise<number>> {
   return () => slider.evaluate(() => Number(document.documentElement.dataset.farthest))
 }
 
-test('the first screen is one sound to hear by Space and to decide by one key, and can be taken back', async ({
+test('the first screen is one sound to hear and to decide by one key, and can be taken back', async ({
   demo,
   page,
 }) => {
@@ -39,7 +40,7 @@ test('the first screen is one sound to hear by Space and to decide by one key, a
   await page.keyboard.press('1')
   await expect(page.getByRole('slider', { name: 'Position in shield_hit, A' })).toBeVisible()
 
-  await page.keyboard.press('a')
+  await listenAndApprove(page)
   await expect(page.getByRole('status').filter({ hasText: 'shield_hit A approved.' })).toBeVisible()
   await expect(first(page)).toBeHidden()
   await expect(page.getByText('First because it has waited longest')).toBeVisible()

@@ -74,6 +74,8 @@ test('in Firefox an approver hears and decides, a designer delivers, a producer 
       { timeout: 30_000 },
     )
     await approver.keyboard.press('a')
+    await says(approver, 'Heard.')
+    await approver.keyboard.press('a')
     await says(approver, 'shield_hit A approved.')
     await approver.keyboard.press('u')
     await says(approver, 'Pick one of three for shield_hit')

@@ -4,6 +4,7 @@ import { ask } from './api'
 import { atWork, visit } from './atWork'
 import { test } from './fixtures'
 import { Hand } from './hand'
+import { heardAll } from './listening'
 import { wav } from './sounds'
 
 const APPROVED = 148
@@ -96,12 +97,13 @@ async function timeWaves(page: Page): Promise<() => Promise<Wave[]>> {
 const quantile = (sorted: readonly number[], share: number) =>
   sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))] ?? Infinity
 
-test('an approver judges 200 versions by keys alone @slow', async ({ server: { url }, browser }) => {
+test('an approver judges 200 versions that they heard by keys alone @slow', async ({ server: { url }, browser }) => {
   test.setTimeout(900_000)
   const [page, designer] = await Promise.all([visit(browser), visit(browser)])
   const cues = [...SINGLE, ...DOUBLE].map((name) => ({ name }))
   const project = await atWork(page, designer, url, cues)
   await deliver(designer.context(), page.context(), url, project)
+  await heardAll(page.context(), url, project)
   await designer.context().close()
   const approver = new Hand(page)
   const head = page.getByRole('heading', { level: 1, name: /^(good|loud|pair)_|^Nothing to review$/ })

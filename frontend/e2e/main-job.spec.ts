@@ -8,6 +8,7 @@ import { type Browser, expect, type Page } from '@playwright/test'
 import { ask } from './api'
 import { expectAccessible } from './axe'
 import { test } from './fixtures'
+import { listenAndApprove } from './listening'
 import { addressOf, PASSWORD } from './party'
 import { ROOT } from './server'
 import { unzip, wav, wavFacts, zip } from './sounds'
@@ -234,7 +235,7 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
     await approver.keyboard.press('2')
     await expect(approver.getByRole('slider', { name: /shield_hit, B/ }).first()).toBeVisible()
     await approver.keyboard.press('Space')
-    await approver.keyboard.press('a')
+    await listenAndApprove(approver)
     await toast(approver, 'shield_hit B approved.')
   })
 
@@ -274,7 +275,7 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
     ] as const) {
       await approver.getByRole('link', { name: new RegExp(name) }).click()
       await expect(approver.getByRole('heading', { level: 1, name })).toBeVisible()
-      await approver.keyboard.press('a')
+      await listenAndApprove(approver)
       await toast(approver, done)
     }
     await expect(approver.getByRole('heading', { name: 'Nothing to review' })).toBeVisible()

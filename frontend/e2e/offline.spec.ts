@@ -3,6 +3,7 @@ import { expect } from '@playwright/test'
 import { ask } from './api'
 import { atWork, deliver, visit } from './atWork'
 import { test } from './fixtures'
+import { heardAll } from './listening'
 import { wav } from './sounds'
 
 interface Review {
@@ -28,6 +29,7 @@ test('verdicts and comments given without a line are sent later, in order, once 
     return [`${stems[0] ?? ''}.wav`, sound] as const
   })
   await deliver(designer, producer, url, project, Object.fromEntries(files))
+  await heardAll(asProducer, url, project)
   const { items } = await ask<{ items: { cue: { id: string; name: string } }[] }>(
     asProducer,
     `${url}/v1/review-queue?project_id=${project}`,

@@ -161,13 +161,16 @@ export const happened = ({
   kind,
   by_deemed_acceptance: bySilence,
   by_adoption: byAdoption,
+  without_listening: isUnheard,
 }: {
   kind: string
   by_deemed_acceptance?: boolean
   by_adoption?: boolean
+  without_listening?: boolean
 }): string => {
   if (kind === 'approve' && bySilence) return 'Auto-accepted (no response)'
   if (kind === 'approve' && byAdoption) return 'Adopted'
+  if (kind === 'approve' && isUnheard) return 'Approved without listening'
   return HAPPENED[kind] ?? kind
 }
 
