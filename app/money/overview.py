@@ -217,8 +217,13 @@ def cue_money(session: Session, actor: Actor, cue_id: UUID) -> schemas.CueMoneyR
         return None
     terms, cues = terms_of(session, contract), priced(plan_queries.cues_of(session, contract.id))
     of_it = next(cue for cue in cues if cue.cue_id == cue_id)
-    after = [replace(cue, is_accepted=cue.is_accepted or cue.cue_id == cue_id) for cue in cues]
-    entries = settle_shares(load_ledger_book(session, contract), after, rules_of(contract, terms))
+    book, rules = load_ledger_book(session, contract), rules_of(contract, terms)
+
+    def becomes_due(*, is_accepted: bool) -> int:
+        after = [replace(cue, is_accepted=is_accepted) if cue.cue_id == cue_id else cue for cue in cues]
+        return sum(entry.amount_minor for entry in settle_shares(book, after, rules))
+
+    is_reversible = of_it.is_accepted and of_it.cut_in is None
     siblings = [cue for cue in cues if cue.milestone_id == of_it.milestone_id and cue.cut_in is None]
     milestones = {one.id: one.name for one in plan_queries.milestones_of(session, contract.id)}
     accepted = sum(cue.is_accepted for cue in siblings)
@@ -227,7 +232,8 @@ def cue_money(session: Session, actor: Actor, cue_id: UUID) -> schemas.CueMoneyR
         currency=contract.currency,
         milestone=milestones[of_it.milestone_id],
         amount_minor=of_it.amount_minor,
-        would_owe_minor=0 if of_it.is_settled else sum(entry.amount_minor for entry in entries),
+        would_owe_minor=0 if of_it.is_settled else becomes_due(is_accepted=True),
+        would_take_back_minor=-becomes_due(is_accepted=False) if is_reversible else 0,
         accepted=accepted,
         accepted_then=accepted + (not of_it.is_settled),
         wanted=len(siblings),

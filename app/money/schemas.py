@@ -384,6 +384,9 @@ class CueMoneyRead(Schema):
     milestone: str
     amount_minor: int
     would_owe_minor: int
+    would_take_back_minor: int = Field(
+        description="What is no longer due once a change of an approved version is sent; 0 while the cue is not accepted."
+    )
     accepted: int
     accepted_then: int
     wanted: int

@@ -12,7 +12,7 @@ from app.renders.service import sound_places
 from app.scenes.errors import LaneUnknown
 from app.scenes.excitations import placed, unpacked
 from app.scenes.models import Bed
-from app.scenes.rules import HIGHEST_DB, LOWEST_DB, CoveredBand, masking_words
+from app.scenes.rules import HIGHEST_DB, LOWEST_DB, CoveredBand, masking_words, missing_words
 from app.scenes.schemas import BedRead, ClipRead, MaskedBand, MaskingRead, SceneLaneRead, SceneRead
 from app.scenes.service import SOUND, Lane, Scene, scene_of
 from audio_checks import CENTRES_HZ, Masking, masking
@@ -94,12 +94,28 @@ def masking_of(session: Session, actor: Actor, take_id: UUID, levels: Mapping[st
             raise _unknown(f"{lane_id} is at {level:g} dB; a level lies between {LOWEST_DB:g} and {HIGHEST_DB:g} dB")
     levels = {SOUND: scene.lanes[0].level_db} | dict(levels)
     played = [lane for lane in scene.lanes if lane.id in levels]
-    if not all(scene.is_measured(lane) for lane in played):
+    others = scene.lanes[1:]
+    is_compared = len(played) > 1
+    missing = missing_words(
+        neighbours=any(lane.bed is None for lane in others),
+        bed=any(lane.bed is not None for lane in others),
+        any_on=is_compared,
+    )
+    is_measured = all(scene.is_measured(lane) for lane in played)
+    if not is_measured or not is_compared:
         return MaskingRead(
-            is_measured=False, bands=[], part_bands=0, heard_bands=0, energy_share=0, time_share=0, in_words=""
+            is_measured=is_measured,
+            is_compared=is_compared,
+            missing=missing,
+            bands=[],
+            part_bands=0,
+            heard_bands=0,
+            energy_share=0,
+            time_share=0,
+            in_words=missing if is_measured else "",
         )
     powers = [_power(scene, lane, levels[lane.id]) for lane in played]
-    return _read_masking(masking(powers[0], powers[1:]), played[1:])
+    return _read_masking(masking(powers[0], powers[1:]), played[1:], missing)
 
 
 def _power(scene: Scene, lane: Lane, level_db: float) -> np.ndarray:
@@ -109,7 +125,7 @@ def _power(scene: Scene, lane: Lane, level_db: float) -> np.ndarray:
     )
 
 
-def _read_masking(found: Masking, others: Sequence[Lane]) -> MaskingRead:
+def _read_masking(found: Masking, others: Sequence[Lane], missing: str) -> MaskingRead:
     bands, words = [], []
     for place, hz in enumerate(CENTRES_HZ.tolist()):
         covers = int(found.covers[place])
@@ -130,12 +146,14 @@ def _read_masking(found: Masking, others: Sequence[Lane]) -> MaskingRead:
         )
     return MaskingRead(
         is_measured=True,
+        is_compared=True,
+        missing=missing,
         bands=bands,
         part_bands=int(found.is_part.sum()),
         heard_bands=int(found.is_heard.sum()),
         energy_share=round(found.energy_share, 4),
         time_share=round(found.time_share, 4),
-        in_words=masking_words(words),
+        in_words=" ".join(filter(None, [masking_words(words), missing])),
     )
 
 

@@ -134,6 +134,19 @@ def masking_words(bands: Sequence[CoveredBand]) -> str:
     return " ".join(word for word in words if word)
 
 
+def missing_words(*, neighbours: bool, bed: bool, any_on: bool) -> str:
+    """Return what a scene lacks for the question whether a sound is heard in it; empty where it has all."""
+    if not any_on and not neighbours and not bed:
+        return (
+            "Not known yet: the scene has no bed and no neighbours. Add a bed, or approve sounds that play beside it."
+        )
+    if not any_on:
+        return "Not known: the other sounds of the scene are off. Switch one on."
+    if not bed:
+        return "The scene has no bed: music and ambience are not counted."
+    return "" if neighbours else "The scene has no neighbours: other sounds of the game are not counted."
+
+
 def _covered(bands: Sequence[CoveredBand]) -> dict[str, list[str]]:
     """Return the ranges of frequency in which each sound covers, by its name."""
     found: dict[str, list[str]] = {}

@@ -118,6 +118,8 @@ class MaskingRead(Schema):
     """Which bands of a sound are heard in its scene. A person decides whether that is enough."""
 
     is_measured: bool = Field(description="False while a sound of the scene is still being measured.")
+    is_compared: bool = Field(description="False where nothing else sounds: then there are no bands and no figures.")
+    missing: str = Field(description="What the scene lacks, in words; empty where it has a bed and neighbours.")
     bands: list[MaskedBand]
     part_bands: int
     heard_bands: int

@@ -27,6 +27,7 @@ def live_read(session: Session, actor: Actor, playlist_id: UUID, page_id: UUID |
 def report(session: Session, actor: Actor, playlist_id: UUID, body: LiveReport) -> LiveRead:
     """Note that the caller's page is open, or leaves; the first report joins the session.
 
+    Whoever joins a session in which nobody is starts it, and holds its keys.
     Of several pages of one person the first one plays, until it is gone or another takes over.
     """
     access, playlist = playlist_of_team(session, actor, playlist_id)
@@ -34,6 +35,8 @@ def report(session: Session, actor: Actor, playlist_id: UUID, body: LiveReport) 
     if live_queries.live_session(session, playlist_id) is None:
         _begin_session(session, access, playlist)
     listener = live_queries.listener(session, playlist_id, actor.person)
+    is_new = listener is None or listener.page_id != body.page_id
+    starts = is_new and not body.leaves and not _present(session, playlist_id, now)
     if listener is None:
         if not body.leaves:
             _join(session, actor, playlist, body.page_id, now)
@@ -45,6 +48,8 @@ def report(session: Session, actor: Actor, playlist_id: UUID, body: LiveReport) 
     elif body.takes_over and not body.leaves:
         _take_over(session, actor, _locked(session, playlist_id), body.page_id, now)
     session.flush()
+    if starts:
+        _start(session, actor, playlist_id, now)
     return _read(session, actor, playlist_id, body.page_id, now)
 
 
@@ -118,6 +123,16 @@ def _join(session: Session, actor: Actor, playlist: Playlist, page_id: UUID | No
             page_id=page_id,
         )
     )
+
+
+def _start(session: Session, actor: Actor, playlist_id: UUID, now: datetime) -> None:
+    """Give the keys to who joins an empty session; what an earlier one played there is over."""
+    live = _locked(session, playlist_id)
+    if _holder(session, live, now) is None:  # of two who start at the same moment the first one
+        live.holder_id = actor.person
+        live.take_id, live.is_playing, live.position_s, live.set_at = None, False, 0.0, now
+        live.sequence += 1
+        session.flush()
 
 
 def _leave(session: Session, actor: Actor, playlist_id: UUID) -> None:

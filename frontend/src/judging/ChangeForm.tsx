@@ -1,4 +1,4 @@
-import { type KeyboardEvent, useId, useLayoutEffect, useRef, useState } from 'react'
+import { type KeyboardEvent, type ReactNode, useId, useLayoutEffect, useRef, useState } from 'react'
 
 import type { ApiProblem } from '@/api'
 import { DraftNote, useDraft } from '@/app/drafts'
@@ -28,6 +28,8 @@ interface ChangeFormProps {
   range: TimeRange | null
   saving: boolean
   problem: ApiProblem | null
+  /** What it takes back, where the version is approved. */
+  reversal?: ReactNode
   /** `done` ends the form's draft, once the change is noted. */
   onSave: (said: ChangeSaid, done: () => void) => void
   onClose: () => void
@@ -42,6 +44,7 @@ export function ChangeForm({
   range,
   saving,
   problem,
+  reversal,
   onSave,
   onClose,
 }: ChangeFormProps) {
@@ -148,6 +151,7 @@ export function ChangeForm({
       <Mentions takeId={takeId} field={field} text={text} onText={setText} />
       {empty && <FieldError id={errorId}>Choose a reason or write what to change.</FieldError>}
       {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      {reversal}
       <DraftNote draft={draft} />
       <p className="small dim">It stays a draft until you send all change requests together.</p>
     </form>

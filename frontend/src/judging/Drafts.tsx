@@ -13,6 +13,7 @@ import { useFocusOnMount } from '@/ui/useFocusOnMount'
 import { type ChangeRequest, draftsQuery, type Sending, useDropDraft, useSendFeedback } from './api'
 import classes from './Drafts.module.css'
 import { variationName } from './hearing'
+import { ReversalNote } from './ReversalNote'
 import { namesOf, sentence, spot } from './words'
 
 interface DraftsProps {
@@ -68,6 +69,11 @@ export function Drafts({ projectId, mayApprove, onAsk }: DraftsProps) {
           {asking && (
             <>
               <p className="small mid">{roundsOf(drafts)} You can’t undo sending.</p>
+              {drafts
+                .filter(({ reverses }) => reverses)
+                .map((each) => (
+                  <ReversalNote key={each.id} cueId={each.cue_id} what={`${nameOf(each)} version ${each.number}`} />
+                ))}
               <input
                 ref={field}
                 className={`line-field ${classes.note}`}
@@ -108,7 +114,7 @@ export function Drafts({ projectId, mayApprove, onAsk }: DraftsProps) {
 
 function DraftLine({ draft, heldBack, onDrop }: { draft: ChangeRequest; heldBack?: string; onDrop?: () => void }) {
   const where = spot(draft.start_s, draft.end_s)
-  const name = draft.variation > 1 ? `${draft.cue_name} ${variationName(draft.variation)}` : draft.cue_name
+  const name = nameOf(draft)
   return (
     <li className={classes.row}>
       <span className="cut-text">
@@ -126,10 +132,13 @@ function DraftLine({ draft, heldBack, onDrop }: { draft: ChangeRequest; heldBack
   )
 }
 
+const nameOf = ({ variation, cue_name: name }: ChangeRequest): string =>
+  variation > 1 ? `${name} ${variationName(variation)}` : name
+
 function roundsOf(drafts: readonly ChangeRequest[]): string {
   const counted = drafts.filter(({ reverses }) => !reverses).map(({ cue_name }) => cue_name)
   const cues = new Set(counted).size
-  if (cues === 0) return 'They reverse approvals, so no round is counted.'
+  if (cues === 0) return 'No round is counted.'
   return cues === 1
     ? `This counts as one round for ${counted[0]}.`
     : `This counts as one round each for ${namesOf(counted)}.`

@@ -60,6 +60,6 @@ export function serveTodayPage() {
 export const open = () => openApp(`/projects/${PROJECT}/today`)
 export const opened = async () => {
   const drawn = open()
-  await screen.findByRole('button', { name: /^Approve / })
+  await screen.findAllByRole('button', { name: /^Approve / })
   return drawn
 }

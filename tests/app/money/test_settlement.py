@@ -91,10 +91,20 @@ def test_an_undone_verdict_takes_its_share_back_by_a_reversing_line(agreed: Agre
 def test_a_reversed_approval_takes_its_share_back_and_counts_no_round(agreed: Agreed) -> None:
     cue, *_ = two_milestones(agreed)
     take = agreed.take(cue)
+    assert taken_back_minor(agreed, cue) == 0
     agreed.approve(take)
+    assert taken_back_minor(agreed, cue) == 18_000, "said before it is sent"
     agreed.draft(take, seen_state="approved")
     agreed.send()
     assert agreed.owed()[1:] == [("accepted", 18_000), ("reversed", -18_000)]
+    assert taken_back_minor(agreed, cue) == 0
+
+
+def taken_back_minor(agreed: Agreed, cue_id: UUID) -> int:
+    """Return what the approver is told that a change of an approved version takes back."""
+    money: dict[str, Any] = body_of(agreed.world.approver.get(f"/v1/cues/{cue_id}/money"))
+    minor: int = money["would_take_back_minor"]
+    return minor
 
 
 def test_accepting_a_whole_set_in_one_click(agreed: Agreed) -> None:
@@ -113,6 +123,7 @@ def test_with_release_on_completion_the_last_cue_releases_all(world: World) -> N
     assert agreed.owed()[1:] == []
     agreed.approve(agreed.take(cues[1]))
     assert agreed.owed()[1:] == [("accepted", 18_000), ("accepted", 18_000)]
+    assert taken_back_minor(agreed, cues[0]) == 36_000, "the milestone is no longer whole"
 
 
 def cut(agreed: Agreed, cue_id: UUID) -> Any:

@@ -14,6 +14,7 @@ from app.scenes.rules import (
     column_value,
     likeliest_neighbours,
     masking_words,
+    missing_words,
     part_bounds,
     part_name,
     scene_length_s,
@@ -151,3 +152,18 @@ def test_words_say_where_it_is_clearest_and_what_covers_where():
 )
 def test_words_at_the_ends(bands: list[CoveredBand], words: str):
     assert masking_words(bands) == words
+
+
+@pytest.mark.parametrize(
+    ("neighbours", "bed", "any_on", "words"),
+    [
+        (False, False, False, "no bed and no neighbours"),
+        (True, True, False, "are off"),
+        (True, False, True, "no bed:"),
+        (False, True, True, "no neighbours:"),
+        (True, True, True, ""),
+    ],
+)
+def test_what_a_scene_lacks_is_named(*, neighbours: bool, bed: bool, any_on: bool, words: str):
+    assert words in missing_words(neighbours=neighbours, bed=bed, any_on=any_on)
+    assert bool(missing_words(neighbours=neighbours, bed=bed, any_on=any_on)) == bool(words)

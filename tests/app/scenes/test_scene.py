@@ -86,7 +86,9 @@ def test_lanes_can_be_left_out_and_be_heard_at_another_level(world: World, stage
     take_id = waiting(stage, sine(hz=1_000, dbfs=-30.0, seconds=0.5))
     engine, _ = approved(stage, "engine", noise(dbfs=-20.0, seconds=1.0), loop=True)
     opened_scene(world, take_id)
-    assert masking(world, take_id, sound=0)["in_words"].endswith("Nothing covers it.")
+    alone = masking(world, take_id, sound=0)
+    assert (alone["is_compared"], alone["bands"], alone["heard_bands"]) == (False, [], 0)
+    assert alone["in_words"] == "Not known: the other sounds of the scene are off. Switch one on."
     shares = [masking(world, take_id, **{str(engine): level})["energy_share"] for level in (-40.0, 12.0)]
     assert shares == [1.0, 0.0]
     assert masking(world, take_id, **{str(engine): 12.0, "sound": 12.0})["energy_share"] > 0.9
@@ -103,9 +105,18 @@ def test_before_all_is_measured_no_figure_is_given(world: World, stage: Stage):
     take_id = waiting(stage)
     approved(stage, "engine")
     assert masking(world, take_id) == {
-        "is_measured": False, "bands": [], "part_bands": 0, "heard_bands": 0, "energy_share": 0.0, "time_share": 0.0,
+        "is_measured": False, "is_compared": True,
+        "missing": "The scene has no bed: music and ambience are not counted.", "bands": [], "part_bands": 0, "heard_bands": 0, "energy_share": 0.0, "time_share": 0.0,
         "in_words": "",
     }  # fmt: skip
+
+
+def test_a_sound_alone_is_not_said_to_be_heard(world: World, stage: Stage):
+    take_id = waiting(stage)
+    opened_scene(world, take_id)
+    alone = masking(world, take_id)
+    assert (alone["is_compared"], alone["part_bands"], alone["heard_bands"]) == (False, 0, 0)
+    assert alone["in_words"].startswith("Not known yet: the scene has no bed and no neighbours.")
 
 
 def test_silence_among_others_has_no_bands(world: World, stage: Stage):
@@ -113,7 +124,8 @@ def test_silence_among_others_has_no_bands(world: World, stage: Stage):
     approved(stage, "engine")
     opened_scene(world, take_id)
     found = masking(world, take_id)
-    assert (found["part_bands"], found["energy_share"], found["in_words"]) == (0, 0.0, "The sound is silent.")
+    assert (found["part_bands"], found["energy_share"]) == (0, 0.0)
+    assert found["in_words"] == "The sound is silent. The scene has no bed: music and ambience are not counted."
 
 
 def test_a_clip_gives_the_scene_its_length_and_the_nearest_pin_comes_first(world: World, stage: Stage):

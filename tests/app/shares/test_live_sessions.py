@@ -71,8 +71,31 @@ def test_all_hear_the_playhead_of_the_holder_and_late_joiners_catch_up(world: Wo
     assert (paused["position_s"], live.read(world.reviewer)["position_s"]) == (0.5, 0.5)
 
 
+def test_who_starts_a_session_holds_its_keys(world: World, live: Live) -> None:
+    live.join(world.producer, world.approver)
+    assert live.read(world.producer)["is_holder"] is True
+    assert live.read(world.approver)["holder"]["name"] == "Producer"
+    assert live.move(world.producer).status_code == 200
+    for client in (world.producer, world.approver):
+        live.put(client, "presence", leaves=True)
+    live.join(world.approver)
+    again = live.read(world.approver)
+    assert (again["is_holder"], again["take_id"], again["is_playing"]) == (True, None, False)
+
+
+def test_who_comes_back_after_a_pause_takes_no_keys(world: World, live: Live) -> None:
+    live.join(world.producer, world.approver)
+    live.silence(world.producer_id, 11)
+    live.silence(world.approver_id, 11)
+    live.join(world.approver)  # the same page, which the browser had put to sleep
+    assert live.read(world.approver)["holder"] is None
+    live.join(world.producer)
+    assert live.read(world.producer)["is_holder"] is True
+
+
 def test_one_person_holds_the_keys_and_hands_them_over(world: World, live: Live) -> None:
     live.join(world.producer, world.approver)
+    live.put(world.producer, "keys", act="drop")
     assert live.move(world.producer).json()["code"] == "keys-held"
     live.take_keys(world.producer)
     for refused in (
@@ -181,7 +204,7 @@ def test_a_page_that_does_not_play_leaves_without_the_keys(world: World, live: L
     assert left["holder"]["name"] == "Producer"
     live.put(world.producer, "presence", page_id=str(first), leaves=True)
     goes_on = live.put(world.producer, "presence", page_id=str(second)).json()
-    assert (goes_on["holder"], goes_on["is_elsewhere"]) == (None, False)
+    assert (goes_on["is_holder"], goes_on["is_elsewhere"]) == (True, False), "it starts the session again"
 
 
 def test_a_listener_goes_on_hearing_on_another_page(world: World, live: Live) -> None:

@@ -6,6 +6,7 @@ import type { CueReview, ReviewTake } from '@/judging/api'
 import { ChangeForm } from '@/judging/ChangeForm'
 import type { ReasonKind } from '@/judging/reasons'
 import { ReasonRow } from '@/judging/ReasonRow'
+import { ReversalNote } from '@/judging/ReversalNote'
 import type { Judge } from '@/judging/useJudge'
 import { namesOf, takeName } from '@/judging/words'
 import type { CueMoney } from '@/money/api'
@@ -97,6 +98,9 @@ export function Verdict(props: VerdictProps) {
     },
   ])
 
+  const reversal = meant.some((take) => take.state === 'approved') && (
+    <ReversalNote cueId={cue.id} what={`${cue.name} ${name}`} />
+  )
   const above = (changing || refusal || isPicking || isAsking || isLabelling || props.checklist) && (
     <>
       {!changing && !isPicking && !isAsking && !isLabelling && props.checklist}
@@ -117,6 +121,7 @@ export function Verdict(props: VerdictProps) {
           onClose={() => props.onAsking(null)}
         />
       )}
+      {isAsking && reversal}
       {isLabelling && (
         <ReasonRow
           reasons={props.reasons.label}
@@ -139,6 +144,7 @@ export function Verdict(props: VerdictProps) {
           saving={judge.change.isPending}
           problem={judge.changeProblem}
           onClose={props.onCloseChange}
+          reversal={reversal}
           onSave={(said, done) =>
             judge.change.mutate(
               { takes: meant, said },

@@ -20,6 +20,7 @@ import { Position } from './Position'
 import { keepVisit, keptVisit } from './visits'
 import classes from './Shares.module.css'
 import { titleOf } from './titles'
+import { useEnded } from './useEnded'
 
 /** What people without an account hear by a link. */
 export function ListenPage(): ReactNode {
@@ -144,6 +145,11 @@ function Room({ visit, room }: { visit: string; room: GuestRoom }) {
       if (error instanceof ApiProblem) setProblem(error)
     }
   }
+  // One tap plays through: at the end of a sound the next one follows that is ready.
+  useEnded(player, () => {
+    const next = sounds.findIndex((sound, index) => index > at && sound.is_ready)
+    if (next > at) void play(next)
+  })
   const toggle = () => {
     const isHeld = playing.sourceId === String(current?.place)
     if (isPlaying) player.pause()

@@ -9,8 +9,15 @@ import type { Live } from './api'
 import classes from './Shares.module.css'
 import type { LiveHand } from './useLive'
 
+interface LivePanelProps {
+  hand: LiveHand
+  meId: string | undefined
+  /** The session was started or joined: the focus goes to where it is played. */
+  onJoin: () => void
+}
+
 /** Who hears the same, who holds the keys, and how they change hands. */
-export function LivePanel({ hand, meId }: { hand: LiveHand; meId: string | undefined }) {
+export function LivePanel({ hand, meId, onJoin }: LivePanelProps) {
   const { live, isIn, problem } = hand
   const present = live?.present ?? []
   return (
@@ -25,7 +32,13 @@ export function LivePanel({ hand, meId }: { hand: LiveHand; meId: string | undef
               Leave
             </Button>
           ) : (
-            <Button icon="people" onClick={hand.join}>
+            <Button
+              icon="people"
+              onClick={() => {
+                hand.join()
+                onJoin()
+              }}
+            >
               {present.length > 0 ? 'Join session' : 'Start session'}
             </Button>
           )

@@ -56,6 +56,7 @@ function Room({ playlist }: { playlist: Playlist }) {
   const start = { takeId: position?.take_id, atS: position?.at_s ?? 0 }
   /** The one that is heard before it is approved: the next one waits until then. */
   const staysOn = useRef<string | null>(null)
+  const playButton = useRef<HTMLButtonElement>(null)
   const playthrough = usePlaythrough(
     player,
     takes,
@@ -193,6 +194,7 @@ function Room({ playlist }: { playlist: Playlist }) {
               tall
             />
             <Button
+              ref={playButton}
               variant="primary"
               tall
               icon={isPlaying ? 'pause' : 'play'}
@@ -301,7 +303,7 @@ function Room({ playlist }: { playlist: Playlist }) {
             ))}
           </Rows>
         </section>
-        {mayJoin && <LivePanel hand={hand} meId={me?.person.id} />}
+        {mayJoin && <LivePanel hand={hand} meId={me?.person.id} onJoin={() => playButton.current?.focus()} />}
       </div>
     </div>
   )

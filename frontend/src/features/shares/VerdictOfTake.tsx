@@ -12,6 +12,7 @@ import { ChangeForm } from '@/judging/ChangeForm'
 import { FirstListen } from '@/judging/FirstListen'
 import { MASTER } from '@/judging/hearing'
 import { ReasonRow } from '@/judging/ReasonRow'
+import { ReversalNote } from '@/judging/ReversalNote'
 import { useReasons } from '@/judging/reasons'
 import { useFirstListen, withHeard } from '@/judging/useFirstListen'
 import { useJudge } from '@/judging/useJudge'
@@ -112,6 +113,11 @@ export function VerdictOfTake({
           range={null}
           saving={judge.change.isPending}
           problem={judge.changeProblem}
+          reversal={
+            judged.state === 'approved' && (
+              <ReversalNote cueId={review.cue.id} what={`${review.cue.name} ${name}`} />
+            )
+          }
           onClose={() => setChanging(null)}
           onSave={(said, close) =>
             judge.change.mutate(

@@ -1,12 +1,13 @@
-import { fireEvent, screen, waitFor, within } from '@testing-library/react'
+import { act, fireEvent, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
-import { beforeEach, expect, test } from 'vitest'
+import { beforeEach, expect, test, vi } from 'vitest'
 
+import { HandContext } from '@/test/audioContext'
 import { openApp } from '@/test/openApp'
 import { aPlaylistTake as take, LIVE, PLAYLIST } from '@/test/playlist'
 import { inProject, people } from '@/test/project'
-import { anItem, aReview, aTake } from '@/test/review'
+import { anItem, aPreview, aReview, aTake } from '@/test/review'
 import { answer, type Asked, refusal, serve, wrote } from '@/test/server'
 
 import { chosenCues, NO_FILTER } from './choice'
@@ -240,6 +241,24 @@ test('in a session the keys are taken and handed over', async () => {
   expect(screen.getByRole('button', { name: 'Play' })).toBeDisabled()
 })
 
+test('who starts a session holds its keys, and the next key plays', async () => {
+  const asked = open('/projects/p1/playlists/l1', {
+    'PUT /v1/playlists/l1/live/presence': { ...LIVE, holder: people.producer, is_holder: true, present: [people.producer] },
+    'PUT /v1/playlists/l1/live/playhead': { ...LIVE, holder: people.producer, is_holder: true, present: [people.producer] },
+    'GET /v1/sounds/p-t2/preview': aPreview,
+  })
+  vi.stubGlobal('AudioContext', HandContext)
+  await userEvent.click(await screen.findByRole('button', { name: 'Start session' }))
+  expect(await screen.findByText(/You hold the keys/)).toBeVisible()
+  expect(screen.getByRole('button', { name: 'Play' })).toHaveFocus()
+  await userEvent.keyboard(' ')
+  expect(await screen.findByRole('button', { name: 'Pause' })).toBeVisible()
+  expect(screen.getByRole('button', { name: 'Leave' })).toBeVisible()
+  await waitFor(() =>
+    expect(wrote(asked, 'PUT /v1/playlists/l1/live/playhead')[0]?.body).toMatchObject({ is_playing: true }),
+  )
+})
+
 test('a second tab of who holds the keys is silent, says so, and takes them over', async () => {
   const held = { ...LIVE, holder: people.producer, present: [people.producer] }
   const playing = { take_id: 't3', position_s: 0.2 }
@@ -326,6 +345,43 @@ test('a guest types a name and the password, hears the sounds and comments', asy
     start_s: null,
   })
   await noViolations()
+})
+
+test('one tap plays the whole list: the next sound that is ready follows, each on record before it is sent', async () => {
+  let context: HandContext | undefined
+  vi.stubGlobal(
+    'AudioContext',
+    class extends HandContext {
+      constructor() {
+        super()
+        // eslint-disable-next-line @typescript-eslint/no-this-alias -- the page makes it
+        context = this
+      }
+    },
+  )
+  const [laser, steps] = ROOM.sounds
+  sessionStorage.setItem('soundlist-visit:secret', 'visit-secret')
+  const asked = openLink({
+    'GET /v1/guest-visits/visit-secret': { ...ROOM, sounds: [laser, steps, { ...laser, place: 3, name: 'door' }] },
+    'POST /v1/guest-visits/visit-secret/sounds/1/plays': answer(null, 204),
+    'POST /v1/guest-visits/visit-secret/sounds/3/plays': answer(null, 204),
+    'GET /v1/guest-visits/visit-secret/sounds/1/preview': aPreview,
+    'GET /v1/guest-visits/visit-secret/sounds/3/preview': aPreview,
+  })
+  const now = async (name: string) =>
+    expect(within(await screen.findByRole('region', { name: 'Now' })).getByText(name)).toBeVisible()
+  await now('laser')
+  await userEvent.click(screen.getByRole('button', { name: 'Play' }))
+  await waitFor(() => expect(context?.started).toHaveLength(1))
+  if (context) context.currentTime += 1
+  act(() => context?.started[0]?.end())
+  await waitFor(() => expect(context?.started).toHaveLength(2))
+  await now('door')
+  expect(wrote(asked, 'POST /v1/guest-visits/visit-secret/sounds/3/plays')).toHaveLength(1)
+  if (context) context.currentTime += 1
+  act(() => context?.started[1]?.end())
+  expect(await screen.findByRole('button', { name: 'Play' })).toBeVisible()
+  sessionStorage.clear()
 })
 
 test('a link that opens nothing says so and no more', async () => {

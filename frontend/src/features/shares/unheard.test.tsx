@@ -1,20 +1,20 @@
-import { screen, waitFor, within } from '@testing-library/react'
+import { act, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
-import { beforeEach, expect, test, vi } from 'vitest'
+import { afterEach, beforeEach, expect, test, vi } from 'vitest'
 
 import { dismissToast } from '@/app/toast'
 import { HandContext } from '@/test/audioContext'
 import { openApp } from '@/test/openApp'
 import { aPlaylistTake as take, LIVE, PLAYLIST } from '@/test/playlist'
 import { inProject } from '@/test/project'
-import { aPreview } from '@/test/review'
+import { anItem, aPreview, aReview, aTake, OURS } from '@/test/review'
 import { answer, serve, wrote } from '@/test/server'
 
 const LASER = take('t1', 'laser', { is_heard: false, duration_s: 0.2 })
 const THREE = { ...PLAYLIST, takes: [LASER, take('t2', 'door'), take('t3', 'steps', { is_heard: false })] }
 
-function open(playlist: object, part: 'producer' | 'designer' = 'producer') {
+function open(playlist: object, part: 'producer' | 'designer' = 'producer', more: Record<string, unknown> = {}) {
   const { asked } = serve(
     inProject(part, {
       'GET /v1/playlists/l1': playlist,
@@ -24,6 +24,7 @@ function open(playlist: object, part: 'producer' | 'designer' = 'producer') {
       'GET /v1/sounds/p-t1/preview': { ...aPreview, durationS: 0.2 },
       'GET /v1/sounds/p-t2/preview': aPreview,
       'GET /v1/sounds/p-t3/preview': aPreview,
+      ...more,
     }),
   )
   openApp('/projects/p1/playlists/l1')
@@ -38,6 +39,7 @@ beforeEach(() => {
   localStorage.clear()
   vi.stubGlobal('AudioContext', HandContext)
 })
+afterEach(() => vi.restoreAllMocks())
 
 test('what was not heard is marked and counted, and a key goes from one to the next', async () => {
   open(THREE)
@@ -82,4 +84,39 @@ test('of a designer nothing is recorded: there are no marks, and the key does no
   await nextUnheard()
   expect(screen.queryByText(/not heard/)).toBeNull()
   expect(now()).toHaveTextContent('door')
+})
+
+test('an approval of what was not heard plays it to its end, and the next sound waits for the decision', async () => {
+  let context: HandContext | undefined
+  let playedS = 0
+  vi.spyOn(performance, 'now').mockImplementation(() => 1_000 * playedS)
+  vi.stubGlobal(
+    'AudioContext',
+    class extends HandContext {
+      constructor() {
+        super()
+        // eslint-disable-next-line @typescript-eslint/no-this-alias -- the page makes it
+        context = this
+      }
+    },
+  )
+  const laser = take('t1', 'laser', { is_heard: false, duration_s: 5, may_approve: true })
+  const item = anItem({ id: 'c-t1', name: 'laser' }, [aTake('t1', { is_heard: false, duration_s: 5 })])
+  const asked = open({ ...PLAYLIST, position: null, takes: [laser, take('t2', 'door')] }, 'producer', {
+    'GET /v1/cues/c-t1/review': aReview(item),
+    'GET /v1/projects/p1/review-reasons': OURS,
+    'GET /v1/sounds/p-t1/preview': { durationS: 5 },
+    'POST /v1/takes/t1/verdict': {},
+  })
+  expect(await screen.findByText(/You have not heard version 1 yet/)).toBeVisible()
+  await userEvent.keyboard('a')
+  expect(await screen.findByText('version 1 is playing for the first time.')).toBeVisible()
+  playedS += 5
+  act(() => context?.started.at(-1)?.end())
+  expect(await screen.findByText(/^Heard\./)).toBeVisible()
+  expect(now()).toHaveTextContent('laser')
+  expect(wrote(asked, 'POST /v1/takes/t1/verdict')).toEqual([])
+  await userEvent.keyboard('a')
+  await waitFor(() => expect(wrote(asked, 'POST /v1/takes/t1/verdict')[0]?.body).toMatchObject({ heard: true }))
+  await waitFor(() => expect(now()).toHaveTextContent('door'))
 })

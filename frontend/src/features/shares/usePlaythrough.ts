@@ -3,6 +3,7 @@ import { useEffect, useEffectEvent, useMemo, useState } from 'react'
 import type { Player } from '@/audio'
 
 import type { PlaylistTake } from './api'
+import { useEnded } from './useEnded'
 
 /** So many sounds after the current one are decoded before their turn, so that one follows another without a gap. */
 const AHEAD = 3
@@ -58,22 +59,10 @@ export function usePlaythrough(
   })
   useEffect(() => begin(), [player])
 
-  const ended = useEffectEvent(() => {
+  useEnded(player, () => {
     const next = takes[at + 1]
     if (next && !stays()) void open(next.take_id, { plays: true }).then(() => onBegin(next))
   })
-  useEffect(() => {
-    let sounded = false
-    const unsubscribe = player.subscribe(() => {
-      const { status, durationS, sourceId } = player.getState()
-      if (status === 'playing') sounded = true
-      else if (sounded) {
-        sounded = false
-        if (sourceId !== null && durationS > 0 && player.positionS() >= durationS) ended()
-      }
-    })
-    return unsubscribe
-  }, [player])
 
   return { current, open, step: (by) => takes[at + by] }
 }

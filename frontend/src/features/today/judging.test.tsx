@@ -41,6 +41,21 @@ describe('a verdict', () => {
     )
   })
 
+  test('of what was not heard is not given by the key, which plays it, but by the button that says so', async () => {
+    queueIs({ ...alternates, takes: alternates.takes.map((take) => ({ ...take, is_heard: false })) }, single)
+    server.on('POST /v1/takes/a/verdict', {})
+    await opened()
+    const card = screen.getByRole('region', { name: /Pick one of two/ })
+    expect(card).toHaveTextContent('You have not heard A yet. a plays it first.')
+    await userEvent.keyboard('a')
+    expect(await within(card).findByRole('button', { name: /Pause/ })).toBeVisible()
+    expect(server.of('POST /v1/takes/a/verdict')).toEqual([])
+    await userEvent.click(within(card).getByRole('button', { name: 'Approve without listening' }))
+    await waitFor(() =>
+      expect(server.of('POST /v1/takes/a/verdict')[0]?.body).toMatchObject({ kind: 'approve', heard: false }),
+    )
+  })
+
   test('u takes it back', async () => {
     server.on('POST /v1/takes/a/verdict', {}).on('DELETE /v1/takes/a/verdict', {})
     await opened()

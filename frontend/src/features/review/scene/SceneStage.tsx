@@ -111,16 +111,18 @@ function WillItBeHeard({ scene, moved }: { scene: Scene; moved: Moved }) {
     <section className={classes.heard} aria-label="Will it be heard?">
       <p className="row between">
         <span className="strong">Will it be heard?</span>
-        {masking?.is_measured && (
+        {masking?.is_measured && masking.is_compared && (
           <span className="small mid">
             {masking.heard_bands} of {masking.part_bands} bands, {figure(100 * masking.energy_share)} % of its energy
           </span>
         )}
       </p>
-      {masking?.is_measured ? (
+      {masking?.is_measured && masking.is_compared ? (
         <MaskingPlot masking={masking} names={names} name={scene.lanes[0]?.name ?? ''} />
       ) : (
-        <p className="small mid">The sounds of the scene are being measured.</p>
+        <p className="small mid">
+          {masking?.is_measured ? masking.in_words : 'The sounds of the scene are being measured.'}
+        </p>
       )}
     </section>
   )

@@ -70,6 +70,8 @@ const aScene = (scene: Partial<Scene> = {}): Scene => ({
 })
 const aMasking: Masking = {
   is_measured: true,
+  is_compared: true,
+  missing: '',
   bands: [
     { hz: 150, is_part: true, is_heard: false, sound_db: -40, cover_db: -30, margin_db: -10, covered_by: 'engine' },
     { hz: 2_200, is_part: true, is_heard: true, sound_db: -20, cover_db: -31, margin_db: 11, covered_by: 'music' },
@@ -129,6 +131,15 @@ test('o opens the scene with its lanes, their levels and what is heard, and o cl
   expect(screen.getByRole('button', { name: /^In the scene/ })).toHaveAttribute('aria-pressed', 'true')
   await userEvent.keyboard('o')
   await waitFor(() => expect(screen.queryByRole('region', { name: 'Scene' })).toBeNull())
+})
+
+test('a sound alone gets no figure, and what is missing is said', async () => {
+  const words = 'Not known yet: the scene has no bed and no neighbours.'
+  const alone = { ...aMasking, is_compared: false, missing: words, in_words: words, bands: [], heard_bands: 0 }
+  server.on('GET /v1/takes/a/masking', alone)
+  const { scene } = await openScene()
+  expect(await scene.findByText(words)).toBeVisible()
+  expect(scene.queryByText(/bands/)).toBeNull()
 })
 
 test('the figures stand in a table too, with what covers each band', async () => {
