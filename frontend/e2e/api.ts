@@ -3,12 +3,7 @@ import { type APIRequestContext, type APIResponse, type BrowserContext, expect }
 type Method = 'GET' | 'POST' | 'PUT' | 'PATCH'
 
 /** Send a request as the person in this browser would; a refusal fails the test. */
-export async function send(
-  context: BrowserContext,
-  url: string,
-  method: Method,
-  data?: unknown,
-): Promise<APIResponse> {
+export async function send(context: BrowserContext, url: string, method: Method, data?: unknown): Promise<APIResponse> {
   const csrf = (await context.cookies(url)).find(({ name }) => name === 'soundlist_csrf')?.value ?? ''
   const answer = await context.request.fetch(url, { method, data, headers: { 'X-CSRF-Token': csrf } })
   expect(answer.ok(), `${method} ${url}: ${answer.status()} ${answer.ok() ? '' : await answer.text()}`).toBe(true)
@@ -16,12 +11,7 @@ export async function send(
 }
 
 /** Ask the server as the person in this browser would; a refusal fails the test. */
-export async function ask<T>(
-  context: BrowserContext,
-  url: string,
-  method: Method = 'GET',
-  data?: unknown,
-): Promise<T> {
+export async function ask<T>(context: BrowserContext, url: string, method: Method = 'GET', data?: unknown): Promise<T> {
   return (await (await send(context, url, method, data)).json()) as T
 }
 

@@ -48,16 +48,16 @@ export function useFirstListen({ player, playing, takes, play }: Listened): Firs
   const sounding = wanted.find(({ id }) => isSounding && id === playing.takeId)
 
   const goOn = useEffectEvent(() => {
-    const last = wanted.find(({ id }) => id === playing.takeId)
     const next = wanted.find(({ is_heard: isHeard }) => !isHeard)
-    if (last?.is_heard && next) play(next)
+    if (next) play(next)
   })
   // A sound is heard to its end; one that does not end, or not soon, until it counts as heard.
   const isEndless = playing.looping || playing.durationS > ENOUGH_S
-  const isHeard = sounding?.is_heard === true
+  const last = wanted.find(({ id }) => id === playing.takeId)
+  const isDone = last?.is_heard === true && (playing.status === 'paused' || isEndless)
   useEffect(() => {
-    if (playing.status === 'paused' || (isEndless && isHeard)) goOn()
-  }, [playing.status, isEndless, isHeard])
+    if (isDone) goOn()
+  }, [isDone, last?.id])
 
   return {
     unheard,

@@ -147,6 +147,7 @@ def test_words_say_where_it_is_clearest_and_what_covers_where():
         ([], "The sound is silent."),
         ([band(100, -math.inf, is_part=False)], "The sound is silent."),
         ([band(100, math.inf), band(200, math.inf)], "Heard in 2 of 2 bands. Nothing covers it."),
+        ([band(100, math.inf)], "Heard in 1 of 1 band. Nothing covers it."),
         ([band(100, -1, "engine")], "Covered in all bands. Covered by engine: 100 Hz."),
     ],
 )

@@ -305,7 +305,11 @@ function follows({ review, hand, meant, waiting, whole }: VerdictProps): string 
   if (draft) return `Draft, not sent: “${draft.text}”`
   if (hand.state !== 'conforming') return STATE_WORDS[hand.state] ?? ''
   if (!review.may_approve) return ''
-  if (whole) return `Approves all ${cue.variations} variations at once.`
+  if (whole) {
+    const left = new Set(waiting.map(({ variation }) => variation)).size
+    if (left === cue.variations) return `Approves all ${cue.variations} variations at once.`
+    return `Approves the ${plural(left, 'variation')} that ${left === 1 ? 'is' : 'are'} left.`
+  }
   if (cue.variations > 1) {
     const missing = cue.variations - new Set(waiting.map(({ variation }) => variation)).size
     const left = missing - review.approved_variations.length

@@ -91,7 +91,8 @@ describe('a change of an approved version', () => {
     extra_round_minor: 4_500,
     extra_rounds: [],
   }
-  const SAYS = 'shield_hit version 1 is approved. Sending this change takes the approval back, and $360.00 is no longer due.'
+  const SAYS =
+    'shield_hit version 1 is approved. Sending this change takes the approval back, and $360.00 is no longer due.'
 
   test('says what it takes back before it is noted, by a text and by a reason', async () => {
     server.on('GET /v1/cues/shield/money', TAKEN)

@@ -114,9 +114,7 @@ export function VerdictOfTake({
           saving={judge.change.isPending}
           problem={judge.changeProblem}
           reversal={
-            judged.state === 'approved' && (
-              <ReversalNote cueId={review.cue.id} what={`${review.cue.name} ${name}`} />
-            )
+            judged.state === 'approved' && <ReversalNote cueId={review.cue.id} what={`${review.cue.name} ${name}`} />
           }
           onClose={() => setChanging(null)}
           onSave={(said, close) =>

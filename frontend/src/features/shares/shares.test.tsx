@@ -243,8 +243,18 @@ test('in a session the keys are taken and handed over', async () => {
 
 test('who starts a session holds its keys, and the next key plays', async () => {
   const asked = open('/projects/p1/playlists/l1', {
-    'PUT /v1/playlists/l1/live/presence': { ...LIVE, holder: people.producer, is_holder: true, present: [people.producer] },
-    'PUT /v1/playlists/l1/live/playhead': { ...LIVE, holder: people.producer, is_holder: true, present: [people.producer] },
+    'PUT /v1/playlists/l1/live/presence': {
+      ...LIVE,
+      holder: people.producer,
+      is_holder: true,
+      present: [people.producer],
+    },
+    'PUT /v1/playlists/l1/live/playhead': {
+      ...LIVE,
+      holder: people.producer,
+      is_holder: true,
+      present: [people.producer],
+    },
     'GET /v1/sounds/p-t2/preview': aPreview,
   })
   vi.stubGlobal('AudioContext', HandContext)

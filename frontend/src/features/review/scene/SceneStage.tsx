@@ -7,7 +7,7 @@ import { useHotkeys } from '@/app/keys'
 import { type Player, type Source, useAt } from '@/audio'
 import type { Placing } from '@/judging/useHearing'
 import { Button } from '@/ui/Button'
-import { figure } from '@/ui/format'
+import { figure, plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import { AddBed } from './AddBed'
@@ -113,7 +113,8 @@ function WillItBeHeard({ scene, moved }: { scene: Scene; moved: Moved }) {
         <span className="strong">Will it be heard?</span>
         {masking?.is_measured && masking.is_compared && (
           <span className="small mid">
-            {masking.heard_bands} of {masking.part_bands} bands, {figure(100 * masking.energy_share)} % of its energy
+            {masking.heard_bands} of {plural(masking.part_bands, 'band')}, {figure(100 * masking.energy_share)} % of its
+            energy
           </span>
         )}
       </p>
