@@ -385,7 +385,7 @@ class CueMoneyRead(Schema):
     amount_minor: int
     would_owe_minor: int
     would_take_back_minor: int = Field(
-        description="What is no longer due once a change of an approved version is sent; 0 while the cue is not accepted."
+        description="What is no longer due once a change of an approved version is sent; 0 until the cue is accepted."
     )
     accepted: int
     accepted_then: int

@@ -106,7 +106,8 @@ def test_before_all_is_measured_no_figure_is_given(world: World, stage: Stage):
     approved(stage, "engine")
     assert masking(world, take_id) == {
         "is_measured": False, "is_compared": True,
-        "missing": "The scene has no bed: music and ambience are not counted.", "bands": [], "part_bands": 0, "heard_bands": 0, "energy_share": 0.0, "time_share": 0.0,
+        "missing": "The scene has no bed: music and ambience are not counted.",
+        "bands": [], "part_bands": 0, "heard_bands": 0, "energy_share": 0.0, "time_share": 0.0,
         "in_words": "",
     }  # fmt: skip
 
