@@ -72,6 +72,7 @@ describe('the reason of a pick', () => {
         note: '',
         reasons: ['Cleanest'],
         take_ids: ['w1', 'w2'],
+        heard_take_ids: ['w1', 'w2'],
       }),
     )
   })
