@@ -6,8 +6,8 @@ from app.accounts.errors import ProducerNeeded, StudioNotFound
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
-from app.notifications import service
-from app.notifications.errors import MailNotFound
+from app.notifications import links, service
+from app.notifications.errors import MailNotFailed, MailNotFound
 from app.notifications.models import Mail
 from app.notifications.rules import mail_state, text_of
 from app.notifications.schemas import MailedLinkRead, MailedLinksRead, MailRead, OutboxRead
@@ -17,8 +17,9 @@ router = Router(prefix="/v1", tags=["notifications"], route_class=Route)
 
 
 def _shown_link(mail: Mail, *, can_send: bool) -> str | None:
-    # A secret link is shown only if no mail server delivers it to its recipient.
-    return None if mail.sent_at is not None or (can_send and mail.secret_of is not None) else mail.link
+    # A secret link is shown only if no mail server delivers it to its recipient, or it was asked for after a refusal.
+    is_delivered = can_send and mail.secret_of is not None and mail.failure is None
+    return None if mail.sent_at is not None or is_delivered else mail.link
 
 
 def _read(mail: Mail, *, can_send: bool) -> MailRead:
@@ -68,6 +69,15 @@ def list_mailed_links(
             if mail.secret_of_id is not None
         ],
     )
+
+
+@router.post("/mails/{mail_id}/link", responses=problems(MailNotFound, MailNotFailed))
+def hand_over_link(
+    mail_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Audience.PRODUCER)
+) -> MailRead:
+    """Show the link of a mail that the mail server refused, to be handed over."""
+    mail = links.link_by_hand(session, actor, mail_id, base_url=runtime.settings.base_url)
+    return _read(mail, can_send=bool(runtime.settings.smtp_url))
 
 
 @router.post("/mails/{mail_id}/send", responses=problems(MailNotFound))

@@ -21,3 +21,7 @@ class ContractMailNeeded(Invalid):
 
 class QuietHoursUnclear(Invalid):
     """Quiet hours need a begin and an end that differ."""
+
+
+class MailNotFailed(Conflict):
+    """The mail was sent, is on its way, or contains no link that could be handed over."""

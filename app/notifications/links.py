@@ -14,12 +14,14 @@ from sqlalchemy.orm import Session
 
 from app.accounts import addresses
 from app.accounts.models import EmailVerification, MailedLink, PasswordReset, SignUp, StudioInvitation
+from app.accounts.rules import Actor, Role
 from app.agreements import signing_codes
 from app.agreements.models import SigningCode
 from app.hiring.models import Candidate
 from app.kit import clock
 from app.kit.queue import Payload
 from app.notifications import queries, service
+from app.notifications.errors import MailNotFailed, MailNotFound
 from app.notifications.models import Mail
 from app.projects.models import ProjectInvitation
 
@@ -135,6 +137,30 @@ def make(session: Session, mail: Mail, *, base_url: str, is_sent_by_mail_only: b
     if isinstance(opened, SigningCode):
         return signing_codes.renew(opened) if is_sent_by_mail_only else None  # in no outbox, only in the mail
     return f"{base_url}/{kind.page}/{addresses.renew_secret(opened, is_sent_by_mail_only=is_sent_by_mail_only)}"
+
+
+def link_by_hand(session: Session, actor: Actor, mail_id: UUID, *, base_url: str) -> Mail:
+    """Show the link of a mail that the server refused, to be handed over; the mail is sent with the same one later.
+
+    Raises MailNotFailed where there is nothing to hand over. The link proves no address.
+    """
+    mail = queries.mail_locked(session, mail_id)
+    if mail is None or mail.studio_id is None or not actor.roles_in(mail.studio_id) & {Role.PRODUCER}:
+        raise MailNotFound(f"no mail {mail_id}")
+    is_sending = mail.claimed_until is not None and mail.claimed_until > clock.now()
+    if mail.sent_at is not None or mail.failure is None or mail.secret_of is None or is_sending:
+        raise MailNotFailed("this mail was sent, or is on its way", fix="read how it stands, and wait a moment")
+    mail.link = mail.link or make(session, mail, base_url=base_url, is_sent_by_mail_only=False)
+    if mail.link is None:
+        raise MailNotFailed("its link was used or withdrawn, or is too old", fix="invite the address again")
+    session.flush()
+    return mail
+
+
+def still_opens(session: Session, mail: Mail) -> bool:
+    """Whether the secret link of a mail has something left to do."""
+    opened = session.get(KINDS[mail.secret_of].table, mail.secret_of_id) if mail.secret_of else None
+    return opened is not None and not is_over(opened)
 
 
 def is_over(opened: Any) -> bool:

@@ -58,8 +58,13 @@ def _send(runtime: Runtime, mail_id: UUID) -> None:
             return
         if preferences.drop_unwanted(session, claimed):
             return
-        link = links.make(session, claimed, base_url=runtime.settings.base_url, is_sent_by_mail_only=True)
-        if claimed.secret_of is not None:
+        # A link that was handed over since the server refused the mail goes on working.
+        is_by_hand = claimed.secret_of is not None and claimed.failure is not None and claimed.link is not None
+        if is_by_hand:
+            link = claimed.link if links.still_opens(session, claimed) else None
+        else:
+            link = links.make(session, claimed, base_url=runtime.settings.base_url, is_sent_by_mail_only=True)
+        if claimed.secret_of is not None and (link is None or not is_by_hand):
             claimed.link = None  # the link that the outbox showed is revoked
             if link is None:
                 session.delete(claimed)  # it was used, revoked or grew old before a server took it

@@ -1,10 +1,12 @@
 import { useQuery } from '@tanstack/react-query'
 
+import { ApiProblem } from '@/api'
+import { Button } from '@/ui/Button'
 import { CopyButton } from '@/ui/CopyButton'
 import { ago } from '@/ui/format'
 import { State } from '@/ui/State'
 
-import { mailedLinksQuery } from './api'
+import { mailedLinksQuery, useHandOverLink } from './api'
 
 interface MailedLinkProps {
   projectId: string
@@ -16,28 +18,40 @@ interface MailedLinkProps {
 /** How the mail with a person's link stands, and the link to hand over where there is no mail server. */
 export function MailedLink({ projectId, ofId, recipient }: MailedLinkProps) {
   const { data } = useQuery(mailedLinksQuery(projectId))
+  const handOver = useHandOverLink(projectId)
   if (data === undefined) return null
   const mail = data.links.find(({ of_id: id }) => id === ofId)
   if (mail === undefined || mail.state === 'waiting') return <State kind="waiting">Email waiting</State>
   if (mail.state === 'sent') {
     return <State kind="passed">{mail.sent_at ? `Emailed ${ago(mail.sent_at)}` : 'Emailed'}</State>
   }
-  if (mail.state === 'failed') {
-    return (
-      <State kind="not_sent" reason={mail.failure ?? undefined}>
-        Email failed, is tried again
-      </State>
-    )
-  }
   return (
     <span className="row wrap">
-      <State kind="warning">Not emailed: no mail server</State>
+      {mail.state === 'failed' ? (
+        <State kind="not_sent" reason={mail.failure ?? undefined}>
+          Email failed, is tried again
+        </State>
+      ) : (
+        <State kind="warning">Not emailed: no mail server</State>
+      )}
       {mail.link && (
         <CopyButton text={mail.link} what="Link">
           <span>
             Copy link <span className="visually-hidden">{`for ${recipient}`}</span>
           </span>
         </CopyButton>
+      )}
+      {mail.state === 'failed' && mail.link === null && (
+        <Button aria-busy={handOver.isPending} onClick={() => handOver.mutate(mail.mail_id)}>
+          <span>
+            Show link <span className="visually-hidden">{`for ${recipient}`}</span>
+          </span>
+        </Button>
+      )}
+      {handOver.error instanceof ApiProblem && (
+        <span role="alert" className="small">
+          {handOver.error.detail}
+        </span>
       )}
     </span>
   )

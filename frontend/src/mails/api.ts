@@ -1,7 +1,7 @@
-import { queryOptions } from '@tanstack/react-query'
+import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api } from '@/api'
-import { queryKeys } from '@/api/queryKeys'
+import { answered, api, useMutation } from '@/api'
+import { invalidate, queryKeys } from '@/api/queryKeys'
 
 /** How the mails stand by which a project invites. */
 export const mailedLinksQuery = (projectId: string) =>
@@ -12,3 +12,13 @@ export const mailedLinksQuery = (projectId: string) =>
     // The worker writes and sends mails a moment after their event.
     refetchInterval: 3_000,
   })
+
+/** Show the link of a mail that the mail server refused, to be handed over. */
+export function useHandOverLink(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (mailId: string) =>
+      answered(api.POST('/v1/mails/{mail_id}/link', { params: { path: { mail_id: mailId } } })),
+    onSuccess: () => invalidate(client, queryKeys.mailedLinks(projectId)),
+  })
+}

@@ -132,6 +132,31 @@ def test_a_server_that_refuses_loses_nothing(world: World, mailbox: Mailbox, smt
     assert len(mailbox.texts_for(address)) == 1
 
 
+def test_a_link_is_handed_over_while_the_server_refuses_and_works_after_it_took_the_mail(
+    world: World, mailbox: Mailbox, smtp_url: str
+):
+    address = f"{uuid4()}@example.test"
+    invite(world, address)
+    mail_id = str(links_of(world)[address]["mail_id"])
+    path = f"/v1/mails/{mail_id}/link"
+    assert world.producer.post(path).json()["code"] == "mail-not-failed"
+    runtime = with_smtp(world.server.runtime, smtp_url)
+    mailbox.refuses = True
+    mail_jobs.send_pending(runtime)
+    assert links_of(world)[address]["link"] is None
+    assert world.designer.post(path).status_code in (403, 404)
+    assert world.stranger.post(path).status_code == 404
+    link = world.producer.post(path).json()["link"]
+    assert world.producer.post(path).json()["link"] == link == links_of(world)[address]["link"]
+    mail_jobs.send_pending(runtime)  # refused once more
+    mailbox.refuses = False
+    mail_jobs.send_pending(runtime)
+    (text,) = mailbox.texts_for(address)
+    assert link in text.replace("=\r\n", "").replace("=3D", "=")
+    assert world.server.browser().get(f"/v1/invitations/{link.rpartition('/')[2]}").status_code == 200
+    assert (links_of(world)[address]["state"], links_of(world)[address]["link"]) == ("sent", None)
+
+
 def test_many_workers_send_one_mail(world: World, mailbox: Mailbox, smtp_url: str):
     address = f"{uuid4()}@example.test"
     invite(world, address)
