@@ -366,6 +366,7 @@ export function CueRoom(props: CueRoomProps) {
             money={props.money}
             hand={hand}
             meant={meant}
+            toPick={toPick}
             name={blind && hand ? nameOf(hand) : meantName}
             blocked={blocked}
             checklist={

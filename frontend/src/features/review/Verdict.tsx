@@ -2,7 +2,7 @@ import type { ReactNode } from 'react'
 
 import { HotkeyButton, useHotkeys } from '@/app/keys'
 import type { TimeRange } from '@/audio'
-import type { CueReview, ReviewTake } from '@/judging/api'
+import type { CueReview, ReviewCue, ReviewTake } from '@/judging/api'
 import { ChangeForm } from '@/judging/ChangeForm'
 import type { ReasonKind } from '@/judging/reasons'
 import { ReasonRow } from '@/judging/ReasonRow'
@@ -34,6 +34,8 @@ interface VerdictProps {
   checklist: ReactNode
   /** What an approval waits for, as long as a version was not heard. */
   notHeard: ReactNode
+  /** What an approval takes: one version a variation. */
+  toPick: readonly ReviewTake[]
   /** A whole set waits and can be accepted at once. */
   whole: boolean
   waiting: readonly ReviewTake[]
@@ -297,7 +299,17 @@ function whoDecides(review: CueReview, money: CueMoney | null): string {
   return `${call} ${counted === 0 ? 'No revision round yet.' : `${plural(counted, 'revision round')} so far.`}`
 }
 
-function follows({ review, hand, meant, waiting, whole }: VerdictProps): string {
+/** Of a variation with several versions, which one the set takes and which give way: nobody chooses unawares. */
+function takenWords(cue: ReviewCue, waiting: readonly ReviewTake[], toPick: readonly ReviewTake[]): string {
+  const pickedIds = new Set(toPick.map(({ id }) => id))
+  const others = waiting.filter(({ id }) => !pickedIds.has(id))
+  if (others.length === 0) return ''
+  const taken = toPick.filter(({ variation }) => others.some((other) => other.variation === variation))
+  const named = (takes: readonly ReviewTake[]) => namesOf(takes.map((take) => takeName(take, cue, waiting)))
+  return `Takes ${named(taken)}; ${named(others)} ${others.length === 1 ? 'is' : 'are'} set aside.`
+}
+
+function follows({ review, hand, meant, toPick, waiting, whole }: VerdictProps): string {
   const { cue } = review
   if (cue.state === 'cut') return 'This cue was cut.'
   if (hand === undefined) return 'No version yet.'
@@ -307,8 +319,11 @@ function follows({ review, hand, meant, waiting, whole }: VerdictProps): string 
   if (!review.may_approve) return ''
   if (whole) {
     const left = new Set(waiting.map(({ variation }) => variation)).size
-    if (left === cue.variations) return `Approves all ${cue.variations} variations at once.`
-    return `Approves the ${plural(left, 'variation')} that ${left === 1 ? 'is' : 'are'} left.`
+    const all =
+      left === cue.variations
+        ? `Approves all ${cue.variations} variations at once.`
+        : `Approves the ${plural(left, 'variation')} that ${left === 1 ? 'is' : 'are'} left.`
+    return [all, takenWords(cue, waiting, toPick)].filter(Boolean).join(' ')
   }
   if (cue.variations > 1) {
     const missing = cue.variations - new Set(waiting.map(({ variation }) => variation)).size

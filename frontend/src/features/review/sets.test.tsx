@@ -3,7 +3,7 @@ import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
 import { beforeAll, describe, expect, test } from 'vitest'
 
-import { aDraft, aReview } from '@/test/review'
+import { aDraft, aPreview, aReview } from '@/test/review'
 import { opened, posts, server, serveReview, serveReviewPage, walk } from '@/test/reviewPage'
 
 beforeAll(() => Promise.all([import('./ReviewPage'), import('./ReviewStart')]))
@@ -23,6 +23,19 @@ describe('a set', () => {
       }),
     )
     expect(await screen.findByRole('heading', { name: 'shield_hit', level: 1 })).toBeVisible()
+  })
+
+  test('with two versions of one variation names which one it takes and which gives way', async () => {
+    const [w1, w2] = walk.takes
+    if (!w1 || !w2) throw new Error('the set has two variations')
+    const twice = { ...w2, id: 'w3', number: 2, file_name: 'foot_deck_walk_02 FINAL (2).wav' }
+    server.on('GET /v1/sounds/w3/preview', aPreview)
+    serveReview(aReview({ ...walk, takes: [w1, w2, twice] }))
+    await opened('/walk')
+    const bar = screen.getByRole('region', { name: 'Verdict' })
+    expect(bar).toHaveTextContent('Approves all 2 variations at once. Takes _02 B; _02 A is set aside.')
+    await userEvent.keyboard('2')
+    expect(bar).toHaveTextContent('Takes _02 A; _02 B is set aside.')
   })
 
   test('is played as the game does, at a rate and with pitch and level that stray, as chosen the last time', async () => {
