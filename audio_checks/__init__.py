@@ -50,6 +50,7 @@ if TYPE_CHECKING:
     from audio_checks.judge.compare.takes import compare_reverb_of_takes
     from audio_checks.matching.adoption import AdoptionPlan, ShippedFile, folded_stem, plan_adoption
     from audio_checks.matching.index import ListedCue, NameIndex
+    from audio_checks.matching.reading import variation_in
     from audio_checks.measure.average_spectrum import BandLevels
     from audio_checks.measure.masking import BLOCK_S, CENTRES_HZ, Masking, masking
     from audio_checks.measure.true_peak import true_peak_dbtp
@@ -270,6 +271,7 @@ __all__ = [
     "synthesize_speech",
     "tidy_recording",
     "true_peak_dbtp",
+    "variation_in",
     "wave_shapes",
     "with_plays",
     "with_project",
@@ -308,6 +310,7 @@ _HOMES = {
     "audio_checks.report.findings": ("FileReport", "Finding", "Report"),
     "audio_checks.matching.adoption": ("AdoptionPlan", "ShippedFile", "folded_stem", "plan_adoption"),
     "audio_checks.matching.index": ("ListedCue", "NameIndex"),
+    "audio_checks.matching.reading": ("variation_in",),
     "audio_checks.measure.average_spectrum": ("BandLevels",),
     "audio_checks.measure.true_peak": ("true_peak_dbtp",),
     "audio_checks.measure.masking": ("BLOCK_S", "CENTRES_HZ", "Masking", "masking"),

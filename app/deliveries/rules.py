@@ -163,9 +163,9 @@ def alternate_of(file_name: str) -> int | None:
 
 def variation_for_name(file_name: str, variations: int, filled: Collection[int]) -> int:
     """Return the variation of a set that a file dropped on its cue is for: the one it names, else the first empty."""
-    ending = re.search(r"([0-9]{1,4})$", audio_checks.parse_file_name(file_name).stem)
-    if ending and 1 <= int(ending[1]) <= variations:
-        return int(ending[1])
+    named = audio_checks.variation_in(file_name, variations)
+    if named is not None:
+        return named
     return next((place for place in range(1, variations + 1) if place not in filled), 1)
 
 

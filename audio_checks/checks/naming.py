@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 from audio_checks.report.findings import Finding
 from audio_checks.spec import patterns
 from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
-from audio_checks.spec.sound_names import parse_file_name, slug
+from audio_checks.spec.sound_names import parse_file_name, word_slug
 
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
@@ -101,7 +101,7 @@ def check_set(files: "Sequence[JudgedFile]") -> Iterator[tuple[int, Finding]]:
 def _against_rule(stem: str, extension: str, spec: DeliverySpec) -> Iterator[Finding]:
     naming = spec.naming
     if naming.pattern is not None and not (pattern := patterns.compiled(naming.pattern)).matches(stem):
-        proposed = slug(stem)
+        proposed = word_slug(stem)
         renamed = proposed and pattern.matches(proposed)
         ending = naming.extension or extension
         yield Finding(

@@ -18,7 +18,9 @@ from typing import TYPE_CHECKING
 from audio_checks.errors import AudioChecksError, Unreadable
 from audio_checks.fixing.header import with_right_sizes
 from audio_checks.fixing.names import valid_name
+from audio_checks.matching.reading import key_of, plain, tokens_of
 from audio_checks.report.findings import FileReport
+from audio_checks.spec.format_suffixes import without_format_suffix
 from audio_checks.spec.sound_list import SoundList
 from audio_checks.spec.sound_names import parse_file_name, slug, stems_of
 
@@ -66,8 +68,9 @@ class Repairs:
         self._stems: dict[str, str] = {}
         for cue in sound_list.cues if sound_list else ():
             for stem in stems_of(cue.name, cue.file_name, cue.variations) if cue.state != "cut" else ():
-                taken = slug(stem) in self._stems  # by a stem with another spelling: the user must choose
-                self._stems[slug(stem)] = "" if taken else stem
+                for spelling in {slug(stem), _spelling(stem)}:
+                    taken = spelling in self._stems  # by a stem with another spelling: the user must choose
+                    self._stems[spelling] = "" if taken else stem
         self._given: set[str] = set()
 
     def planned(self, task: "Task", entry: FileReport) -> Change | None:
@@ -104,7 +107,7 @@ class Repairs:
             valid = valid_name(task.listed_name, task.spec) if task.spec else None
             return valid.removeprefix(start) if valid and valid.startswith(start) and valid != start + name else None
         parts = parse_file_name(name)
-        listed = self._stems.get(slug(parts.stem))
+        listed = self._stems.get(slug(parts.stem)) or self._stems.get(_spelling(parts.stem))
         candidate = name
         if listed:
             mark = f"__alt{parts.alternate}" if parts.alternate is not None else ""
@@ -118,6 +121,11 @@ class Repairs:
                 raise CannotFixInPlace(f"it would be named {os.path.basename(new)}, and there is such a file already")
         if os.path.normcase(os.path.abspath(new_path)) in self._given:
             raise CannotFixInPlace(f"another file is given the name {os.path.basename(new_path)}")
+
+
+def _spelling(stem: str) -> str:
+    """Return what two spellings of one stem share: `DoorWoodClose-1_48k24` is that of `door_wood_close_01`."""
+    return f" {key_of(tokens_of(plain(without_format_suffix(stem))))}"  # the space keeps it apart from slugs
 
 
 def fix_in_place(change: Change) -> None:

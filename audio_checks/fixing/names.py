@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, cast
 
 from audio_checks.checks import naming
 from audio_checks.spec.delivery_spec import DeliverySpec
-from audio_checks.spec.sound_names import parse_file_name, slug
+from audio_checks.spec.format_suffixes import without_format_suffix
+from audio_checks.spec.sound_names import parse_file_name, slug, word_slug
 
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
@@ -60,8 +61,8 @@ def _candidates(name: str, spec: DeliverySpec) -> Iterator[str]:
     is_wav = wanted is not None and {wanted.lower(), extension.lower()} <= WAV_ENDINGS
     ending = wanted if wanted is not None and (is_wav or wanted.lower() == extension.lower()) else extension
     mark = f"__alt{alternate}" if alternate is not None and spec.target is None else ""
-    lower = slug(stem)
-    joined = "_".join(re.findall(r"[A-Za-z0-9]+", stem))
-    for made in dict.fromkeys((stem, lower, joined, lower.upper(), lower.replace("_", "-"))):
+    lower = word_slug(stem)
+    joined = "_".join(re.findall(r"[A-Za-z0-9]+", without_format_suffix(stem)))
+    for made in dict.fromkeys((stem, lower, joined, lower.upper(), lower.replace("_", "-"), slug(stem))):
         if made:
             yield f"{made}{mark}{ending}"

@@ -13,6 +13,36 @@ COMPARED = 20  # names that share most
 LEAST = 0.15  # a name less like is not a guess
 
 
+_IRREGULAR = {
+    "calves": "calf",
+    "children": "child",
+    "elves": "elf",
+    "feet": "foot",
+    "geese": "goose",
+    "hooves": "hoof",
+    "knives": "knife",
+    "leaves": "leaf",
+    "men": "man",
+    "mice": "mouse",
+    "shelves": "shelf",
+    "teeth": "tooth",
+    "wolves": "wolf",
+    "women": "woman",
+}
+
+
+def likeness_key(token: Token) -> str:
+    """Return what the singular and the plural of a word share: door and doors, fly and flies, box and boxes."""
+    if token.is_number:
+        return token.key
+    word = _IRREGULAR.get(token.text, token.text)
+    if len(word) > 3 and word.endswith("s") and not word.endswith(("ss", "us", "is")):
+        word = word[:-1]
+    if len(word) > 3 and word.endswith("e"):
+        word = word[:-1]
+    return f"{word[:-1]}i" if len(word) > 2 and word.endswith("y") else word
+
+
 class Likenesses:
     """The words and threes of letters of a list's names.
 
@@ -26,8 +56,10 @@ class Likenesses:
         self._words: dict[str, list[int]] = defaultdict(list)
         self._threes: dict[str, list[int]] = defaultdict(list)
         self._own: dict[int, tuple[frozenset[str], frozenset[str]]] = {}
+        self._spelt: dict[int, dict[str, str]] = {}  # how a cue writes its words
         for place, spelt in names:
-            words = frozenset(token.key for tokens in spelt for token in tokens)
+            self._spelt[place] = {likeness_key(token): token.text for tokens in spelt for token in tokens}
+            words = frozenset(self._spelt[place])
             threes = frozenset(three for tokens in spelt for three in threes_of(tokens))
             self._own[place] = (words, threes)
             for word in words:
@@ -37,9 +69,9 @@ class Likenesses:
 
     def nearest(self, tokens: Sequence[Token], folders: Sequence[Token], most: int) -> list[tuple[int, str]]:
         """Return the names that are most alike, the likeliest first, each with why; fewer where few are alike."""
-        words = frozenset(token.key for token in tokens)
-        beside = frozenset(token.key for token in folders)
-        threes = threes_of(tokens)
+        words = frozenset(key for key in map(likeness_key, tokens) if not key.startswith("#") or key in self._words)
+        beside = frozenset(map(likeness_key, folders))
+        threes = threes_of(tokens if any(not token.is_number for token in tokens) else folders)
         counts: dict[int, float] = defaultdict(float)
         for postings, keys, weight in ((self._words, words | beside, 3.0), (self._threes, threes, 1.0)):
             found = sorted((postings[key] for key in keys if key in postings), key=len)
@@ -51,7 +83,7 @@ class Likenesses:
         near = sorted(counts, key=lambda cue: (-counts[cue], cue))[:COMPARED]
         scored = [(self._score(cue, words, beside, threes), cue) for cue in near]
         scored.sort(key=lambda item: (-item[0], item[1]))
-        return [(cue, self._why(cue, words | beside)) for score, cue in scored[:most] if score >= LEAST]
+        return [(cue, self._why(cue, words, beside)) for score, cue in scored[:most] if score >= LEAST]
 
     def _score(self, cue: int, words: frozenset[str], beside: frozenset[str], threes: frozenset[str]) -> float:
         own_words, own_threes = self._own[cue]
@@ -63,11 +95,15 @@ class Likenesses:
     def _weight(self, word: str) -> float:
         return 1.0 / (1.0 + math.log1p(len(self._words.get(word, ()))))
 
-    def _why(self, cue: int, words: frozenset[str]) -> str:
-        shared = sorted(word for word in self._own[cue][0] & words if not word.startswith("#"))
-        if shared:
-            return "the name has " + " and ".join(f'"{word}"' for word in shared[:3])
-        return "the name is spelt nearly alike"
+    def _why(self, cue: int, words: frozenset[str], beside: frozenset[str]) -> str:
+        spelt = self._spelt[cue]
+        of_name = [spelt[word] for word in spelt if word in words and not word.startswith("#")]
+        of_folders = [spelt[word] for word in spelt if word in beside and not word.startswith("#")]
+        if not (of_name or of_folders):
+            return "the name is spelt nearly alike"
+        holder = "the name has" if of_name else "the folders have" if len(of_folders) > 1 else "the folder has"
+        *most, last = [f'"{word}"' for word in dict.fromkeys([*of_name, *of_folders])][:3]
+        return f"{holder} {', '.join(most)} and {last}" if most else f"{holder} {last}"
 
 
 def threes_of(tokens: Sequence[Token]) -> frozenset[str]:

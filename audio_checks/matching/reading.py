@@ -14,13 +14,15 @@ from audio_checks.matching.words import (
     COPY_WORDS,
     FORMAT_WORDS,
     MONTHS,
+    NEAR_FORMAT_WORDS,
     STATE_WORDS,
     TAKE_WORDS,
     UNITS,
     VERSION_WORDS,
     WEAK_STATE_WORDS,
 )
-from audio_checks.spec.sound_names import AUDIO_SUFFIXES
+from audio_checks.spec.format_suffixes import format_spans
+from audio_checks.spec.sound_names import AUDIO_SUFFIXES, WORD_STARTS
 
 Kind = Literal["state", "version", "take", "copy", "count", "alternate", "format", "date"]
 
@@ -30,7 +32,6 @@ MOST_CHARS = 400
 NEVER_SPLIT = STATE_WORDS | VERSION_WORDS | UNITS
 
 _TOKEN = re.compile(r"[0-9]+|[^\W\d_]+")
-_HUMPS = re.compile(r"(?<=[a-z])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")
 _DATES = (
     re.compile(r"(?<![0-9])(?P<y>20[0-9]{2})([-_. ]?)(?P<m>[0-9]{2})\2(?P<d>[0-9]{2})(?![0-9])"),
     re.compile(r"(?<![0-9])(?P<d>[0-9]{1,2})([-_. ])(?P<m>[0-9]{1,2})\2(?P<y>20[0-9]{2})(?![0-9])"),
@@ -143,7 +144,7 @@ def _pieces(chunk: re.Match[str], text: str) -> list[tuple[int, str]]:
     ends_in_version = len(run) > 1 and run[-1] in "vV" and text[chunk.end() : chunk.end() + 1].isdigit()
     body = run[:-1] if ends_in_version else run
     pieces = []
-    for piece in _HUMPS.split(body):
+    for piece in WORD_STARTS.split(body):
         pieces.append((start, piece))
         start += len(piece)
     return [*pieces, (start, run[-1])] if ends_in_version else pieces
@@ -175,6 +176,23 @@ def read_name(path: str) -> Reading:
     )
 
 
+def variation_in(path: str, variations: int) -> int | None:
+    """Return the variation of a set that a file's name says: its last number, else its first; None where none fits.
+
+    Numbers of versions, copies, dates and formats are not read: `Step 03 FINAL (2)` and `step_03_48k24` are number 3.
+    """
+    read = read_name(path)
+    unmarked = [
+        token
+        for place, token in enumerate(read.tokens)
+        if place >= read.first and place not in read.markers and place not in read.after_marker
+    ]
+    for token in (*unmarked[-1:], *unmarked[:1]):
+        if token.is_number and 1 <= int(token.text) <= variations:
+            return int(token.text)
+    return None
+
+
 def without_ending(name: str) -> str:
     """Return a name without the ending of a sound file, also one that stands twice."""
     while True:
@@ -202,6 +220,10 @@ def _markers(stem: str, tokens: Sequence[Token]) -> tuple[dict[int, Kind], dict[
     for start, end in _dates(stem):
         inside = [place for place, token in enumerate(tokens) if token.start >= start and token.end <= end]
         marks.add("date", *inside)
+    for start, end in format_spans(stem):
+        inside = [place for place, token in enumerate(tokens) if token.start >= start and token.end <= end]
+        if inside and not any(place in marks.markers for place in inside):
+            marks.add("format", *inside)
     place = 0
     while place < len(tokens):
         token = tokens[place]
@@ -235,7 +257,7 @@ def _markers(stem: str, tokens: Sequence[Token]) -> tuple[dict[int, Kind], dict[
             marks.add("state", place, *([place + 1] if attached else []))
             if following is not None and not attached:
                 after.add(following)
-        elif token.text in FORMAT_WORDS:
+        elif token.text in FORMAT_WORDS or (token.text in NEAR_FORMAT_WORDS and marks.markers.get(place - 1) == "format"):
             marks.add("format", place)
         place += 1
     return marks.markers, marks.groups, after, alternate

@@ -4,10 +4,14 @@ import re
 import unicodedata
 from typing import NamedTuple
 
+from audio_checks.spec.format_suffixes import without_format_suffix
+
 AUDIO_SUFFIXES = frozenset(
     {".wav", ".wave", ".bwf", ".rf64", ".bw64", ".w64", ".flac", ".aif", ".aiff", ".aifc", ".au", ".snd", ".caf"}
     | {".mp3", ".mp2", ".m4a", ".aac", ".wma", ".ogg", ".oga", ".opus"}
 )
+
+WORD_STARTS = re.compile(r"(?<=[a-z])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")  # in a run of letters: DoorWood, UIClick
 
 _ALTERNATE = re.compile(r"(?<=[^_])(?:__alt([1-9][0-9]?)|__?alt([A-Z]))$")
 _DRY_STEM = re.compile(r"(?<=[^_])__dry$")
@@ -73,6 +77,17 @@ def slug(name: str) -> str:
     plain = unicodedata.normalize("NFKD", name.replace("ß", "ss")).encode("ascii", "ignore").decode("ascii").lower()
     words = re.findall(r"[a-z0-9]+", plain) or re.findall(r"[^\W_]+", unicodedata.normalize("NFC", name).lower())
     return "_".join(words)
+
+
+def word_slug(name: str) -> str:
+    """Return a name as a stem with the words of CamelCase apart, and without the format that it ends in.
+
+    It is how files are matched to cues: `DoorWoodClose-01_48k24` is `door_wood_close_01`.
+    """
+    decomposed = unicodedata.normalize("NFKD", without_format_suffix(unicodedata.normalize("NFC", name)))
+    plain = "".join(letter for letter in decomposed if not unicodedata.combining(letter))
+    words = re.sub(r"(?<=[0-9])(?=[A-Z][a-z])|(?<=[A-Za-z])(?=0[0-9]*$)", "_", WORD_STARTS.sub("_", plain))
+    return slug(words)
 
 
 def stems_of(name: str, file_name: str, variations: int = 1) -> list[str]:

@@ -107,6 +107,13 @@ class TestNames:
         assert "naming:unlisted" in found["./nobody.wav"]
         assert "naming:unlisted" not in found["./SFX_Laser_01.wav"]
 
+    def test_the_list_owns_a_name_however_its_words_are_joined(self, folder, run):
+        (folder / "sounds.csv").write_text("number,file_name,variations\n1,door_wood_close,2\n2,UIClick,1\n")
+        for name in ("DoorWoodClose-1.wav", "doorWoodClose 02_48k24.wav", "ui_click.wav"):
+            write_wav(folder / name, GOOD)
+        run("check", *SPEC, "--list", "sounds.csv", "--fix", ".")
+        assert files(folder) == ["door_wood_close_01.wav", "door_wood_close_02.wav", "sounds.csv", "ui_click.wav"]
+
     def test_nothing_is_ever_overwritten(self, folder, run):
         write_wav(folder / "Door.wav", GOOD)
         other = write_wav(folder / "door.wav", sine(hz=440, dbfs=-12))

@@ -1,6 +1,6 @@
 import pytest
 
-from audio_checks import parse_spec
+from audio_checks import check_name, parse_spec
 from audio_checks.fixing.names import valid_name
 
 LOWER = parse_spec("""
@@ -37,3 +37,24 @@ CAMEL = parse_spec("format = 1\n[naming]\npattern = '[A-Z]{2}_[A-Za-z0-9_]+'\n")
 )
 def test_the_nearest_valid_name(spec, name, valid):
     assert valid_name(name, spec) == valid
+
+
+@pytest.mark.parametrize(
+    ("name", "valid"),
+    [
+        ("DoorWoodClose-01.wav", "door_wood_close_01.wav"),
+        ("doorWoodClose 1.wav", "door_wood_close_1.wav"),
+        ("DoorWoodClose01.wav", "door_wood_close_01.wav"),
+        ("UIClick.wav", "ui_click.wav"),
+        ("DoorWood_48k24.wav", "door_wood.wav"),
+        ("DoorWood-02 (44.1kHz 16bit).wav", "door_wood_02.wav"),
+        ("Robot2Step.wav", "robot2_step.wav"),
+        ("NPC_Talk.wav", "npc_talk.wav"),
+        ("48k24.wav", "48k24.wav"),
+    ],
+)
+def test_a_name_is_made_valid_as_files_are_matched_to_cues(name, valid):
+    assert valid_name(name, LOWER) == valid
+    if valid != name:
+        found = check_name(name, LOWER)
+        assert [finding.fix for finding in found] == [f"rename it to {valid}"]

@@ -4,7 +4,7 @@ import random
 
 import pytest
 
-from audio_checks import ListedCue, NameIndex
+from audio_checks import ListedCue, NameIndex, variation_in
 from tests.audio_checks.matching import messy
 from tests.support.steps import at_most
 
@@ -185,3 +185,87 @@ def test_reading_10_000_cues_grows_with_their_number_and_a_name_does_not() -> No
         for cue in listed[:100]:
             index.sure(f"weapons/{cue.name.upper()}_FINAL2 (1).wav")
             index.guesses(f"weapons/{cue.name}x_v2.wav")
+
+
+@pytest.mark.parametrize(
+    "suffix",
+    ["48k24", "44k16", "96k_24b", "44.1k16", "441k16", "44_1k", "44.1_16", "48_24", "48-24", "4824", "4416", "24-96"]
+    + ["48000", "48000_24", "44100Hz-16bit", "24bit_48k", "24b48k", "48k_24bit_stereo", "48K-24B-ST", "32f", "32bit_float"]
+    + ["48k32float", "pcm24", "PCM_S24LE", "5.1", "7.1.4", "48khz", "24bit", "24-bit", "mono", "Stereo", "48k24_mono"],
+)  # fmt: skip
+def test_a_format_behind_a_name_says_nothing_about_the_sound(suffix: str) -> None:
+    assert INDEX.sure(f"laser_fire_{suffix}.wav") == ("fire", 1, None)
+    assert INDEX.sure(f"step_grass_03_{suffix}.wav") == ("steps", 3, None)
+    assert INDEX.sure(f"step_grass_{suffix}_03.wav") == ("steps", 3, None)
+
+
+@pytest.mark.parametrize("name", ["laser_fire_24", "laser_fire_float", "laser_fire_4823", "laser_fire_st", "laser_fire_1_2"])
+def test_what_only_resembles_a_format_leaves_doubt(name: str) -> None:
+    assert INDEX.sure(f"{name}.wav") is None
+
+
+def test_a_number_that_another_cue_has_is_no_format() -> None:
+    index = NameIndex([ListedCue("gun", "Gun", "gun"), ListedCue("rifle", "Rifle", "gun_48000")])
+    assert index.sure("gun_48000.wav") == ("rifle", 1, None)
+    assert index.sure("weapons/gun_48k24.wav") == ("gun", 1, None)
+    longer = NameIndex([ListedCue("gun", "Gun", "gun"), ListedCue("long", "Long", "gun_48")])
+    assert longer.sure("gun_48_24.wav") is None
+    assert longer.sure("gun_48k.wav") is None
+
+
+SETS = NameIndex(
+    [
+        ListedCue("grass", "Footstep grass", "footstep_grass", category="footsteps", variations=6),
+        ListedCue("concrete", "Footstep concrete", "footstep_concrete", category="footsteps", variations=6),
+        ListedCue("open", "Door wood open", "door_wood_open", variations=4),
+        ListedCue("close", "Door wood close", "door_wood_close"),
+        ListedCue("metal", "Impacts metal heavy", "impacts_metal_heavy", variations=3),
+        ListedCue("fly", "Flies buzz", "flies_buzz", variations=2),
+    ]
+)
+
+
+@pytest.mark.parametrize(
+    ("path", "cue", "variation"),
+    [
+        ("Footsteps/grass/01.wav", "grass", 1),
+        ("Footsteps/grass/06.wav", "grass", 6),
+        ("Grass/3.wav", "grass", 3),
+        ("footsteps_grass/take 2.wav", "grass", None),
+        ("footsteps_grass_04.wav", "grass", 4),
+        ("Foley/Footsteps/Concrete/02_48k24.wav", "concrete", 2),
+        ("Doors/Wood/Open/1.wav", "open", 1),
+        ("doors/wood/close.wav", "close", 1),
+        ("impact/heavy metal/2.wav", "metal", 2),
+        ("fly buzzes/2.wav", "fly", 2),
+    ],
+)
+def test_folders_plurals_and_mere_numbers_are_guessed(path: str, cue: str, variation: int | None) -> None:
+    assert SETS.sure(path) is None
+    assert SETS.guesses(path)[0][:2] == (cue, variation)
+
+
+def test_a_guess_by_folders_says_so_in_the_words_of_the_list() -> None:
+    assert SETS.guesses("Footsteps/grass/01.wav")[0].why == 'the folders have "footstep" and "grass"'
+    assert SETS.guesses("footsteps_grass_04.wav")[0].why == 'the name has "footstep" and "grass"'
+    assert SETS.guesses("Doors/Wood/Open/1.wav")[0].why == 'the folders have "door", "wood" and "open"'
+    assert SETS.guesses("Ambience/01.wav") == []
+    assert SETS.guesses("01.wav") == []
+
+
+@pytest.mark.parametrize(
+    ("path", "variation"),
+    [
+        ("step_grass_03.wav", 3),
+        ("door_wood_open_01_48k24.wav", 1),
+        ("Footstep Concrete 03 FINAL (2).wav", 3),
+        ("grass/4.wav", 4),
+        ("02 grass.wav", 2),
+        ("grass take 2.wav", None),
+        ("grass_v2.wav", None),
+        ("grass_9.wav", None),
+        ("4/grass.wav", None),
+    ],
+)
+def test_the_variation_that_a_name_says(path: str, variation: int | None) -> None:
+    assert variation_in(path, 6) == variation
