@@ -33,6 +33,8 @@ PLACES = frozenset(
 )
 """Figures that only checks and judgements read; reports list plain numbers."""
 
+CUT_OFF_WITHIN_DB = 0.1  # of the highest sample: flat tops that low are what sets the peak
+
 
 class Measured(Protocol):
     """What measures figures by name while its samples stream by, as `AudioFile` does."""
@@ -132,6 +134,15 @@ class Measurements:
     def clipped_spans(self) -> tuple[FlatTop, ...]:
         """The first of these flat tops."""
         return tuple(self._file.figure("clipped_spans"))
+
+    @property
+    def is_cut_off(self) -> bool:
+        """Whether the highest crests are cut off flat, so that no lower level brings them back.
+
+        Floats over full scale are not: what lies there is kept, and comes back with a lower level.
+        """
+        peak = self.sample_peak_dbfs
+        return peak <= CUT_OFF_WITHIN_DB and any(span.level_dbfs >= peak - CUT_OFF_WITHIN_DB for span in self.clipped_spans)
 
     @property
     def soft_tops(self) -> int:

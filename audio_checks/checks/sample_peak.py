@@ -9,7 +9,7 @@ Source: the delivery spec, `[limits] sample_peak_dbfs`; ±1.0 is 0 dBFS.
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.report.findings import Finding, level_shown
+from audio_checks.report.findings import Finding, level_shown, lowering_advice
 from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 SEVERITY = "error"
 LABEL = "Sample peak"
 LIMITS = {"sample_peak_dbfs": (-200.0, 60.0), "tolerance_db": (0.0, 12.0, "Tolerance on levels")}
-FIGURES = ("sample_peak_dbfs", "sample_peak_s")
+FIGURES = ("sample_peak_dbfs", "sample_peak_s", "clipped_spans")
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
@@ -35,7 +35,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
         yield Finding(
             code="sample-peak:over",
             message=f"sample peak {peak:z.2f} dBFS, limit {level_shown(limit)} dBFS",
-            fix=f"lower the level by {peak - limit:.2f} dB or more",
+            fix=lowering_advice(peak - limit, is_cut_off=file.measurements.is_cut_off),
             measured=peak,
             limit=limit,
             unit="dBFS",

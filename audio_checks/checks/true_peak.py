@@ -9,7 +9,7 @@ Source: ITU-R BS.1770, Annex 2.
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from audio_checks.report.findings import Finding, level_shown
+from audio_checks.report.findings import Finding, level_shown, lowering_advice
 from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 SEVERITY = "error"
 LABEL = "True peak"
 LIMITS = {"true_peak_dbtp": (-200.0, 60.0)}
-FIGURES = ("true_peak_dbtp", "true_peak_s")
+FIGURES = ("true_peak_dbtp", "true_peak_s", "sample_peak_dbfs", "clipped_spans")
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
@@ -35,7 +35,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
         yield Finding(
             code="true-peak:over",
             message=f"true peak {level:z.2f} dBTP, limit {level_shown(limit)} dBTP",
-            fix=f"lower the level by {level - limit:.2f} dB or more",
+            fix=lowering_advice(level - limit, is_cut_off=file.measurements.is_cut_off),
             measured=level,
             limit=limit,
             unit="dBTP",

@@ -134,7 +134,10 @@ def _facts(report: FileReport) -> Mapping[str, Any]:
 
 
 def _lowering(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:
-    return Offer("gain", f"lowers the level by {excess_db(finding):.2f} dB", -excess_db(finding))
+    figures = report.measurements
+    is_cut_off = figures.get("clipped_runs") and (figures.get("sample_peak_dbfs") or 0.0) <= 0.0
+    kept = ", which leaves its cut-off tops flat" if is_cut_off else ""
+    return Offer("gain", f"lowers the level by {excess_db(finding):.2f} dB{kept}", -excess_db(finding))
 
 
 def _raising(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:

@@ -367,6 +367,17 @@ def schema() -> dict[str, Any]:
     }
 
 
+def lowering_advice(excess_db: float, *, is_cut_off: bool) -> str:
+    """Return how a peak over its limit is put right, by what happened to the tops."""
+    lower = f"lower the level by {excess_db:.2f} dB"
+    if not is_cut_off:
+        return f"{lower} or more"
+    return (
+        "its tops are cut off flat, and a lower level leaves them so: lower the gain before the stage that clips, and "
+        f"export again; only if the flat tops are meant, {lower}"
+    )
+
+
 def level_shown(level: float) -> str:
     """Return a limit in decibels as the spec states it, with one decimal at least: −1 reads -1.0, −0.15 stays."""
     text = f"{level:g}"

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 import audio_checks
-from app.conformance.rules import JUDGED_IN_BROWSER, levels_in_browser
+from app.conformance.rules import JUDGED_IN_BROWSER, fix_offers, levels_in_browser
 from app.conformance.schemas import CueLength, SpecView
 from tests.support import waves
 from tests.support.browser_flacs import Case, damaged_flac_cases, flac_cases, other_containers
@@ -40,8 +40,8 @@ AMBISONIC = bytes.fromhex("010000002107d3118644c8c1ca000000")
 
 
 def tone(dbfs: float = -6.0, *, frames: int = 96, channels: int = 1) -> waves.Samples:
-    """Square steps whose largest sample is at `dbfs` after rounding."""
-    steps = np.where(np.arange(frames) % 8 < 4, 1.0, -1.0) * 10 ** (dbfs / 20)
+    """Square steps whose largest sample is at `dbfs` after rounding; too short for tops that are cut off."""
+    steps = np.where(np.arange(frames) % 4 < 2, 1.0, -1.0) * 10 ** (dbfs / 20)
     return np.repeat(steps[:, np.newaxis], channels, axis=1)
 
 
@@ -62,6 +62,12 @@ def masked(samples: waves.Samples, mask: int, guid: bytes = waves.PCM_GUID) -> b
     head = {"channels": samples.shape[1], "container_bits": 16, "valid_bits": 16, "mask": mask, "guid": guid}
     fmt = waves.extensible(**head)
     return waves.riff(waves.chunk(b"fmt ", fmt), waves.chunk(b"data", waves.pcm_bytes(samples, 16)))
+
+
+def cut_off(over_db: float, at_dbfs: float, frames: int = 480) -> waves.Samples:
+    """A tone of 1 kHz with its tops cut off, and then brought to a level."""
+    swing = np.sin(2 * np.pi * np.arange(frames) / 48 + 0.1) * 10 ** (over_db / 20)
+    return (np.clip(swing, -1.0, 1.0) * 10 ** (at_dbfs / 20))[:, np.newaxis]
 
 
 def rf64(samples: waves.Samples) -> bytes:
@@ -108,6 +114,13 @@ def levels() -> Iterator[tuple[str, bytes, str, Facts]]:
         yield f"peak at {dbfs} dBFS", pcm(tone(dbfs), 24), STRICT, {}
     late = tone(-20, frames=96, channels=2)
     late[50, 1] = -0.99
+    for at_dbfs in (0.0, -0.3):
+        yield f"tops cut off at {at_dbfs} dBFS", pcm(cut_off(7.0, at_dbfs), 24), STRICT, {}
+        yield f"the same in 16 bit at {at_dbfs} dBFS", pcm(cut_off(3.0, at_dbfs)), STRICT, {}
+        yield f"the same in float at {at_dbfs} dBFS", floats(cut_off(3.0, at_dbfs)), STRICT, {}
+        yield f"round tops at {at_dbfs} dBFS", pcm(cut_off(-0.001, at_dbfs), 24), STRICT, {}
+    yield "float over full scale, round", floats(cut_off(-0.001, 1.6)), STRICT, {}
+    yield "a square wave", pcm(np.sign(cut_off(0.0, 0.0)) * 0.95, 24), STRICT, {}
     yield "peak late in the second channel", pcm(late), STRICT, {}
     yield "a limit of many digits", pcm(tone()), "format = 1\n[limits]\nsample_peak_dbfs = -12.345678\n", {}
     yield "a limit far away", pcm(tone()), "format = 1\n[limits]\nsample_peak_dbfs = -100\ntolerance_db = 0\n", {}
@@ -179,9 +192,10 @@ def expected(case: Case, spec: audio_checks.DeliverySpec, cue: audio_checks.CueF
     report = audio_checks.check_file(path, spec, cue=cue, name=case.file_name).to_dict()
     is_unreadable = not report.get("facts")
     kept = ("code", "severity", "message", "fix", "measured", "limit", "unit", "start_s", "end_s")
+    offers = fix_offers(report, spec)
     findings = [
-        {key: one[key] for key in kept}
-        for one in report["findings"]
+        {key: one[key] for key in kept} | {"auto_fix": offer.words if offer else None}
+        for one, offer in zip(report["findings"], offers, strict=True)
         if is_unreadable or one["check"] in JUDGED_IN_BROWSER
     ]
     return {"isUnreadable": is_unreadable, "findings": findings}

@@ -9,7 +9,7 @@ import { State } from '@/ui/State'
 
 import { type Take, type TrayWork, useTrayWork, useUndo } from './api'
 import { CueField } from './CueField'
-import { actionLine, between, files, groupsOf } from './tray'
+import { actionLine, between, files, type FolderMatch, folderMatch, groupsOf } from './tray'
 import classes from './Unmatched.module.css'
 import { UnmatchedFile } from './UnmatchedFile'
 
@@ -31,6 +31,7 @@ export function UnmatchedTray({ projectId, takes, count, player, playing }: Tray
   const [at, setAt] = useState<string | null>(null)
   const [shown, setShown] = useState(SHOWN)
   const [moving, setMoving] = useState(false)
+  const [openFolder, setOpenFolder] = useState<string | null>(null)
   const work = useTrayWork(projectId)
   const undo = useUndo(projectId)
 
@@ -47,6 +48,7 @@ export function UnmatchedTray({ projectId, takes, count, player, playing }: Tray
       onSuccess: (done) => {
         setChosen(new Set())
         setMoving(false)
+        setOpenFolder(null)
         const back = async () => {
           const { left } = await undo.mutateAsync(done)
           if (left > 0) showToast(`${files(left)} changed since then and stayed.`)
@@ -54,6 +56,13 @@ export function UnmatchedTray({ projectId, takes, count, player, playing }: Tray
         showToast(said ?? actionLine(done), back)
       },
     })
+  const moveFolder = (folder: string, { cue, moves }: FolderMatch) =>
+    act(
+      { what: 'move', moves },
+      `${files(moves.length)} of ${folder} ${moves.length === 1 ? 'is' : 'are'} for ${cue.name}.`,
+    )
+  const currentGroup = groups.find(({ folder, takes: of }) => folder !== '' && current && of.includes(current))
+  const currentMatch = currentGroup ? folderMatch(currentGroup.takes) : null
   const choose = (ids: readonly string[], on: boolean) =>
     setChosen((before) => new Set(on ? [...before, ...ids] : [...before].filter((id) => !ids.includes(id))))
   const toggle = (take: Take, ranged: boolean) => {
@@ -92,6 +101,17 @@ export function UnmatchedTray({ projectId, takes, count, player, playing }: Tray
       group: 'Tray',
       disabled: !current,
       run: () => stretch(-1),
+    },
+    {
+      keys: 'f',
+      label: currentMatch ? `The folder is ${currentMatch.cue.name}` : 'The folder is one cue',
+      group: 'Tray',
+      disabled: busy || !currentGroup,
+      run: () => {
+        if (!currentGroup) return
+        if (currentMatch) moveFolder(currentGroup.folder, currentMatch)
+        else setOpenFolder(currentGroup.folder)
+      },
     },
     {
       keys: 'mod+a',
@@ -179,6 +199,8 @@ export function UnmatchedTray({ projectId, takes, count, player, playing }: Tray
         if (drawn.length === 0) return null
         const ids = all.map(({ id }) => id)
         const whole = ids.every((id) => chosen.has(id))
+        const match = folder === '' ? null : folderMatch(all)
+        const keys = folder === currentGroup?.folder ? 'f' : undefined
         return (
           <div key={folder} role="group" aria-label={folder === '' ? 'Files' : `Folder ${folder}`}>
             {folder !== '' && (
@@ -188,9 +210,39 @@ export function UnmatchedTray({ projectId, takes, count, player, playing }: Tray
                   <span className="mono">{folder}/</span>
                 </label>
                 <span className="small mid grow">{files(all.length)}</span>
+                {match && (
+                  <Button disabled={busy} keys={keys} onClick={() => moveFolder(folder, match)}>
+                    All {all.length} are {match.cue.name}
+                  </Button>
+                )}
+                <Button
+                  variant="quiet"
+                  disabled={busy}
+                  keys={match ? undefined : keys}
+                  pressed={openFolder === folder}
+                  onClick={() => setOpenFolder(openFolder === folder ? null : folder)}
+                >
+                  Folder is…
+                </Button>
                 <Button variant="quiet" disabled={busy} onClick={() => act({ what: 'discard', takeIds: ids })}>
                   Discard folder
                 </Button>
+              </div>
+            )}
+            {folder !== '' && openFolder === folder && (
+              <div className={classes.problem}>
+                <CueField
+                  projectId={projectId}
+                  label={`Cue for the folder ${folder}`}
+                  one={all.length === 1}
+                  onBack={() => setOpenFolder(null)}
+                  onPick={({ id: cueId, name }, variation) =>
+                    moveFolder(folder, {
+                      cue: { id: cueId, name },
+                      moves: ids.map((id) => ({ take_id: id, cue_id: cueId, variation })),
+                    })
+                  }
+                />
               </div>
             )}
             {drawn.map((take) => (

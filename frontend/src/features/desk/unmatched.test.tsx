@@ -145,6 +145,56 @@ describe('many unmatched files', () => {
     expect(body(asked, 'discard')).toEqual({ take_ids: ['t3', 't4'] })
   })
 
+  describe('of a folder with numbers only', () => {
+    const numbered = (id: string, number: number) => ({
+      ...file(id, `Sting/0${number}.wav`),
+      guesses: [
+        aGuess(WARP, 'the folder has "warp"', number, 2),
+        aGuess(STING, 'the folder has "sting"', number, 4),
+      ].reverse(),
+    })
+    const folderOf = (...takes: object[]) =>
+      many({ 'GET /v1/projects/p1/takes': { items: takes, next: null }, [MOVE]: { ...MOVED, take_ids: ['t1', 't2'] } })
+    const moves = (variations: (number | null)[]) => ({
+      moves: variations.map((variation, place) => ({ take_id: `t${place + 1}`, cue_id: STING.id, variation })),
+    })
+
+    test('are given to its cue in one act, each as its number says', async () => {
+      const { asked } = serve(folderOf(numbered('t1', 1), numbered('t2', 3)))
+      const user = userEvent.setup()
+      openApp('/desk')
+      const folder = await screen.findByRole('group', { name: 'Folder Sting' })
+      await user.click(within(folder).getByRole('button', { name: 'All 2 are victory_sting' }))
+      expect(await screen.findByText('2 files of Sting are for victory_sting.')).toBeInTheDocument()
+      expect(body(asked, 'move')).toEqual(moves([1, 3]))
+    })
+
+    test('by the key f too; numbers that are there twice are not decided here', async () => {
+      const { asked } = serve(folderOf(numbered('t1', 1), numbered('t2', 1)))
+      const user = userEvent.setup()
+      openApp('/desk')
+      await screen.findByRole('group', { name: 'Folder Sting' })
+      await user.keyboard('f')
+      await waitFor(() => expect(body(asked, 'move')).toEqual(moves([null, null])))
+    })
+
+    test('are given to a cue that is searched where they are more than the guess has', async () => {
+      const { asked } = serve(folderOf(...[1, 2, 3, 4, 5].map((number) => numbered(`t${number}`, number))))
+      const user = userEvent.setup()
+      openApp('/desk')
+      const folder = await screen.findByRole('group', { name: 'Folder Sting' })
+      expect(within(folder).queryByRole('button', { name: /^All 5 are/ })).toBeNull()
+      await user.click(within(folder).getByRole('button', { name: 'Folder is…' }))
+      await user.type(await screen.findByRole('combobox', { name: 'Cue for the folder Sting' }), 'airl')
+      await user.click(await screen.findByRole('option', { name: /airlock_cycle/ }))
+      await waitFor(() =>
+        expect(body(asked, 'move')).toEqual({
+          moves: [1, 2, 3, 4, 5].map((number) => ({ take_id: `t${number}`, cue_id: CUE.id, variation: null })),
+        }),
+      )
+    })
+  })
+
   test('are selected by keys and moved to one cue', async () => {
     const { asked } = serve(many({ [MOVE]: { ...MOVED, take_ids: ['t2', 't3'] } }))
     const user = userEvent.setup()

@@ -1,6 +1,7 @@
 /** The checks that need only the header and the peaks, with the server's words; `vectors.json` holds them to it. */
 import type { components } from '@/api/schema.gen'
 
+import { autoFix } from './autoFix'
 import { exactly, fixed, type Fraction, general, isMore, levelShown, minus, size, toNumber } from './numbers'
 import type { Peaks } from './peaks'
 import type { Layout } from './wav'
@@ -10,11 +11,11 @@ export type SpecView = Schemas['SpecView']
 export type CueLength = Schemas['CueLength']
 export type Finding = Pick<
   Schemas['FindingRead'],
-  'code' | 'severity' | 'message' | 'fix' | 'measured' | 'limit' | 'unit' | 'start_s' | 'end_s'
+  'code' | 'severity' | 'message' | 'fix' | 'measured' | 'limit' | 'unit' | 'start_s' | 'end_s' | 'auto_fix'
 >
 type Found = Partial<Finding> & Pick<Finding, 'code' | 'message' | 'fix'>
 
-interface Subject {
+export interface Subject {
   layout: Layout
   peaks: Peaks
   spec: SpecView
@@ -228,6 +229,15 @@ function* againstRequest(length: Fraction, askedS: number, { length_locked, fram
   }
 }
 
+function loweringAdvice(excessDb: number, isCutOff: boolean): string {
+  const lower = `lower the level by ${fixed(excessDb, 2)} dB`
+  if (!isCutOff) return `${lower} or more`
+  return (
+    'its tops are cut off flat, and a lower level leaves them so: lower the gain before the stage that clips, and ' +
+    `export again; only if the flat tops are meant, ${lower}`
+  )
+}
+
 function* samplePeak({ layout, peaks, spec }: Subject): Iterable<Found> {
   const { sample_peak_dbfs: limit, tolerance_db: tolerance } = spec.limits
   if (limit === null) return
@@ -237,7 +247,7 @@ function* samplePeak({ layout, peaks, spec }: Subject): Iterable<Found> {
   yield {
     code: 'sample-peak:over',
     message: `sample peak ${fixed(peak, 2)} dBFS, limit ${levelShown(limit)} dBFS`,
-    fix: `lower the level by ${fixed(peak - limit, 2)} dB or more`,
+    fix: loweringAdvice(peak - limit, peaks.isCutOff),
     measured: peak,
     limit,
     unit: 'dBFS',
@@ -295,6 +305,7 @@ export const whole = (found: Found): Finding => ({
   unit: null,
   start_s: null,
   end_s: null,
+  auto_fix: null,
   ...found,
 })
 
@@ -303,7 +314,9 @@ export function check(subject: Subject): Finding[] {
   const found = Object.entries(CHECKS).flatMap(([name, run]) => {
     const level = subject.spec.levels[name]
     if (level === 'off') return []
-    return [...run(subject)].map((one) => whole(level === undefined ? one : { ...one, severity: level }))
+    return [...run(subject)]
+      .map((one) => whole(level === undefined ? one : { ...one, severity: level }))
+      .map((finding) => ({ ...finding, auto_fix: autoFix(finding, subject) }))
   })
   return found.toSorted((one, other) => Number(other.severity === 'error') - Number(one.severity === 'error'))
 }

@@ -1,3 +1,4 @@
+import { headerFix } from './autoFix'
 import { check, type CueLength, type Finding, otherThanAccepted, type SpecView, whole } from './checks'
 import { flacSlices, readFlacLayout } from './flac'
 import { peaksOf, wavSlices } from './peaks'
@@ -47,6 +48,6 @@ export async function judgeFile(judgeable: Judgeable): Promise<Judgement | null>
     if (refusal instanceof LeftToServer) return null
     if (!(refusal instanceof Unreadable)) throw refusal
     const { code, message, fix } = refusal
-    return { isUnreadable: true, findings: [whole({ code, message, fix })] }
+    return { isUnreadable: true, findings: [whole({ code, message, fix, auto_fix: headerFix(code) })] }
   }
 }
