@@ -8,7 +8,7 @@ from sqlalchemy.orm import Session
 import audio_checks
 from app.accounts.models import Person
 from app.accounts.rules import Actor
-from app.conformance.rules import JUDGED_IN_BROWSER, levels_in_browser, parsed_spec
+from app.conformance.rules import JUDGED_IN_BROWSER, levels_in_browser, parsed_spec, with_offers
 from app.conformance.schemas import (
     CheckPreview,
     CheckPreviewed,
@@ -137,4 +137,7 @@ def _view_read(view: audio_checks.DeliverySpec) -> SpecView:
 
 def _of_name(name: str, view: audio_checks.DeliverySpec, cue: Cue | None) -> list[FindingRead]:
     found = audio_checks.check_name(base_name(name), view, cue_facts(cue) if cue else None)
-    return [FindingRead.model_validate({**one.to_dict(), "waived": False}) for one in found]
+    report = audio_checks.FileReport(path=base_name(name), verdict="rejected", findings=found)
+    offers = [audio_checks.fix_offer(finding, report, view) for finding in found]
+    findings = with_offers([{**finding.to_dict(), "waived": False} for finding in found], offers)
+    return [FindingRead.model_validate(finding) for finding in findings]

@@ -21,6 +21,7 @@ export const STATES = {
   checking: { word: 'Checking', icon: 'turning', tone: 'idle', resting: true },
   to_review: { word: 'To review', icon: 'headphones', tone: 'review' },
   returned: { word: 'Returned', icon: 'back', tone: 'bad' },
+  fixable: { word: 'Fixable', icon: 'spanner', tone: 'warn' },
   refused: { word: 'Refused', icon: 'back', tone: 'bad' },
   not_sent: { word: 'Not uploaded', icon: 'back', tone: 'bad' },
   question: { word: 'Question', icon: 'question', tone: 'warn' },

@@ -88,6 +88,14 @@ def test_a_name_is_found_wrong_in_the_words_of_the_check(world: World) -> None:
     assert [(one["message"], one["fix"]) for one in named] == [(one["message"], one["fix"]) for one in file["findings"]]
 
 
+def test_a_name_that_a_fix_makes_valid_says_so(world: World) -> None:
+    save_spec(world, 'format = 1\n[naming]\npattern = "[a-z_]+"\nextension = ".wav"\n')
+    add_cues(world, {"name": "Laser fire"})
+    [fixable, other] = preview(world, {"file_name": "laser_fire.WAV"}, {"file_name": "laser_fire.mp3"})["files"]
+    assert [one["auto_fix"] for one in fixable["findings"]] == ["names it laser_fire.wav"]
+    assert [(one["auto_fix"], "name" in one["no_auto_fix"]) for one in other["findings"]] == [(None, True)]
+
+
 def test_a_name_that_is_not_the_lists_has_the_lists_name_proposed(world: World) -> None:
     save_spec(world, 'format = 1\n[naming]\npattern = "[a-z0-9_]+"\nextension = ".wav"\n')
     add_cues(world, {"name": "Laser fire"}, {"name": "Steps", "variations": 4}, {"name": "UI-Click"})

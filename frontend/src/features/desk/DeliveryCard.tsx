@@ -1,6 +1,6 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
-import { type ReactNode, useEffect, useId, useMemo, useState } from 'react'
+import { type ReactNode, useEffect, useId, useMemo, useState, useSyncExternalStore } from 'react'
 
 import { ApiProblem } from '@/api'
 import { keepDraft, useDraft } from '@/app/drafts'
@@ -19,7 +19,7 @@ import classes from './Delivery.module.css'
 import { DeliveryLines } from './DeliveryLines'
 import { DeliverySources } from './DeliverySources'
 import type { DeliveryUploads } from './deliveryUploads'
-import { type DeliveryRows, isGoing, type LabelOf, receivedRows, rowsOf } from './rows'
+import { type DeliveryRows, isGoing, type LabelOf, receivedRows, refusedNameOf, refusedRows, rowsOf } from './rows'
 
 interface DeliveryCardProps {
   projectId: string
@@ -53,7 +53,9 @@ export function DeliveryCard({
   const recheck = useRecheck(projectId)
   useLeaveWarning(sending.uploads)
   const received = useMemo(() => (detail ? receivedRows(detail) : []), [detail])
-  const rows = rowsOf(sending.uploads, received, uploads.takeOf, labelOf)
+  const refusedEarlier = useSyncExternalStore(uploads.refused.subscribe, uploads.refused.get)
+  const notSent = useMemo(() => refusedRows(refusedEarlier), [refusedEarlier])
+  const rows = rowsOf(sending.uploads, [...notSent, ...received], uploads.takeOf, labelOf)
   const going = sending.uploads.some(isGoing)
   const empty = rows.open.length + rows.done.length === 0
   const refused = problem ?? recheck.error
@@ -126,7 +128,11 @@ export function DeliveryCard({
       <DeliveryLines
         rows={rows}
         onStop={(id) => queue.stop(id)}
-        onDismiss={(id) => queue.dismiss(id)}
+        onDismiss={(id) => {
+          const name = refusedNameOf(id)
+          if (name === null) queue.dismiss(id)
+          else uploads.forgetRefused(name)
+        }}
         onRecheck={(takeId) => recheck.mutate(takeId)}
       />
       {children}

@@ -1,5 +1,6 @@
 import type { QueryClient } from '@tanstack/react-query'
 
+import { ended } from '@/judging/findings'
 import {
   type Accepts,
   partsTransport,
@@ -21,6 +22,7 @@ import {
   type TakeAdded,
 } from './api'
 import type { Precheck } from './precheck/precheck'
+import { type RefusedFile, RefusedFiles } from './refused'
 
 /** Of a thousand files each changes the lists; reading those again for each of them would keep the server busy. */
 const REFRESH_EVERY_MS = 2_000
@@ -30,6 +32,7 @@ const REFRESH_MS_EACH = 8
 /** Files on their way into one project. They go on while other pages are looked at. */
 export class DeliveryUploads {
   readonly queue: UploadQueue
+  readonly refused: RefusedFiles
   /** What files go through before they are sent; null where the browser has no workers. */
   precheck: Precheck | null = null
   readonly #client: QueryClient
@@ -47,6 +50,7 @@ export class DeliveryUploads {
   constructor(client: QueryClient, projectId: string, accepts: Accepts) {
     this.#client = client
     this.#projectId = projectId
+    this.refused = new RefusedFiles(projectId)
     const where = {
       endpoint: '/v1/uploads',
       metadata: ({ file }: Upload) => ({ delivery_id: this.#deliveryOf.get(file) ?? '', file_name: file.name }),
@@ -59,6 +63,7 @@ export class DeliveryUploads {
       }),
       onFinished: (upload, uploadId) => this.#arrived(upload, uploadId),
     })
+    this.queue.subscribe(this.#keepRefused)
   }
 
   /** The take that an upload became, once its last byte was here. */
@@ -68,8 +73,35 @@ export class DeliveryUploads {
   async prepare(): Promise<Precheck | null> {
     if (typeof Worker === 'undefined') return null
     const loaded = await import('./precheck/precheck').catch(() => null)
-    this.precheck ??= loaded && loaded.precheckOf(this.#projectId, this.queue, this.#send)
+    if (this.precheck === null && loaded !== null) {
+      this.precheck = loaded.precheckOf(this.#projectId, this.queue, this.#send)
+      this.precheck.subscribe(this.#keepRefused)
+    }
     return this.precheck
+  }
+
+  /** Remove a file from the list that was refused on an earlier page. */
+  forgetRefused(name: string): void {
+    this.refused.forget(name, this.#refusedNow())
+  }
+
+  #keepRefused = (): void => {
+    const dropped = [...this.queue.get(), ...(this.precheck?.get().held.map(({ picked }) => picked) ?? [])]
+    this.refused.update(this.#refusedNow(), new Set(dropped.map(({ path }) => path)))
+  }
+
+  #refusedNow(): RefusedFile[] {
+    const held = this.precheck?.get().held ?? []
+    const notSent = this.queue.get().filter(({ state }) => state === 'not_sent')
+    return [
+      ...notSent.map(({ path, reason }) => ({ name: path, reason: reason ?? 'Refused.' })),
+      ...held.map(({ picked, findings: [finding] }) => ({
+        name: picked.path,
+        reason: finding
+          ? `${ended(finding.message)} ${ended(finding.auto_fix ? `fixable: a fix ${finding.auto_fix}` : finding.fix)}`
+          : 'The name does not say which cue it is for.',
+      })),
+    ]
   }
 
   /** Put files into the open delivery; those that would come back wait for a decision. */

@@ -4,6 +4,7 @@ import type { StateKind } from '@/ui/State'
 import type { Upload } from '@/uploads'
 
 import type { Archive, DeliveryDetail, DryStem, Take, TakeAdded } from './api'
+import type { RefusedFile } from './refused'
 
 /** One line of the delivery, of any kind. */
 export interface DeliveryRow {
@@ -196,6 +197,24 @@ export function receivedRows({ archives, dry_stems, takes }: DeliveryDetail): De
   const all = [...archives.flatMap((one) => ofArchive(one, takes)), ...dry_stems.map(ofDryStem), ...newest.map(ofTake)]
   return all.filter(({ state }) => state !== 'unmatched')
 }
+
+const EARLIER = 'earlier '
+
+/** The name of a file that was refused on an earlier page, by the id of its row; null for other rows. */
+export const refusedNameOf = (id: string): string | null => (id.startsWith(EARLIER) ? id.slice(EARLIER.length) : null)
+
+/** What was refused before the page was opened again: its bytes are gone. */
+export const refusedRows = (refused: readonly RefusedFile[]): DeliveryRow[] =>
+  refused.map(({ name, reason }) => ({
+    id: `${EARLIER}${name}`,
+    uploadId: `${EARLIER}${name}`,
+    name,
+    label: '',
+    state: 'not_sent',
+    share: null,
+    detail: `${reason} Refused before this page was opened; drop the file again.`,
+    does: 'dismiss',
+  }))
 
 /** Everything of a delivery in one list: what the browser sends, then what the server has. */
 export function rowsOf(

@@ -49,7 +49,11 @@ export function folderMatch(takes: readonly Take[]): FolderMatch | null {
   const said = distinct.size === takes.length
   return {
     cue: { id: cue_id, name },
-    moves: takes.map(({ id }, place) => ({ take_id: id, cue_id, variation: said ? (variations[place] ?? null) : null })),
+    moves: takes.map(({ id }, place) => ({
+      take_id: id,
+      cue_id,
+      variation: said ? (variations[place] ?? null) : null,
+    })),
   }
 }
 

@@ -20,6 +20,7 @@ const pick = (path: string, of: string): Picked => ({
   file: new NodeFile([bytesOf(vector(of).bytes)], path) as unknown as File,
   path,
 })
+const WRONG = pick('laser.wav', '44100 Hz')
 const LOUD = pick('laser.wav', 'peak at 0.0 dBFS')
 const GOOD = pick('shield.wav', 'conforms')
 const ODD = pick('odd.wav', 'bytes after the end')
@@ -54,7 +55,7 @@ const held = () => within(screen.getByRole('list', { name: 'Files that wait for 
 test('what passes is sent at once; what would come back waits, with what is wrong and the fix', async () => {
   const { made, sent, asked } = precheck([{ ...NO_CUE, cue: CUE }, NO_CUE, NO_CUE])
   draw(<HeldFiles precheck={made} />)
-  await made.add([LOUD, GOOD, ODD], null)
+  await made.add([WRONG, GOOD, ODD], null)
   expect(sent).toEqual(['shield.wav', 'odd.wav'])
   expect(asked[0]?.body).toEqual({
     files: ['laser.wav', 'shield.wav', 'odd.wav'].map((name) => ({ file_name: name, cue_id: null })),
@@ -62,9 +63,36 @@ test('what passes is sent at once; what would come back waits, with what is wron
   })
   expect(await screen.findByText('1 file would come back')).toBeVisible()
   expect(held().getByRole('listitem')).toHaveTextContent('laser.wav SW-001 laser')
-  expect(held().getByRole('listitem')).toHaveTextContent('Sample peak 0.00 dBFS. Limit −1.0 dBFS.')
-  expect(held().getByRole('listitem')).toHaveTextContent('Lower the level by 1.00 dB or more.')
+  expect(held().getByRole('listitem')).toHaveTextContent('Sample rate 44100 Hz. Accepted 48000, 96000 Hz.')
+  expect(held().getByRole('listitem')).toHaveTextContent('Export the session at 48000 Hz; do not convert this file up')
   expect(screen.getByText(/2 other files passed and are on the way/)).toHaveTextContent('sample peak')
+})
+
+test.each([
+  ['peak at 0.0 dBFS', 'A fix lowers the level by 1.00 dB.'],
+  ['float of 64 bit over full scale', 'A fix lowers the level by 2.23 dB and brings it to 24 bit.'],
+  ['RF64', 'A fix writes it as WAV.'],
+  ['sizes left open', 'A fix rewrites the sizes in the header.'],
+])('%s is fixable: it says what the fix does, and is sent without "anyway"', async (of, words) => {
+  const { made, sent } = precheck([{ ...NO_CUE, cue: CUE }])
+  draw(<HeldFiles precheck={made} />)
+  await made.add([pick('laser.wav', of)], null)
+  expect(await screen.findByText('1 file fixable after the upload')).toBeVisible()
+  const row = held().getByRole('listitem')
+  expect(row).toHaveTextContent(words)
+  expect(row).not.toHaveTextContent(/export|lower the level by/i)
+  expect(screen.queryByRole('button', { name: /anyway/ })).toBeNull()
+  await userEvent.click(held().getByRole('button', { name: 'Upload laser.wav' }))
+  await waitFor(() => expect(sent).toEqual(['laser.wav']))
+})
+
+test('tops that are cut off are not brought back by a lower level, and the row says so', async () => {
+  const { made } = precheck([{ ...NO_CUE, cue: CUE }])
+  draw(<HeldFiles precheck={made} />)
+  await made.add([pick('laser.wav', 'tops cut off at 0.0 dBFS')], null)
+  const row = (await screen.findAllByRole('listitem'))[0]
+  expect(row).toHaveTextContent(/Its tops are cut off flat, and a lower level leaves them so: lower the gain before/)
+  expect(row).toHaveTextContent('A fix lowers the level by 1.00 dB, which leaves its cut-off tops flat.')
 })
 
 test('what the queue refuses goes to it, and is not said to have passed', async () => {
@@ -78,7 +106,7 @@ test('what the queue refuses goes to it, and is not said to have passed', async 
 test('one that waits is sent all the same, by keys', async () => {
   const { made, sent } = precheck([NO_CUE])
   draw(<HeldFiles precheck={made} />)
-  await made.add([LOUD], 'c1')
+  await made.add([WRONG], 'c1')
   const anyway = await screen.findByRole('button', { name: 'Upload anyway: laser.wav' })
   anyway.focus()
   await userEvent.keyboard('{Enter}')
@@ -134,7 +162,7 @@ test('files go on their way where the server does not say what they are judged b
 test('files that could not be sent wait again', async () => {
   const { made } = precheck([NO_CUE], true)
   draw(<HeldFiles precheck={made} />)
-  await made.add([LOUD], null)
+  await made.add([WRONG], null)
   await userEvent.click(await screen.findByRole('button', { name: 'Upload all anyway' }))
   await waitFor(() => expect(held().getByRole('listitem')).toHaveTextContent('laser.wav'))
   expect(screen.getByRole('alert')).toBeVisible()

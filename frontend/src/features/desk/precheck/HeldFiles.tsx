@@ -26,6 +26,7 @@ export function HeldFiles({ precheck }: { precheck: Precheck }) {
   const isDecisionDue = !isChecking && held.length > 0
   const problems = useMemo(() => nameProblems(held), [held])
   const wrong = held.filter((file) => heldStateOf(file) === 'wrong').length
+  const fixable = held.filter((file) => heldStateOf(file) === 'fixable')
   const unnamed = held.filter((file) => heldStateOf(file) === 'unnamed').length
   const ready = held.filter((file) => heldStateOf(file) === 'ready')
   const toRename = held.filter((file) => isRenamable(file) && isChanged(file))
@@ -53,6 +54,7 @@ export function HeldFiles({ precheck }: { precheck: Precheck }) {
   const rename = (files: readonly HeldFile[]) => void send(() => precheck.rename(files))
   const counts = [
     wrong > 0 ? `${plural(wrong, 'file')} would come back` : '',
+    fixable.length > 0 ? `${plural(fixable.length, 'file')} fixable after the upload` : '',
     unnamed > 0 ? `${plural(unnamed, 'file')} without a cue` : '',
     ready.length > 0 ? `${plural(ready.length, 'renamed file')} ready` : '',
   ].filter(Boolean)
@@ -67,6 +69,7 @@ export function HeldFiles({ precheck }: { precheck: Precheck }) {
     <section ref={region} className={classes.held} aria-label="Check before the upload">
       <div className={classes.bar}>
         {wrong > 0 && <State kind="returned">{plural(wrong, 'file')} would come back</State>}
+        {fixable.length > 0 && <State kind="fixable">{plural(fixable.length, 'file')} fixable after the upload</State>}
         {unnamed > 0 && <State kind="unmatched">{plural(unnamed, 'file')} without a cue</State>}
         {ready.length > 0 && <State kind="passed">{plural(ready.length, 'renamed file')} ready</State>}
         {isChecking && (
@@ -96,9 +99,14 @@ export function HeldFiles({ precheck }: { precheck: Precheck }) {
             Upload {plural(ready.length, 'renamed file')}
           </Button>
         )}
-        {(isChecking || ready.length < held.length) && (
+        {fixable.length > 1 && (
+          <Button onClick={() => void send(() => precheck.send(fixable))}>
+            Upload {plural(fixable.length, 'fixable file')}
+          </Button>
+        )}
+        {(isChecking || wrong + unnamed > 0 || (ready.length > 0 && fixable.length > 0)) && (
           <Button onClick={() => void send(() => precheck.sendAll())}>
-            {held.length > 0 ? 'Upload all anyway' : 'Upload without this check'}
+            {held.length > 0 ? (wrong + unnamed > 0 ? 'Upload all anyway' : 'Upload all') : 'Upload without this check'}
           </Button>
         )}
         {held.length > 1 && (

@@ -5,6 +5,7 @@ import { wordsOf } from '@/judging/findings'
 import { Button } from '@/ui/Button'
 import { State } from '@/ui/State'
 
+import { fixInWords, isAllFixed } from './autoFix'
 import type { Finding } from './checks'
 import classes from './HeldFiles.module.css'
 import type { HeldFile } from './held'
@@ -40,8 +41,17 @@ export function HeldRow({ file, problem, onWant, onRename, onSend, onLeaveOut }:
           </span>
         )}
         {findings.map((finding) => (
-          <FindingLine key={finding.code} finding={finding} />
+          <FindingLine key={finding.code} finding={finding} isFixable={standing === 'fixable'} />
         ))}
+        {standing === 'fixable' && (
+          <p className={classes.finding}>
+            <State kind="fixable" />{' '}
+            <span className="mid">
+              {cue === '' ? 'Once its cue is chosen, a' : 'A'} fix {fixInWords(findings)}. It is offered on this desk
+              after the upload; you hear it first, and your file is kept.
+            </span>
+          </p>
+        )}
         {standing === 'unnamed' && (
           <p className={`${classes.finding} tone-warn`}>
             <span className="strong toned">The name does not say which cue it is for.</span>{' '}
@@ -66,7 +76,7 @@ export function HeldRow({ file, problem, onWant, onRename, onSend, onLeaveOut }:
         )}
       </div>
       <span className={classes.does}>
-        {standing === 'ready' ? (
+        {standing === 'ready' || standing === 'fixable' ? (
           <Button aria-label={`Upload ${name}`} onClick={onSend}>
             Upload
           </Button>
@@ -83,8 +93,9 @@ export function HeldRow({ file, problem, onWant, onRename, onSend, onLeaveOut }:
   )
 }
 
-function FindingLine({ finding }: { finding: Finding }) {
-  const { head, rest, where } = wordsOf({ ...finding, check: '', waived: false })
+function FindingLine({ finding, isFixable }: { finding: Finding; isFixable: boolean }) {
+  const fix = isFixable && isAllFixed(finding) ? '' : finding.fix
+  const { head, rest, where } = wordsOf({ ...finding, check: '', waived: false, fix })
   return (
     <p className={`${classes.finding} tone-${finding.severity === 'error' ? 'bad' : 'warn'}`}>
       <span className="strong toned">

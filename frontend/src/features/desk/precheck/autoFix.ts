@@ -6,6 +6,11 @@ const MOST_FIXED_BITS = 24
 /** Of sound in a WAV file, with room for a megabyte of chunks. */
 const WAV_BYTES = 0xffffffff - 2 ** 20
 
+const LEFT_FLAT = ', which leaves its cut-off tops flat'
+
+/** Whether a fix leaves nothing of a finding to do by hand. */
+export const isAllFixed = ({ auto_fix }: Finding): boolean => auto_fix != null && !auto_fix.endsWith(LEFT_FLAT)
+
 /** Sizes in the header that can be written right. */
 const SIZES: ReadonlySet<string> = new Set(
   ['riff-size', 'stream-header', 'no-frames', 'trailing-bytes', 'no-chunk', 'byte-rate', 'pad-byte', 'padding'].map(
@@ -22,7 +27,7 @@ export function autoFix({ code, measured, limit }: Finding, { layout, peaks, spe
   switch (code) {
     case 'sample-peak:over':
       if (measured === null || limit === null) return null
-      return `lowers the level by ${fixed(measured - limit, 2)} dB${peaks.isCutOff ? ', which leaves its cut-off tops flat' : ''}`
+      return `lowers the level by ${fixed(measured - limit, 2)} dB${peaks.isCutOff ? LEFT_FLAT : ''}`
     case 'bit-depth:not-accepted':
       return depthFix(layout, spec.accept)
     case 'encoding:not-accepted':
@@ -32,6 +37,17 @@ export function autoFix({ code, measured, limit }: Finding, { layout, peaks, spe
     default:
       return null
   }
+}
+
+const ORDER = ['container', 'structure', 'sample-peak', 'encoding', 'bit-depth', 'naming']
+
+/** What one fix does about all findings, as in "writes it as WAV and lowers the level by 1.70 dB". */
+export function fixInWords(findings: readonly Finding[]): string {
+  const rank = ({ code }: Finding) => ORDER.findIndex((check) => code.startsWith(`${check}:`))
+  const ordered = findings.toSorted((one, other) => rank(one) - rank(other))
+  const words = [...new Set(ordered.flatMap(({ auto_fix }) => auto_fix ?? []))]
+  const last = words.pop() ?? ''
+  return words.length > 0 ? `${words.join(', ')} and ${last}` : last
 }
 
 type Accept = Subject['spec']['accept']

@@ -2,13 +2,14 @@ import type { HeldFile, PrecheckState } from './held'
 
 const MOST_CHARS = 255
 
-/** wrong: it would come back; unnamed: its name says no cue; ready: it was renamed, and nothing else holds it. */
-export type HeldState = 'wrong' | 'unnamed' | 'ready'
+/** wrong: it would come back; fixable: so it would, with a fix for all of it; unnamed: its name says no cue; ready: it was renamed, and nothing else holds it. */
+export type HeldState = 'wrong' | 'fixable' | 'unnamed' | 'ready'
 
 export const baseName = (path: string): string => path.slice(path.lastIndexOf('/') + 1)
 
 export function heldStateOf({ findings, cue, listName }: HeldFile): HeldState {
-  if (findings.some(({ severity }) => severity === 'error')) return 'wrong'
+  const errors = findings.filter(({ severity }) => severity === 'error')
+  if (errors.length > 0) return errors.every(({ auto_fix }) => auto_fix != null) ? 'fixable' : 'wrong'
   return cue === '' && listName !== null ? 'unnamed' : 'ready'
 }
 
