@@ -5,12 +5,12 @@ from functools import cache
 from typing import Any
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, Select, bindparam, func, select
+from sqlalchemy import ColumnElement, Select, and_, bindparam, func, select
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import Person
 from app.deliveries.models import Archive, Delivery, DryStem, Take, TrayAction
-from app.deliveries.rules import TakeState
+from app.deliveries.rules import OPEN_STATES, TakeState
 from app.deliveries.rules import stem_of as stem_of_name
 from app.kit.in_array import in_array
 from app.kit.uploads import Upload
@@ -20,6 +20,7 @@ from app.projects.rules import EngagementKind
 from app.sound_lists.models import Cue, Stem
 
 NAMES_COMPARED = 2_000  # of a tray, for the prefixes that they share
+PLACES_ASKED = 200  # for which several files came, in one answer
 
 # Asked for by each step of an upload: to build the statement takes as long as to run it.
 _DELIVERY = select(Delivery).where(Delivery.id == bindparam("delivery_id")).options(joinedload(Delivery.designer))
@@ -367,3 +368,21 @@ def archives_in(session: Session, delivery_id: UUID) -> Sequence[Archive]:
 def archive_of_upload(session: Session, upload_id: UUID) -> Archive | None:
     """Return the ZIP that an upload became."""
     return session.scalar(select(Archive).where(Archive.upload_id == upload_id))
+
+
+def competing_takes(session: Session, project_id: UUID, designer_id: UUID | None) -> Sequence[Take]:
+    """Return open takes that share delivery, cue, variation and alternate with another one; see `tray`."""
+    place = (Take.delivery_id, Take.cue_id, Take.variation, func.coalesce(Take.alternate, 0))
+    is_open = [Take.project_id == project_id, Take.cue_id.is_not(None), Take.state.in_(OPEN_STATES)]
+    if designer_id is not None:
+        is_open.append(Take.designer_id == designer_id)
+    shared = select(*place).where(*is_open).group_by(*place).having(func.count() > 1).limit(PLACES_ASKED).subquery()
+    same_place = [column == other for column, other in zip(place, shared.c, strict=True)]
+    query = select(Take).join(shared, and_(*same_place)).where(*is_open).options(*_WITH_CUE_AND_DESIGNER)
+    return session.scalars(query.order_by(Take.id)).all()
+
+
+def next_alternate(session: Session, cue_id: UUID, variation: int) -> int:
+    """Return the number of the next alternate of a place in the list; the file without a letter is the first."""
+    query = select(func.max(Take.alternate)).where(Take.cue_id == cue_id, Take.variation == variation)
+    return max(session.scalar(query) or 1, 1) + 1

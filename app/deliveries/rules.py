@@ -2,10 +2,14 @@
 
 import re
 import unicodedata
-from collections.abc import Collection
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from datetime import datetime, timedelta
 from enum import StrEnum
+from itertools import pairwise
+from typing import NamedTuple
+from uuid import UUID
 
 import audio_checks
 from app.deliveries.errors import VariationUnknown, WrongState
@@ -83,6 +87,51 @@ def ensure_may_become(now: TakeState, wanted: TakeState) -> None:
     """Raise WrongState unless a take may go from one state to the other."""
     if wanted not in NEXT_STATES[now]:
         raise WrongState(f"a {now} take cannot become {wanted}")
+
+
+class OpenTake(NamedTuple):
+    """What decides whether files of one delivery compete for a place in the list."""
+
+    id: UUID
+    delivery_id: UUID
+    cue_id: UUID
+    variation: int
+    alternate: int | None
+    number: int
+    file_name: str
+    fix_of_id: UUID | None
+
+
+OPEN_STATES = frozenset({TakeState.RECEIVED, TakeState.CONFORMING})  # in which a take goes, or has gone, to review
+
+
+def undecided_groups(takes: Iterable[OpenTake]) -> list[list[OpenTake]]:
+    """Return the takes between which nobody chose: open files of one delivery for one place under different names.
+
+    A file sent again under its own name is its newer version, and so is one whose name says a later version than the
+    file before it. Alternates of different letters are for the approver to choose from.
+    """
+    by_place: dict[tuple[object, ...], list[OpenTake]] = defaultdict(list)
+    for take in takes:
+        by_place[take.delivery_id, take.cue_id, take.variation, take.alternate].append(take)
+    groups = []
+    for at_place in by_place.values():
+        fixed = {take.fix_of_id for take in at_place}
+        newest = {take.file_name: take for take in sorted(at_place, key=_number) if take.id not in fixed}
+        group = sorted(newest.values(), key=_number)
+        if len(group) > 1 and not _are_typed_versions(group):
+            groups.append(group)
+    return groups
+
+
+def _number(take: OpenTake) -> int:
+    return take.number
+
+
+def _are_typed_versions(group: Sequence[OpenTake]) -> bool:
+    """Whether the names count versions in the order in which the files came: laser, laser_v2, laser_v3."""
+    versions = [audio_checks.parse_file_name(take.file_name).typed_version or 0 for take in group]
+    return all(earlier < later for earlier, later in pairwise(versions))
 
 
 def is_archive(file_name: str) -> bool:

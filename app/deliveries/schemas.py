@@ -230,6 +230,27 @@ class TakeMove(Schema):
     take_id: UUID
     cue_id: UUID
     variation: Whole | None = Field(None, description="Of a set; null: as the name says, else the first empty one.")
+    as_alternate: bool = Field(False, description="It is another idea for the same sound, and gets the next letter.")
+
+
+class UndecidedTake(Schema):
+    """One of the files between which nobody chose."""
+
+    id: UUID
+    file_name: ShownName
+    number: int
+    state: TakeState
+    received_at: datetime
+
+
+class UndecidedPlace(Schema):
+    """Files of one delivery for the same sound: one counts, or they are alternates, or one is for another sound."""
+
+    delivery_id: UUID
+    cue: CueBrief
+    variation: int
+    alternate: int | None
+    takes: list[UndecidedTake]
 
 
 class TakesMove(Schema):

@@ -1,7 +1,7 @@
 """Many takes at once: matched where their names are sure, moved, discarded, restored; each action can be undone."""
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 from uuid import UUID
 
@@ -9,9 +9,19 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.deliveries import queries, take_states
+from app.deliveries.cue_sums import update_cue_sums
 from app.deliveries.errors import AlreadyUndone, TakeNotFound, TrayActionNotFound
 from app.deliveries.models import Take, TrayAction
-from app.deliveries.rules import CHECKABLE, TakeState, TrayActionKind, ensure_kept, ensure_no_verdict, named_for
+from app.deliveries.rules import (
+    CHECKABLE,
+    OpenTake,
+    TakeState,
+    TrayActionKind,
+    ensure_kept,
+    ensure_no_verdict,
+    named_for,
+    undecided_groups,
+)
 from app.deliveries.slots import Slot, matching_for, slot_given, stems_of_slots
 from app.kit import clock
 from app.projects.errors import ProjectNotFound
@@ -28,6 +38,31 @@ class Move:
     take_id: UUID
     cue_id: UUID
     variation: int | None
+    as_alternate: bool = False
+
+
+def undecided_places(session: Session, actor: Actor, project_id: UUID) -> list[list[Take]]:
+    """Return the takes between which nobody chose, by their place in the list; a designer's own."""
+    access = project_access(session, actor, project_id)
+    competing = queries.competing_takes(session, project_id, access.only_designer_id)
+    by_id = {take.id: take for take in competing}
+    return [[by_id[take.id] for take in group] for group in undecided_groups(map(open_take_of, competing))]
+
+
+def open_take_of(take: Take) -> OpenTake:
+    """Return what of a matched take decides whether it competes with others."""
+    if take.cue_id is None:
+        raise AssertionError("only matched takes have a place")
+    return OpenTake(
+        take.id,
+        take.delivery_id,
+        take.cue_id,
+        take.variation,
+        take.alternate,
+        take.number or 0,
+        take.file_name,
+        take.fix_of_id,
+    )
 
 
 def accept_sure(session: Session, actor: Actor, project_id: UUID, take_ids: Collection[UUID] | None) -> TrayAction:
@@ -55,12 +90,21 @@ def move_takes(session: Session, actor: Actor, project_id: UUID, moves: Sequence
     before = []
     for take, move in zip(takes, moves, strict=True):
         slot = slot_given(session, access, move.cue_id, move.variation, take.file_name)
-        if (take.cue_id, take.variation) == (slot.cue.id, slot.variation):
+        is_there = (take.cue_id, take.variation) == (slot.cue.id, slot.variation)
+        if is_there and not move.as_alternate:
             continue
         ensure_no_verdict(take.state)
         ensure_kept(take.discarded_at)
         before.append(_place_of(take))
-        take_states.place_take(session, take, slot, by=actor.person)
+        if move.as_alternate:
+            slot = replace(slot, alternate=queries.next_alternate(session, slot.cue.id, slot.variation))
+        if is_there:
+            take.alternate = slot.alternate
+            take.edition += 1
+            update_cue_sums(session, take.cue_id)
+            session.flush()
+        else:
+            take_states.place_take(session, take, slot, by=actor.person)
     return _record(session, access, TrayActionKind.MOVED, takes, before)
 
 

@@ -1,5 +1,6 @@
 """The endpoints for many takes at once."""
 
+from collections.abc import Sequence
 from uuid import UUID
 
 from fastapi import APIRouter
@@ -8,12 +9,25 @@ from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.deliveries import tray
 from app.deliveries.errors import AlreadyUndone, TakeNotFound, TrayActionNotFound, VariationUnknown, WrongState
-from app.deliveries.models import TrayAction
-from app.deliveries.schemas import SureAccept, TakeRename, TakesMove, TakesNamed, TrayActionRead, TrayActionUndone
+from app.deliveries.models import Take, TrayAction
+from app.deliveries.schemas import (
+    CueBrief,
+    SureAccept,
+    TakeRename,
+    TakesMove,
+    TakesNamed,
+    TrayActionRead,
+    TrayActionUndone,
+    UndecidedPlace,
+    UndecidedTake,
+)
 from app.deliveries.tray import Move
 from app.kit.http import DbSession, Route, problems
 from app.projects.errors import ProjectNotFound, TeamNeeded
+from app.projects.models import Project
+from app.projects.service import project_access
 from app.sound_lists.errors import CueNotFound
+from app.sound_lists.rules import label
 
 router = APIRouter(route_class=Route)
 
@@ -40,6 +54,22 @@ def move_takes(
 ) -> TrayActionRead:
     """Move takes to other cues or variations, all or none, before any verdict; each is checked again there."""
     return _tray_action_read(tray.move_takes(session, actor, project_id, _moves(body)))
+
+
+@router.get(
+    "/projects/{project_id}/takes/undecided",
+    response_model=list[UndecidedPlace],
+    responses=problems(ProjectNotFound),
+)
+def list_undecided_places(
+    project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> list[UndecidedPlace]:
+    """List sounds for which one delivery has several files between which nobody chose; a designer's own.
+
+    To decide, discard all but one, move one to its own cue, or move it with `as_alternate`.
+    """
+    project = project_access(session, actor, project_id).project
+    return [_undecided_read(project, takes) for takes in tray.undecided_places(session, actor, project_id)]
 
 
 @router.post(
@@ -93,7 +123,20 @@ def undo_tray_action(
 
 
 def _moves(body: TakesMove) -> list[Move]:
-    return [Move(move.take_id, move.cue_id, move.variation) for move in body.moves]
+    return [Move(move.take_id, move.cue_id, move.variation, move.as_alternate) for move in body.moves]
+
+
+def _undecided_read(project: Project, takes: Sequence[Take]) -> UndecidedPlace:
+    first = takes[0]
+    if first.cue is None:
+        raise AssertionError("only matched takes have a place")
+    return UndecidedPlace(
+        delivery_id=first.delivery_id,
+        cue=CueBrief(id=first.cue.id, label=label(project.cue_prefix, first.cue.number), name=first.cue.name),
+        variation=first.variation,
+        alternate=first.alternate,
+        takes=[UndecidedTake.model_validate(take) for take in takes],
+    )
 
 
 def _tray_action_read(action: TrayAction) -> TrayActionRead:

@@ -33,6 +33,7 @@ from app.reviews.errors import (
     StaleView,
     TooLateToUndo,
     VerdictSince,
+    VersionsUndecided,
 )
 from app.reviews.fit_schemas import DeliveryFitRead, TakeFitRead
 from app.reviews.rules import QueueFilter, QueueKind, VerdictKind, VersionKind
@@ -178,6 +179,7 @@ def undo_verdict(take_id: UUID, session: DbSession, actor: Actor = allows(Audien
         ApproverNeeded,
         SetIncomplete,
         AlreadyAccepted,
+        VersionsUndecided,
         NotReviewable,
         NotOfThisCue,
         CueIsCut,

@@ -27,6 +27,10 @@ class SetIncomplete(Conflict):
     """A variation has no version that could be accepted."""
 
 
+class VersionsUndecided(Conflict):
+    """A variation has several files of one delivery between which nobody chose; `take_ids` says which is meant."""
+
+
 class AlreadyAccepted(Conflict):
     """Every variation has its approved take, and nothing newer waits."""
 

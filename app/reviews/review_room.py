@@ -1,7 +1,7 @@
 """The review room: the queue, one cue with everything said of it, the history of a take."""
 
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from datetime import datetime
 from typing import Any
 from uuid import UUID
@@ -15,7 +15,8 @@ from app.accounts.schemas import PersonBrief
 from app.conformance.schemas import FindingRead
 from app.conformance.service import findings_read, resolved_spec
 from app.conformance.set_findings import SetFinding, findings_of_sets, with_set_finding
-from app.deliveries.rules import TakeState
+from app.deliveries.rules import TakeState, undecided_groups
+from app.deliveries.tray import open_take_of
 from app.kit import clock
 from app.kit.http import Page, cursor_of, instant_cursor
 from app.kit.in_array import in_array
@@ -152,7 +153,8 @@ def _queue_item(
     cue = waiting[0].take.cue
     if cue is None:
         raise AssertionError("only matched takes wait")
-    takes = [review_take(one, facts.prefix, words) for one in waiting]
+    undecided = _undecided(waiting)
+    takes = [review_take(one, facts.prefix, words, undecided) for one in waiting]
     findings = [finding for take in takes for finding in take.findings]
     return QueueItem(
         cue=review_cue(cue, facts.prefix),
@@ -182,7 +184,16 @@ def review_cue(cue: Cue, prefix: str) -> ReviewCue:
     return ReviewCue(**facts, label=label(prefix, cue.number))
 
 
-def review_take(one: TakeOnReview, prefix: str, words: dict[UUID, SetFinding]) -> ReviewTake:
+def _undecided(takes: Iterable[TakeOnReview]) -> dict[UUID, list[UUID]]:
+    """Return for takes between which nobody chose the others, by take."""
+    waiting = [one.take for one in takes if one.take.state is TakeState.CONFORMING]
+    groups = undecided_groups(map(open_take_of, waiting))
+    return {take.id: [other.id for other in group if other is not take] for group in groups for take in group}
+
+
+def review_take(
+    one: TakeOnReview, prefix: str, words: dict[UUID, SetFinding], undecided: Mapping[UUID, list[UUID]] | None = None
+) -> ReviewTake:
     """Return a take with what is needed to play and judge it, and the findings of its set."""
     take, word = one.take, words.get(one.take.id)
     report = with_set_finding(one.report, word.findings if word else ()) if one.report else {}
@@ -230,6 +241,7 @@ def review_take(one: TakeOnReview, prefix: str, words: dict[UUID, SetFinding]) -
         draft_change=change_request_read(one.draft, prefix) if one.draft else None,
         open_comments=one.open_comments,
         is_heard=one.is_heard,
+        undecided_with=(undecided or {}).get(take.id, []),
     )
 
 
@@ -278,7 +290,8 @@ def cue_review(session: Session, actor: Actor, cue_id: UUID) -> CueReviewRead:
     prefix = access.project.cue_prefix
     shown = take_queries.takes_of_cue(session, actor.person, cue.id)
     words = findings_of_sets(session, [cue], _specs_of(shown))
-    takes = [review_take(one, prefix, words) for one in shown]
+    undecided = _undecided(shown)
+    takes = [review_take(one, prefix, words, undecided) for one in shown]
     ids = [take.id for take in takes]
     approved = queries.approved_variations(session, [cue.id]).get(cue.id, [])
     verdicts = queries.verdicts_on(session, Verdict.cue_id == cue.id)

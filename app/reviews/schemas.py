@@ -122,6 +122,9 @@ class ReviewTake(SoundBrief):
     draft_change: ChangeRequestRead | None
     open_comments: int
     is_heard: bool = Field(description="By the caller; nobody sees what others heard.")
+    undecided_with: list[UUID] = Field(
+        description="Files of the same delivery for the same sound, under other names: nobody said which one counts."
+    )
 
 
 class QueueItem(Schema):

@@ -1,15 +1,16 @@
 """Verdicts on takes and sets, their undoing, and cuts."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.deliveries.models import Take
-from app.deliveries.rules import TakeState
+from app.deliveries.rules import TakeState, shown_name, undecided_groups
 from app.deliveries.service import take_for
 from app.deliveries.take_states import restore_state
+from app.deliveries.tray import open_take_of
 from app.kit import clock, kill_points
 from app.kit.db import new_id
 from app.kit.events import publish
@@ -27,6 +28,7 @@ from app.reviews.errors import (
     NotReviewable,
     SetIncomplete,
     VerdictSince,
+    VersionsUndecided,
 )
 from app.reviews.heard_takes import heard_now_or_before
 from app.reviews.mentions import mentions_in
@@ -352,6 +354,19 @@ def accept_set(
     )
 
 
+def ensure_decided(cue: Cue, waiting: Sequence[Take], *, named: Collection[int]) -> None:
+    """Raise VersionsUndecided where a variation that is not named has files between which nobody chose."""
+    for group in undecided_groups(map(open_take_of, waiting)):
+        variation = group[0].variation
+        if variation not in named:
+            names = " and ".join(f'version {take.number}, "{shown_name(take.file_name)}"' for take in group)
+            raise VersionsUndecided(
+                f"for variation {variation} of {cue.name} one delivery has {names}, and nobody chose; "
+                "nothing was approved",
+                fix="name the version that you mean in take_ids, or have the designer decide on the desk",
+            )
+
+
 def _picks(session: Session, cue: Cue, take_ids: Sequence[UUID]) -> list[Take]:
     """Return one take for each variation: the one named, else the newest that waits, else the approved one."""
     picks: dict[int, Take] = {}
@@ -367,8 +382,12 @@ def _picks(session: Session, cue: Cue, take_ids: Sequence[UUID]) -> list[Take]:
         picks[take.variation] = take
     waiting: dict[int, Take] = {}
     approved: dict[int, Take] = {}
+    waiting_takes: list[Take] = []
     for take in queries.open_takes(session, cue.id):
+        if take.state is TakeState.CONFORMING:
+            waiting_takes.append(take)
         (approved if take.state is TakeState.APPROVED else waiting).setdefault(take.variation, take)
+    ensure_decided(cue, waiting_takes, named=picks)
     picks = approved | waiting | picks
     if missing := missing_variations(cue.variations, picks):
         numbers = ", ".join(str(variation) for variation in missing)
