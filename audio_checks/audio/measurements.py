@@ -142,7 +142,9 @@ class Measurements:
         Floats over full scale are not: what lies there is kept, and comes back with a lower level.
         """
         peak = self.sample_peak_dbfs
-        return peak <= CUT_OFF_WITHIN_DB and any(span.level_dbfs >= peak - CUT_OFF_WITHIN_DB for span in self.clipped_spans)
+        return peak <= CUT_OFF_WITHIN_DB and any(
+            span.level_dbfs >= peak - CUT_OFF_WITHIN_DB for span in self.clipped_spans
+        )
 
     @property
     def soft_tops(self) -> int:

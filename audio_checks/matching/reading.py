@@ -257,7 +257,9 @@ def _markers(stem: str, tokens: Sequence[Token]) -> tuple[dict[int, Kind], dict[
             marks.add("state", place, *([place + 1] if attached else []))
             if following is not None and not attached:
                 after.add(following)
-        elif token.text in FORMAT_WORDS or (token.text in NEAR_FORMAT_WORDS and marks.markers.get(place - 1) == "format"):
+        elif token.text in FORMAT_WORDS or (
+            token.text in NEAR_FORMAT_WORDS and marks.markers.get(place - 1) == "format"
+        ):
             marks.add("format", place)
         place += 1
     return marks.markers, marks.groups, after, alternate

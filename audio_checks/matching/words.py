@@ -14,7 +14,8 @@ TAKE_WORDS = frozenset({"take", "tk"})
 COPY_WORDS = frozenset({"copy", "kopie", "copie", "copia", "duplicate"})
 ALTERNATE_WORDS = frozenset({"alt", "alternate", "alternative", "option", "opt"})
 FORMAT_WORDS = frozenset({"wav", "wave", "aif", "aiff", "flac", "ogg", "mp3", "mono", "stereo"})
-NEAR_FORMAT_WORDS = frozenset({"st", "ste", "mo", "float", "fp", "int", "interleaved", "bwf"})  # behind a format: 48k_ST
+# Part of the format behind one: 48k_ST, 32bit_float.
+NEAR_FORMAT_WORDS = frozenset({"st", "ste", "mo", "float", "fp", "int", "interleaved", "bwf"})
 UNITS = frozenset({"k", "khz", "hz", "bit", "b", "bits", "bpm", "db", "dbfs", "dbtp", "lufs", "ch"})
 PREFIX_WORDS = frozenset({"sfx", "fx", "snd", "aud", "audio"})
 MONTHS = {

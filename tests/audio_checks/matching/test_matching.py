@@ -187,19 +187,52 @@ def test_reading_10_000_cues_grows_with_their_number_and_a_name_does_not() -> No
             index.guesses(f"weapons/{cue.name}x_v2.wav")
 
 
-@pytest.mark.parametrize(
-    "suffix",
-    ["48k24", "44k16", "96k_24b", "44.1k16", "441k16", "44_1k", "44.1_16", "48_24", "48-24", "4824", "4416", "24-96"]
-    + ["48000", "48000_24", "44100Hz-16bit", "24bit_48k", "24b48k", "48k_24bit_stereo", "48K-24B-ST", "32f", "32bit_float"]
-    + ["48k32float", "pcm24", "PCM_S24LE", "5.1", "7.1.4", "48khz", "24bit", "24-bit", "mono", "Stereo", "48k24_mono"],
-)  # fmt: skip
+FORMAT_SUFFIXES = [
+    "48k24",
+    "44k16",
+    "96k_24b",
+    "44.1k16",
+    "441k16",
+    "44_1k",
+    "44.1_16",
+    "48_24",
+    "48-24",
+    "4824",
+    "4416",
+    "24-96",
+    "48000",
+    "48000_24",
+    "44100Hz-16bit",
+    "24bit_48k",
+    "24b48k",
+    "48k_24bit_stereo",
+    "48K-24B-ST",
+    "32f",
+    "32bit_float",
+    "48k32float",
+    "pcm24",
+    "PCM_S24LE",
+    "5.1",
+    "7.1.4",
+    "48khz",
+    "24bit",
+    "24-bit",
+    "mono",
+    "Stereo",
+    "48k24_mono",
+]
+
+
+@pytest.mark.parametrize("suffix", FORMAT_SUFFIXES)
 def test_a_format_behind_a_name_says_nothing_about_the_sound(suffix: str) -> None:
     assert INDEX.sure(f"laser_fire_{suffix}.wav") == ("fire", 1, None)
     assert INDEX.sure(f"step_grass_03_{suffix}.wav") == ("steps", 3, None)
     assert INDEX.sure(f"step_grass_{suffix}_03.wav") == ("steps", 3, None)
 
 
-@pytest.mark.parametrize("name", ["laser_fire_24", "laser_fire_float", "laser_fire_4823", "laser_fire_st", "laser_fire_1_2"])
+@pytest.mark.parametrize(
+    "name", ["laser_fire_24", "laser_fire_float", "laser_fire_4823", "laser_fire_st", "laser_fire_1_2"]
+)
 def test_what_only_resembles_a_format_leaves_doubt(name: str) -> None:
     assert INDEX.sure(f"{name}.wav") is None
 
