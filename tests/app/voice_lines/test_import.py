@@ -77,6 +77,29 @@ def test_a_name_that_no_file_can_have_is_refused(world: World) -> None:
     assert read["errors"][0]["row"] == 2
 
 
+@pytest.mark.parametrize(
+    ("script", "stem", "proposed"),
+    [
+        ({"text": "Title: Le pont\n\n# Pont\n\nÉMILE\nBonjour!\n", "format": "script"}, None, None),
+        ({"text": "Title: Le pont\n\n# Pont\n\nÉMILE [[émile_001]]\nBonjour!\n", "format": "script"}, "é", "emile_001"),
+        ({"text": "Line ID,Character,English\némile_001,Émile,Hello!\n"}, "é", "emile_001"),
+    ],
+)
+def test_accents_that_the_spec_refuses_are_said_and_offered_without(
+    world: World, script: dict[str, str], stem: str | None, proposed: str | None
+) -> None:
+    read = sent(world, dry_run=True, **script)
+    assert (read["added"], read["errors"]) == (1, [])
+    names = read["refused_names"]["names"]
+    assert [(stem in name["stem"], name["proposed"].endswith(proposed)) for name in names] == [(True, True)] * bool(
+        stem
+    )
+    assert [offer["names"] for offer in read["refused_names"]["patterns"]] == [1] * bool(stem)
+    sent(world, **script)
+    listed = world.producer.get(f"/v1/projects/{world.project_id}/sound-list/refused-names").json()["names"]
+    assert [(name["stem"], name["proposed"]) for name in listed] == [(name["stem"], name["proposed"]) for name in names]
+
+
 def test_text_like_fountain(world: World) -> None:
     read = imported(world, SCRIPT, format="script")
     assert [(row["row"], row["key"], row["action"]) for row in read["rows"]] == [
