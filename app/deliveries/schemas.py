@@ -230,7 +230,9 @@ class TakeMove(Schema):
     take_id: UUID
     cue_id: UUID
     variation: Whole | None = Field(None, description="Of a set; null: as the name says, else the first empty one.")
-    as_alternate: bool = Field(False, description="It is another idea for the same sound, and gets the next letter.")
+    as_alternate: bool | None = Field(
+        None, description="It is another idea for the same sound, and gets the next letter."
+    )
 
 
 class UndecidedTake(Schema):

@@ -123,7 +123,7 @@ def undo_tray_action(
 
 
 def _moves(body: TakesMove) -> list[Move]:
-    return [Move(move.take_id, move.cue_id, move.variation, move.as_alternate) for move in body.moves]
+    return [Move(move.take_id, move.cue_id, move.variation, bool(move.as_alternate)) for move in body.moves]
 
 
 def _undecided_read(project: Project, takes: Sequence[Take]) -> UndecidedPlace:

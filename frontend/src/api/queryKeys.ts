@@ -93,6 +93,7 @@ export const queryKeys = {
   delivery: family<[deliveryId: string]>('delivery'),
   deliveryFit: family<[deliveryId: string]>('delivery-fit'),
   unmatched: family<[projectId: string, count?: number]>('unmatched'),
+  undecidedFiles: family<[projectId: string]>('undecided-files'),
   cueTakes: family<[cueId: string]>('cue-takes'),
   take: family<[takeId: string, part?: 'check' | 'fit', ...of: unknown[]]>('take'),
   takeSounds: family<[takeId: string]>('take-sounds'),

@@ -11,12 +11,17 @@ export function isWholeSet(cue: ReviewCue, waiting: readonly ReviewTake[], appro
 const unnoted = (takes: readonly ReviewTake[]): ReviewTake[] =>
   takes.filter(({ draft_change }) => draft_change === null)
 
-/** One take a variation: the one that was chosen, else the newest. */
+/**
+ * One take a variation: the one that was chosen, else the newest; none where nobody chose between files of one delivery,
+ * which the server then asks about by name.
+ */
 export function pickedOfSet(waiting: readonly ReviewTake[], chosen: ReadonlyMap<number, string>): ReviewTake[] {
   const picked = new Map<number, ReviewTake>()
   for (const take of inOrder(unnoted(waiting))) {
     const kept = picked.get(take.variation)
     if (kept === undefined || kept.id !== chosen.get(take.variation)) picked.set(take.variation, take)
   }
-  return [...picked.values()]
+  return [...picked.values()].filter(
+    ({ id, variation, undecided_with: others }) => others.length === 0 || chosen.get(variation) === id,
+  )
 }

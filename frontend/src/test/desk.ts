@@ -197,6 +197,7 @@ export const atDesk = (more: Answers = {}): Answers => {
     'GET /v1/session': { signed_in: true, demo: false, person },
     'GET /v1/me': { ...ME, person },
     'GET /v1/projects/p1/desk': DESK,
+    'GET /v1/projects/p1/takes/undecided': [],
     'GET /v1/projects/p1/spec': { tables: { accept: { containers: ['wav'] } } },
     'GET /v1/projects/p1/deliveries': { items: [], next: null },
     'GET /v1/projects/p1/takes': { items: [UNMATCHED], next: null },

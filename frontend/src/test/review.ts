@@ -94,6 +94,7 @@ export function aTake(id: string, take: Partial<ReviewTake> = {}): ReviewTake {
     draft_change: null,
     open_comments: 0,
     is_heard: true,
+    undecided_with: [],
     ...take,
   }
 }

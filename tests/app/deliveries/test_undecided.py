@@ -5,8 +5,8 @@ from uuid import UUID
 
 import pytest
 
-from app.deliveries.rules import OpenTake, undecided_groups
-from tests.app.deliveries.test_takes import another
+from app.deliveries.rules import OpenTake, TakeState, undecided_groups
+from tests.app.deliveries.test_takes import another, become
 from tests.app.deliveries.test_tray import tray_action, undo
 from tests.support.deliver import add_cues, deliver, open_delivery
 from tests.support.server import World
@@ -84,7 +84,8 @@ def test_a_set_with_files_nobody_chose_between_is_not_approved_in_silence(world:
         deliver(world, name, another(place), delivery_id=delivery_id)
         for place, name in enumerate(["steps_01.wav", "steps_02.wav", "Steps 02 FINAL (2).wav"])
     ]
-    world.server.wait_for_jobs()
+    for one in made:
+        become(world, one["id"], TakeState.CONFORMING)
     takes = world.approver.get(f"/v1/cues/{steps['id']}/review").json()["takes"]
     rivals = {one["id"]: one["undecided_with"] for one in takes}
     assert rivals == {made[0]["id"]: [], made[1]["id"]: [made[2]["id"]], made[2]["id"]: [made[1]["id"]]}

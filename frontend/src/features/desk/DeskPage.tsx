@@ -27,6 +27,7 @@ import { OtherSoundsCard } from './OtherSoundsCard'
 import { useCameBack, useToMake } from './pages'
 import { labelsOf } from './rows'
 import { AskedCard, FixesCard, ToMakeCard, WithApproverCard } from './SideCards'
+import { UndecidedFiles } from './UndecidedFiles'
 import { UnmatchedTray } from './UnmatchedTray'
 import { deskLine } from './words'
 
@@ -174,6 +175,7 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
             problem={problem}
             held={precheck && HeldFiles && <HeldFiles precheck={precheck} />}
           >
+            <UndecidedFiles projectId={projectId} />
             <UnmatchedTray
               projectId={projectId}
               takes={unmatched}

@@ -158,6 +158,15 @@ export const unmatchedQuery = (projectId: string, count: number) =>
 export const useUnmatched = (projectId: string, count: number) =>
   useQuery({ ...unmatchedQuery(projectId, count), placeholderData: keepPreviousData })
 
+export type UndecidedPlace = Schemas['UndecidedPlace']
+
+/** Sounds for which one delivery has several files between which nobody chose. */
+export const useUndecidedFiles = (projectId: string) =>
+  useQuery({
+    queryKey: queryKeys.undecidedFiles(projectId),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/takes/undecided', inProject(projectId))),
+  })
+
 export type TrayAction = Schemas['TrayActionRead']
 export type Move = Schemas['TakeMove']
 
@@ -292,6 +301,7 @@ export const refresh = (client: QueryClient, projectId: string) =>
     queryKeys.desk(projectId),
     queryKeys.deliveries(projectId),
     queryKeys.unmatched(projectId),
+    queryKeys.undecidedFiles(projectId),
     queryKeys.delivery.all,
     queryKeys.progress(projectId),
     queryKeys.soundList(projectId),
