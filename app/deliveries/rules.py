@@ -221,4 +221,5 @@ def variation_for_name(file_name: str, variations: int, filled: Collection[int])
 def ensure_variation(variation: int, variations: int) -> None:
     """Raise VariationUnknown unless the cue has a variation of that number."""
     if not 1 <= variation <= variations:
-        raise VariationUnknown(f"the cue has {variations} variation(s); there is no number {variation}")
+        files = "1 variation" if variations == 1 else f"{variations} variations"
+        raise VariationUnknown(f"the cue has {files}; there is no number {variation}")

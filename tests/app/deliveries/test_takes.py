@@ -100,6 +100,7 @@ def test_a_variation_that_the_cue_lacks_is_refused(world: World) -> None:
     body = {"upload_id": upload(world, delivery_id, "a.wav", SOUND), "file_name": "a.wav", "cue_id": cue["id"]}
     refused = world.designer.post(f"/v1/deliveries/{delivery_id}/takes", json=body | {"variation": 4})
     assert (refused.status_code, refused.json()["code"]) == (422, "variation-unknown")
+    assert "the cue has 3 variations" in refused.json()["detail"]
     refused = world.designer.post(f"/v1/deliveries/{delivery_id}/takes", json=body | {"cue_id": str(new_id())})
     assert (refused.status_code, refused.json()["code"]) == (404, "cue-not-found")
     assert world.designer.post(f"/v1/deliveries/{delivery_id}/takes", json=body).status_code == 201

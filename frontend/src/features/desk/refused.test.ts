@@ -4,11 +4,12 @@ import { QueryClient } from '@tanstack/react-query'
 import { beforeEach, expect, test } from 'vitest'
 
 import { forgetDrafts, openDraftsOf } from '@/app/drafts'
-import { ANY_WAV, type Picked } from '@/uploads'
+import type { Accepts, Picked } from '@/uploads'
 
 import { DeliveryUploads } from './deliveryUploads'
 import { refusedNameOf, refusedRows } from './rows'
 
+const ANY_WAV: Accepts = { kinds: ['wav'], sampleRatesHz: null, bitDepths: null }
 const MP3 = new Uint8Array([0x49, 0x44, 0x33, 4, 0, 0, 0, 0, 0, 0])
 const picked = (path: string): Picked => ({
   path,
