@@ -15,8 +15,10 @@ DELIVERY, CUE = UUID(int=100), UUID(int=200)
 
 
 def take(number: int, file_name: str, **more: Any) -> OpenTake:
-    facts = {"delivery_id": DELIVERY, "cue_id": CUE, "variation": 1, "alternate": None, "fix_of_id": None} | more
-    return OpenTake(id=UUID(int=number), number=number, file_name=file_name, **facts)
+    facts: dict[str, Any] = {"delivery_id": DELIVERY, "cue_id": CUE, "variation": 1, "alternate": None}
+    return OpenTake(
+        **facts | {"id": UUID(int=number), "number": number, "file_name": file_name, "fix_of_id": None} | more
+    )
 
 
 @pytest.mark.parametrize(
